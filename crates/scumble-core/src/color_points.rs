@@ -1,0 +1,212 @@
+//! Colour points: the colours of the sides of curves, as diffusion curves carry them (Orzan et al. 2008).
+//!
+//! A *run* of equal labels along one side of a curve holds its colour; where two runs meet, the colour passes from
+//! one to the other over a short transition, as in Figure 2(f) of Bao & Fu 2019.
+
+use crate::color::{Blend, BlendColor, Srgb8};
+use crate::planar_map::{PlanarMap, Step};
+use crate::triangulation::SideId;
+
+/// The colour of a side at the start, the middle and the end of its half-edge in the triangulation; `None` where
+/// the side has no colour and is a no-flux barrier. Indexed by [`SideId`].
+pub type SideColors = Vec<Option<[BlendColor; 3]>>;
+
+/// Length of the transition between two runs, in du; shorter where a run is shorter.
+pub const TRANSITION_DU: f64 = 24.0;
+
+/// A colour at a place along one side of a curve.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ColorPoint {
+    /// Distance from the start of the curve along it, in du.
+    pub arc_du: f64,
+    /// The colour as picked.
+    pub color: Srgb8,
+}
+
+/// A coloured stretch of one side of a curve: linear between its points, and from its first to its last only.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ColorSpan {
+    /// Index of the curve.
+    pub curve: u32,
+    /// Whether it lies to the right of the curve's direction.
+    pub right: bool,
+    /// At least two, in ascending order. On a closed curve the arc position may count on past the curve's end
+    /// into its next round.
+    pub points: Vec<ColorPoint>,
+}
+
+/// The colour points of all curves, where `color_of` gives the colour of a side that has one.
+pub fn color_spans(map: &PlanarMap, color_of: impl Fn(SideId) -> Option<Srgb8>) -> Vec<ColorSpan> {
+    let mut spans = Vec::new();
+    for curve in 0..map.curve_count() {
+        for right in [false, true] {
+            let colors: Vec<_> = map.steps(curve).iter().map(|step| color_of(side(step, right))).collect();
+            let seam = if map.is_closed(curve) { seam(&colors) } else { 0 };
+            let runs = runs(map.steps(curve), &colors, seam);
+            let parts = runs.chunk_by(|a, b| a.end_du == b.start_du);
+            spans.extend(parts.map(|part| ColorSpan { curve: curve as u32, right, points: points(part) }));
+        }
+    }
+    spans
+}
+
+fn side(step: &Step, right: bool) -> SideId {
+    if right { step.left.opposite() } else { step.left }
+}
+
+/// The step of a closed curve at which its sides are cut open: the middle of the longest run, where no transition
+/// is lost; 0 where all are alike.
+fn seam(colors: &[Option<Srgb8>]) -> usize {
+    let len = colors.len();
+    let is_start = |i: &usize| colors[*i] != colors[(i + len - 1) % len];
+    let starts: Vec<usize> = (0..len).filter(is_start).collect();
+    let next = starts.iter().skip(1).copied().chain(starts.first().map(|first| first + len));
+    let longest = starts.iter().zip(next).max_by_key(|(start, next)| next - *start);
+    longest.map_or(0, |(start, next)| (start + next) / 2 % len)
+}
+
+/// A stretch of one colour.
+#[derive(Clone, Copy, Debug)]
+struct Run {
+    start_du: f64,
+    end_du: f64,
+    color: Srgb8,
+}
+
+/// The runs of a curve's side, from step `seam` on and around.
+fn runs(steps: &[Step], colors: &[Option<Srgb8>], seam: usize) -> Vec<Run> {
+    let round_du = steps.last().map_or(0.0, |last| last.arc_du[1]);
+    let mut runs: Vec<Run> = Vec::new();
+    for i in (seam..steps.len()).chain(0..seam) {
+        let Some(color) = colors[i] else { continue };
+        let before_du = if i < seam { round_du } else { 0.0 };
+        let [start_du, end_du] = steps[i].arc_du.map(|arc_du| arc_du + before_du);
+        match runs.last_mut() {
+            Some(run) if run.color == color && run.end_du == start_du => run.end_du = end_du,
+            _ => runs.push(Run { start_du, end_du, color }),
+        }
+    }
+    runs
+}
+
+/// The colour points of runs that follow one another without a gap.
+fn points(runs: &[Run]) -> Vec<ColorPoint> {
+    let inset = |i: usize, j: Option<usize>| {
+        let length_du = |run: &Run| run.end_du - run.start_du;
+        j.and_then(|j| runs.get(j))
+            .map_or(0.0, |other| 0.5 * TRANSITION_DU.min(length_du(&runs[i])).min(length_du(other)))
+    };
+    let of_run = |(i, run): (usize, &Run)| {
+        let start_du = run.start_du + inset(i, i.checked_sub(1));
+        let end_du = run.end_du - inset(i, Some(i + 1));
+        [start_du, end_du].map(|arc_du| ColorPoint { arc_du, color: run.color })
+    };
+    runs.iter().enumerate().flat_map(of_run).collect()
+}
+
+/// The colours that spans give the sides of the map, in a blend space.
+///
+/// Where several curves run along one piece, the first of them colours it.
+pub fn side_colors(map: &PlanarMap, spans: &[ColorSpan], blend: Blend) -> SideColors {
+    let mut colors = vec![None; map.side_count()];
+    for span in spans {
+        let knots: Vec<_> = span.points.iter().map(|p| (p.arc_du, blend.from_srgb8(p.color))).collect();
+        let steps = map.steps(span.curve as usize);
+        let round_du = steps.last().map_or(0.0, |last| last.arc_du[1]);
+        for before_du in [0.0, round_du] {
+            color_steps(map, span, &knots, before_du, &mut colors);
+        }
+    }
+    colors
+}
+
+/// A place along a curve in du and its colour.
+type Knot = (f64, BlendColor);
+
+/// Colours the steps that lie within a span, `before_du` being what its arc positions are ahead of theirs.
+fn color_steps(map: &PlanarMap, span: &ColorSpan, knots: &[Knot], before_du: f64, colors: &mut SideColors) {
+    let [Some(first), Some(last)] = [knots.first(), knots.last()] else { return };
+    let steps = map.steps(span.curve as usize);
+    let begin = steps.partition_point(|step| step.arc_du[0] + before_du < first.0);
+    let within = steps[begin..].iter().take_while(|step| step.arc_du[1] + before_du <= last.0);
+    for step in within.filter(|step| map.pieces()[step.left.piece()].curve == Some(span.curve)) {
+        let [a, b] = step.arc_du.map(|arc_du| arc_du + before_du);
+        let along = [a, 0.5 * (a + b), b].map(|arc_du| interpolate(knots, arc_du));
+        let [start, middle, end] = along;
+        let side = side(step, span.right);
+        colors[side.index()] = Some(if span.right { [end, middle, start] } else { along });
+    }
+}
+
+fn interpolate(knots: &[Knot], arc_du: f64) -> BlendColor {
+    let after = knots.partition_point(|knot| knot.0 <= arc_du).clamp(1, knots.len() - 1);
+    let ((a, from), (b, to)) = (knots[after - 1], knots[after]);
+    let t = if b > a { ((arc_du - a) / (b - a)).clamp(0.0, 1.0) } else { 0.0 };
+    if from == to { from } else { [0, 1, 2].map(|i| from[i] + t * (to[i] - from[i])) }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::drawing::{Curve, Drawing};
+    use crate::planar_map::Sampling;
+    use kurbo::{Circle, Rect, Shape};
+
+    const RED: Srgb8 = Srgb8([200, 0, 0]);
+    const BLUE: Srgb8 = Srgb8([0, 0, 200]);
+
+    fn circle_map() -> PlanarMap {
+        let mut drawing = Drawing::new(Rect::new(0.0, 0.0, 1024.0, 1024.0));
+        let path = Circle::new((500.0, 500.0), 200.0).to_path(1e-6);
+        drawing.curves.push(Curve { path, line: None });
+        PlanarMap::build(&drawing, &Sampling::default()).expect("a map")
+    }
+
+    fn inner(map: &PlanarMap, color: impl Fn(usize) -> Option<Srgb8>) -> Vec<ColorSpan> {
+        let index_of = |side: SideId| map.steps(0).iter().position(|step| step.left == side);
+        color_spans(map, |side| index_of(side).and_then(&color))
+    }
+
+    #[test]
+    fn one_colour_around_is_one_span_of_two_points() {
+        let map = circle_map();
+        let spans = inner(&map, |_| Some(RED));
+        assert_eq!(spans.len(), 1);
+        assert_eq!(spans[0].points.len(), 2);
+        let colors = side_colors(&map, &spans, Blend::Srgb);
+        let red = Blend::Srgb.from_srgb8(RED);
+        for step in map.steps(0) {
+            assert_eq!(colors[step.left.index()], Some([red; 3]));
+            assert_eq!(colors[step.left.opposite().index()], None);
+        }
+    }
+
+    #[test]
+    fn two_colours_pass_into_one_another_at_both_of_their_borders() {
+        let map = circle_map();
+        let count = map.steps(0).len();
+        let spans = inner(&map, |i| Some(if i < count / 3 { RED } else { BLUE }));
+        let colors = side_colors(&map, &spans, Blend::Srgb);
+        let blue_at =
+            |i: usize, k: usize| colors[map.steps(0)[i % count].left.index()].expect("a colour")[k][2];
+        let full = 200.0 / 255.0;
+        for border in [0, count / 3] {
+            assert!((blue_at(border, 0) - 0.5 * full).abs() < 0.1, "half-way at the border");
+        }
+        for i in 0..count {
+            assert!((blue_at(i, 2) - blue_at(i + 1, 0)).abs() < 1e-9, "continuous around");
+            assert!((blue_at(i, 2) - blue_at(i, 0)).abs() < 0.15 * full, "no jump at step {i}");
+        }
+        assert_eq!(blue_at(count / 6, 1), 0.0);
+        assert_eq!(blue_at(2 * count / 3, 1), full);
+    }
+
+    #[test]
+    fn sides_without_a_colour_stay_without() {
+        let map = circle_map();
+        let spans = inner(&map, |i| (10..20).contains(&i).then_some(RED));
+        let colors = side_colors(&map, &spans, Blend::Oklab);
+        let colored = map.steps(0).iter().filter(|step| colors[step.left.index()].is_some()).count();
+        assert_eq!(colored, 10);
+    }
+}

@@ -1,0 +1,268 @@
+//! Curves as polylines on a lattice: the first step to a planar map.
+//!
+//! Nodes lie at most a given distance apart along the arc, pieces at most a given distance off their curve, and
+//! corners are kept. What lies outside the frame is cut off. Every node is put on a lattice of 1/64 du, so that
+//! all later decisions about crossings are exact in integers.
+
+use kurbo::{BezPath, CubicBez, Line, ParamCurve, ParamCurveArclen, PathSeg, Point, Rect, Shape, Size};
+
+use crate::planar_map::Sampling;
+
+/// Lattice units in one du.
+pub(crate) const LATTICE_PER_DU: f64 = 64.0;
+
+/// A point of the lattice: du × [`LATTICE_PER_DU`].
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub(crate) struct LatticePoint {
+    pub(crate) x: i32,
+    pub(crate) y: i32,
+}
+
+impl LatticePoint {
+    /// The lattice point nearest to a point that lies within the frame.
+    pub(crate) fn nearest(p: Point) -> Self {
+        Self { x: (p.x * LATTICE_PER_DU).round() as i32, y: (p.y * LATTICE_PER_DU).round() as i32 }
+    }
+
+    pub(crate) fn to_point(self) -> Point {
+        Point::new(f64::from(self.x) / LATTICE_PER_DU, f64::from(self.y) / LATTICE_PER_DU)
+    }
+}
+
+/// A straight piece of a sampled curve within the frame; its ends differ.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Stretch {
+    pub(crate) ends: [LatticePoint; 2],
+    /// Arc positions of the ends along the whole curve, in du.
+    pub(crate) arc_du: [f64; 2],
+}
+
+/// The frame's size in lattice units: the next whole one, so that the border itself lies on the lattice.
+pub(crate) fn lattice_frame(size_du: Size) -> LatticePoint {
+    let up = |du: f64| ((du * LATTICE_PER_DU).ceil() as i32).max(1);
+    LatticePoint { x: up(size_du.width), y: up(size_du.height) }
+}
+
+/// The four edges of the frame, anticlockwise in the sense of the triangulation.
+pub(crate) fn frame_path(frame: LatticePoint) -> BezPath {
+    frame_rect(frame).to_path(0.1)
+}
+
+/// Samples one curve, or gives up (`None`) above `limit` stretches.
+pub(crate) fn sample(
+    path: &BezPath,
+    frame: LatticePoint,
+    sampling: &Sampling,
+    limit: usize,
+) -> Option<Vec<Stretch>> {
+    let mut sampler =
+        Sampler { rect: frame_rect(frame), sampling, limit, stretches: Vec::new(), arc_du: 0.0 };
+    if !within_reach(path) {
+        return Some(Vec::new());
+    }
+    for segment in path.segments() {
+        sampler.segment(segment.to_cubic(), matches!(segment, PathSeg::Line(_)), 0)?;
+    }
+    Some(sampler.stretches)
+}
+
+pub(crate) fn frame_rect(frame: LatticePoint) -> Rect {
+    Rect::from_points(Point::ORIGIN, frame.to_point())
+}
+
+struct Sampler<'a> {
+    rect: Rect,
+    sampling: &'a Sampling,
+    limit: usize,
+    stretches: Vec<Stretch>,
+    arc_du: f64,
+}
+
+/// Curves with coordinates beyond this, or not finite, are not sampled: a million pages away.
+const MAX_COORDINATE_DU: f64 = 1e9;
+
+fn within_reach(path: &BezPath) -> bool {
+    let control_points = path.segments().flat_map(|segment| {
+        let c = segment.to_cubic();
+        [c.p0, c.p1, c.p2, c.p3]
+    });
+    control_points.into_iter().all(|p| p.x.abs() <= MAX_COORDINATE_DU && p.y.abs() <= MAX_COORDINATE_DU)
+}
+
+/// Halvings after which a segment is taken as it is: [`MAX_COORDINATE_DU`] is a page by then.
+const MAX_HALVINGS: usize = 24;
+
+impl Sampler<'_> {
+    /// Halves a segment until its parts lie inside the frame or outside, and samples those inside.
+    fn segment(&mut self, c: CubicBez, straight: bool, halvings: usize) -> Option<()> {
+        let hull = Rect::from_points(c.p0, c.p1).union(Rect::from_points(c.p2, c.p3));
+        let frame_size = self.rect.size().max_side();
+        if hull.x1 < self.rect.x0
+            || hull.y1 < self.rect.y0
+            || hull.x0 > self.rect.x1
+            || hull.y0 > self.rect.y1
+        {
+            self.arc_du += (c.p3 - c.p0).hypot();
+            return Some(());
+        }
+        if hull.size().max_side() > 2.0 * frame_size && halvings < MAX_HALVINGS {
+            let (first, second) = c.subdivide();
+            self.segment(first, straight, halvings + 1)?;
+            return self.segment(second, straight, halvings + 1);
+        }
+        self.inside(c, straight)
+    }
+
+    /// Nodes at equal distances along the arc, closer where the chord would leave the curve.
+    fn inside(&mut self, c: CubicBez, straight: bool) -> Option<()> {
+        let line = Line::new(c.p0, c.p3);
+        let length_du = if straight { line.arclen(1e-3) } else { c.arclen(1e-3) };
+        let count = (length_du / self.sampling.spacing_du).ceil().max(1.0) as usize;
+        if self.stretches.len() + count > self.limit {
+            return None;
+        }
+        if straight {
+            for i in 0..count {
+                let t = [i, i + 1].map(|i| i as f64 / count as f64);
+                self.push(t.map(|t| line.eval(t)));
+            }
+            return Some(());
+        }
+        let nodes = equal_arc_parameters(&c, count);
+        for t in nodes.windows(2) {
+            self.flat_enough(&c, [t[0], t[1]], 0);
+        }
+        Some(())
+    }
+
+    fn flat_enough(&mut self, c: &CubicBez, t: [f64; 2], halvings: usize) {
+        let ends = t.map(|t| c.eval(t));
+        let middle = 0.5 * (t[0] + t[1]);
+        let off_du = distance_to_chord(c.eval(middle), ends);
+        if off_du > self.sampling.chord_du && halvings < 8 {
+            self.flat_enough(c, [t[0], middle], halvings + 1);
+            self.flat_enough(c, [middle, t[1]], halvings + 1);
+        } else {
+            self.push(ends);
+        }
+    }
+
+    fn push(&mut self, ends: [Point; 2]) {
+        let arc_du = [self.arc_du, self.arc_du + (ends[1] - ends[0]).hypot()];
+        self.arc_du = arc_du[1];
+        let Some(inside) = clip(ends, self.rect) else { return };
+        let [a, b] = inside.map(|t| LatticePoint::nearest(clamp(ends[0].lerp(ends[1], t), self.rect)));
+        if a != b {
+            self.stretches.push(Stretch { ends: [a, b], arc_du });
+        }
+    }
+}
+
+fn distance_to_chord(p: Point, [a, b]: [Point; 2]) -> f64 {
+    let along = b - a;
+    let length = along.hypot();
+    if length == 0.0 { (p - a).hypot() } else { (along.cross(p - a) / length).abs() }
+}
+
+/// `count + 1` parameters from 0 to 1 at equal distances along the arc, by inverting a table of chords.
+fn equal_arc_parameters(c: &CubicBez, count: usize) -> Vec<f64> {
+    let table_len = (2 * count).clamp(8, 1024);
+    let parameter = |i: usize| i as f64 / table_len as f64;
+    let mut arc = vec![0.0];
+    let mut last = c.p0;
+    for i in 1..=table_len {
+        let p = c.eval(parameter(i));
+        arc.push(arc[i - 1] + (p - last).hypot());
+        last = p;
+    }
+    let mut at = 0;
+    let mut nodes: Vec<f64> = (0..count)
+        .map(|k| {
+            let target = arc[table_len] * k as f64 / count as f64;
+            while arc[at + 1] < target {
+                at += 1;
+            }
+            let step = arc[at + 1] - arc[at];
+            let part = if step > 0.0 { (target - arc[at]) / step } else { 0.0 };
+            (at as f64 + part) / table_len as f64
+        })
+        .collect();
+    nodes.push(1.0);
+    nodes
+}
+
+fn clamp(p: Point, rect: Rect) -> Point {
+    Point::new(p.x.clamp(rect.x0, rect.x1), p.y.clamp(rect.y0, rect.y1))
+}
+
+/// The part of a segment inside a rectangle, as parameters in `0..=1` (Liang & Barsky 1984).
+pub(crate) fn clip([a, b]: [Point; 2], rect: Rect) -> Option<[f64; 2]> {
+    let d = b - a;
+    let (mut t0, mut t1) = (0.0_f64, 1.0_f64);
+    for (from, step, lo, hi) in [(a.x, d.x, rect.x0, rect.x1), (a.y, d.y, rect.y0, rect.y1)] {
+        if step == 0.0 {
+            if from < lo || from > hi {
+                return None;
+            }
+            continue;
+        }
+        let (u, v) = ((lo - from) / step, (hi - from) / step);
+        t0 = t0.max(u.min(v));
+        t1 = t1.min(u.max(v));
+    }
+    (t0 <= t1).then_some([t0, t1])
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use kurbo::Circle;
+
+    const FRAME: LatticePoint = LatticePoint { x: 1024 * 64, y: 1024 * 64 };
+
+    fn sampled(path: &BezPath) -> Vec<Stretch> {
+        sample(path, FRAME, &Sampling::default(), 1_000_000).expect("below the limit")
+    }
+
+    #[test]
+    fn nodes_of_a_circle_are_close_and_on_it() {
+        let path = Circle::new((500.0, 500.0), 300.0).to_path(1e-6);
+        let stretches = sampled(&path);
+        assert!((620..700).contains(&stretches.len()), "{}", stretches.len());
+        for s in &stretches {
+            let [a, b] = s.ends.map(LatticePoint::to_point);
+            assert!((b - a).hypot() <= 3.02);
+            assert!(((a - Point::new(500.0, 500.0)).hypot() - 300.0).abs() < 0.02);
+        }
+        let total = stretches.last().map(|s| s.arc_du[1]).unwrap_or_default();
+        assert!((total - 600.0 * std::f64::consts::PI).abs() < 0.1);
+    }
+
+    #[test]
+    fn tight_bends_are_sampled_by_their_chord() {
+        let stretches = sampled(&Circle::new((5.0, 5.0), 1.0).to_path(1e-6));
+        assert!(stretches.len() >= 8, "{}", stretches.len());
+    }
+
+    #[test]
+    fn what_leaves_the_frame_is_cut_on_its_border() {
+        let line = BezPath::from_vec(vec![
+            kurbo::PathEl::MoveTo(Point::new(-1e6, 512.0)),
+            kurbo::PathEl::LineTo(Point::new(1e6, 512.0)),
+        ]);
+        let stretches = sampled(&line);
+        assert_eq!(stretches.first().map(|s| s.ends[0]), Some(LatticePoint { x: 0, y: 512 * 64 }));
+        assert_eq!(stretches.last().map(|s| s.ends[1]), Some(LatticePoint { x: 1024 * 64, y: 512 * 64 }));
+        assert!(stretches.windows(2).all(|w| w[0].ends[1] == w[1].ends[0]));
+    }
+
+    #[test]
+    fn endless_curves_end() {
+        for far in [1e6, 1e9, 1e12, 1e300] {
+            let mut path = BezPath::new();
+            path.move_to((-far, -far));
+            path.curve_to((far, 3.0), (-far, 7.0), (far, far));
+            let _ = sample(&path, FRAME, &Sampling::default(), 10_000);
+        }
+    }
+}

@@ -1,0 +1,211 @@
+//! A triangulation as flat arrays of half-edges: the form that everything after the planar map walks.
+//!
+//! Half-edge `3 t + i` runs from corner `i` to corner `i + 1` of triangle `t`, which lies to its left. *Left* is
+//! where `(dest − origin) × (p − origin) > 0`; on a page whose y axis points down that is the right hand.
+
+use kurbo::Point;
+
+/// One edge of one triangle, in the triangle's direction of turn.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct HalfEdge(pub u32);
+
+/// One side of one piece of curve: `2 · piece` is its left, `2 · piece + 1` its right.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct SideId(pub u32);
+
+impl HalfEdge {
+    /// Half-edge `i` (0..3) of a triangle.
+    pub fn of(triangle: usize, i: usize) -> Self {
+        Self((3 * triangle + i) as u32)
+    }
+
+    /// The triangle that it belongs to.
+    pub fn triangle(self) -> usize {
+        self.0 as usize / 3
+    }
+
+    /// The next one around its triangle.
+    pub fn next(self) -> Self {
+        Self(if self.0 % 3 == 2 { self.0 - 2 } else { self.0 + 1 })
+    }
+
+    /// The one before it around its triangle.
+    pub fn prev(self) -> Self {
+        Self(if self.0.is_multiple_of(3) { self.0 + 2 } else { self.0 - 1 })
+    }
+
+    /// Its place in an array of all half-edges.
+    pub fn index(self) -> usize {
+        self.0 as usize
+    }
+}
+
+impl SideId {
+    /// The left (`right == false`) or right side of a piece.
+    pub fn of(piece: usize, right: bool) -> Self {
+        Self(2 * piece as u32 + u32::from(right))
+    }
+
+    /// The piece whose side it is.
+    pub fn piece(self) -> usize {
+        self.0 as usize / 2
+    }
+
+    /// Whether it is the right side of its piece.
+    pub fn is_right(self) -> bool {
+        self.0 % 2 == 1
+    }
+
+    /// The other side of the same piece.
+    pub fn opposite(self) -> Self {
+        Self(self.0 ^ 1)
+    }
+
+    /// Its place in an array of all sides.
+    pub fn index(self) -> usize {
+        self.0 as usize
+    }
+}
+
+/// Absent neighbour or side in the flat arrays.
+const NONE: u32 = u32::MAX;
+
+/// Triangles over nodes, some of whose edges are sides of curve pieces.
+#[derive(Clone, Debug, Default)]
+pub struct Triangulation {
+    points: Vec<Point>,
+    /// The node that each half-edge starts from.
+    origins: Vec<u32>,
+    twins: Vec<u32>,
+    sides: Vec<u32>,
+}
+
+impl Triangulation {
+    /// Builds one from nodes and triangles that turn left, where `side_of(a, b)` names the side that the
+    /// half-edge from node `a` to node `b` is, if any.
+    ///
+    /// Edges that belong to one triangle alone have no twin.
+    pub fn new(
+        points: Vec<Point>,
+        triangles: &[[u32; 3]],
+        side_of: impl Fn(u32, u32) -> Option<SideId>,
+    ) -> Self {
+        let origins = triangles.as_flattened().to_vec();
+        let mut mesh =
+            Self { points, twins: vec![NONE; origins.len()], sides: vec![NONE; origins.len()], origins };
+        let mut by_ends: Vec<_> = mesh.half_edges().map(|h| (mesh.ends_sorted(h), h)).collect();
+        by_ends.sort_unstable();
+        for pair in by_ends.windows(2).filter(|pair| pair[0].0 == pair[1].0) {
+            mesh.twins[pair[0].1.index()] = pair[1].1.0;
+            mesh.twins[pair[1].1.index()] = pair[0].1.0;
+        }
+        for h in mesh.half_edges() {
+            let [a, b] = mesh.ends(h);
+            mesh.sides[h.index()] = side_of(a, b).map_or(NONE, |side| side.0);
+        }
+        mesh
+    }
+
+    /// Takes half-edges in order, three to a triangle: origin, index of the twin (`u32::MAX` for none), side.
+    pub(crate) fn from_half_edges(
+        points: Vec<Point>,
+        half_edges: impl Iterator<Item = (u32, u32, Option<SideId>)>,
+    ) -> Self {
+        let mut mesh = Self { points, ..Self::default() };
+        for (origin, twin, side) in half_edges {
+            mesh.origins.push(origin);
+            mesh.twins.push(twin);
+            mesh.sides.push(side.map_or(NONE, |side| side.0));
+        }
+        mesh
+    }
+
+    /// All nodes, in du.
+    pub fn points(&self) -> &[Point] {
+        &self.points
+    }
+
+    /// Number of triangles.
+    pub fn triangle_count(&self) -> usize {
+        self.origins.len() / 3
+    }
+
+    /// All half-edges, triangle by triangle.
+    pub fn half_edges(&self) -> impl Iterator<Item = HalfEdge> + use<> {
+        (0..self.origins.len() as u32).map(HalfEdge)
+    }
+
+    /// The three nodes of a triangle.
+    pub fn nodes(&self, triangle: usize) -> [u32; 3] {
+        [0, 1, 2].map(|i| self.origins[3 * triangle + i])
+    }
+
+    /// The three corners of a triangle, in du.
+    pub fn corners(&self, triangle: usize) -> [Point; 3] {
+        self.nodes(triangle).map(|node| self.points[node as usize])
+    }
+
+    /// The node that a half-edge starts from.
+    pub fn origin(&self, h: HalfEdge) -> u32 {
+        self.origins[h.index()]
+    }
+
+    /// The nodes at its start and its end.
+    pub fn ends(&self, h: HalfEdge) -> [u32; 2] {
+        [self.origin(h), self.origin(h.next())]
+    }
+
+    /// Where it starts and ends, in du.
+    pub fn segment(&self, h: HalfEdge) -> [Point; 2] {
+        self.ends(h).map(|node| self.points[node as usize])
+    }
+
+    /// The same edge in the triangle on the other side, or `None` on the outer border.
+    pub fn twin(&self, h: HalfEdge) -> Option<HalfEdge> {
+        some(self.twins[h.index()]).map(HalfEdge)
+    }
+
+    /// The side of a curve piece that it is, or `None` for an edge that is no curve.
+    pub fn side(&self, h: HalfEdge) -> Option<SideId> {
+        some(self.sides[h.index()]).map(SideId)
+    }
+
+    /// The twin, if the edge is no curve: the way from one triangle to the next.
+    pub fn passage(&self, h: HalfEdge) -> Option<HalfEdge> {
+        if self.side(h).is_some() { None } else { self.twin(h) }
+    }
+
+    /// Numbers the sets of triangles that are joined without crossing a curve: per triangle its region, counted
+    /// from 0 in the order of each region's first triangle; and the number of regions.
+    pub fn regions(&self) -> (Vec<u32>, usize) {
+        let mut region_of = vec![NONE; self.triangle_count()];
+        let mut count = 0;
+        let mut stack = Vec::new();
+        for first in 0..region_of.len() {
+            if region_of[first] != NONE {
+                continue;
+            }
+            region_of[first] = count;
+            stack.push(first);
+            while let Some(t) = stack.pop() {
+                for twin in (0..3).filter_map(|i| self.passage(HalfEdge::of(t, i))) {
+                    if region_of[twin.triangle()] == NONE {
+                        region_of[twin.triangle()] = count;
+                        stack.push(twin.triangle());
+                    }
+                }
+            }
+            count += 1;
+        }
+        (region_of, count as usize)
+    }
+
+    fn ends_sorted(&self, h: HalfEdge) -> [u32; 2] {
+        let [a, b] = self.ends(h);
+        [a.min(b), a.max(b)]
+    }
+}
+
+fn some(index: u32) -> Option<u32> {
+    (index != NONE).then_some(index)
+}
