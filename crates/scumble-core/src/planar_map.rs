@@ -165,13 +165,19 @@ impl PlanarMap {
     }
 }
 
+/// The frame is sampled this many times as coarsely as the curves: no colour sits on it, but as four long edges
+/// it would spoil the triangles of the background.
+const FRAME_COARSENING: f64 = 4.0;
+
 /// The curves as stretches, and the frame after them; `None` where there are too many.
 fn polylines(drawing: &Drawing, frame: LatticePoint, sampling: &Sampling) -> Option<Vec<Vec<Stretch>>> {
     let mut left = MAX_PIECES;
     let frame_path = sample::frame_path(frame);
-    let paths = drawing.curves.iter().map(|curve| &curve.path).chain([&frame_path]);
-    paths
-        .map(|path| {
+    let frame_sampling = Sampling { spacing_du: FRAME_COARSENING * sampling.spacing_du, ..*sampling };
+    let curves = drawing.curves.iter().map(|curve| (&curve.path, sampling));
+    curves
+        .chain([(&frame_path, &frame_sampling)])
+        .map(|(path, sampling)| {
             let polyline = sample::sample(path, frame, sampling, left)?;
             left -= polyline.len();
             Some(polyline)
