@@ -68,6 +68,11 @@ const MAX_PIECES: usize = 1_000_000;
 /// Smallest angle, in degrees, that refinement aims at.
 const REFINED_ANGLE_DEG: f64 = 20.0;
 
+/// Largest triangle of the refined mesh, in squares of the spacing of nodes along curves: 25 du from corner to corner
+/// at the default spacing. Angles alone let triangles grow with their distance from the curves, whatever the
+/// spacing, and the solver's error with them.
+const REFINED_AREA: f64 = 30.0;
+
 /// `spade` refuses coordinates within 1e-43 of zero: it works on du + 1024, which is exact on the lattice.
 const SHIFT_DU: f64 = 1024.0;
 
@@ -85,6 +90,7 @@ pub struct PlanarMap {
     triangulation: Triangulation,
     pieces: Vec<Piece>,
     steps: Vec<Vec<Step>>,
+    spacing_du: f64,
 }
 
 impl PlanarMap {
@@ -102,7 +108,14 @@ impl PlanarMap {
         let (pieces, steps) = pieces_and_steps(&polylines, &snapped);
         let cdt = triangulate(&snapped.nodes, &pieces)?;
         let triangulation = flatten(&cdt, &pieces);
-        Ok(Self { frame: sample::frame_rect(frame), cdt, triangulation, pieces, steps })
+        Ok(Self {
+            frame: sample::frame_rect(frame),
+            cdt,
+            triangulation,
+            pieces,
+            steps,
+            spacing_du: sampling.spacing_du,
+        })
     }
 
     /// The constrained Delaunay triangulation of the pieces and the frame.
@@ -152,13 +165,17 @@ impl PlanarMap {
     }
 
     /// The same pieces with further nodes between them, so that angles are at least 20° where the pieces allow
-    /// it: the mesh of the solver. Pieces are never split.
+    /// it, and no triangle is larger than the sampling asks for: the mesh of the solver. Pieces are never split.
     ///
     /// Ruppert's refinement would split the pieces at acute corners without end; it is told to keep them.
     pub fn refined(&self) -> Triangulation {
         let mut cdt = self.cdt.clone();
+        let largest_du2 = REFINED_AREA * self.spacing_du * self.spacing_du;
+        let empty_page = 4.0 * self.frame.area() / largest_du2;
         let parameters = RefinementParameters::new()
             .keep_constraint_edges()
+            .with_max_additional_vertices(10 * cdt.num_vertices() + empty_page as usize)
+            .with_max_allowed_area(largest_du2)
             .with_angle_limit(spade::AngleLimit::from_deg(REFINED_ANGLE_DEG));
         cdt.refine(parameters);
         flatten(&cdt, &self.pieces)

@@ -1,0 +1,180 @@
+//! `scumble bench`: how long each stage takes on the drawings of a quality set, on one thread.
+
+use std::path::{Path, PathBuf};
+
+use anyhow::Context;
+use scumble_core::drawing::LONGER_SIDE_DU;
+use scumble_core::{Blend, Scribble, SideColors};
+use scumble_io::read_scribbles;
+use serde::Deserialize;
+
+use crate::baseline::PixelGrid;
+use crate::clock::{Times, print_head, print_row, timed};
+use crate::files;
+use crate::stages::{self, Opened, PAPER};
+
+/// Size of the pictures.
+const SIZE_PX: u32 = 1024;
+
+/// The baseline takes its time: it is run on every so many-th drawing.
+const BASELINE_EVERY: usize = 5;
+
+#[derive(Deserialize)]
+struct Entry {
+    id: String,
+}
+
+/// Times of everything, one entry for each drawing, or for each scribble after the first.
+#[derive(Default)]
+struct Report {
+    read: Times,
+    import: Times,
+    map: Times,
+    mesh: Times,
+    color: Times,
+    analyse: Times,
+    factor: Times,
+    solve: Times,
+    paint: Times,
+    first_picture: Times,
+    new_scribble: Times,
+    repaint: Times,
+    recolor: Times,
+    baseline: Times,
+    /// From coloured sides to pixels, on the drawings of the baseline.
+    beside_baseline: Times,
+}
+
+/// Times the drawings of a set and prints the figures.
+///
+/// # Errors
+/// When the set cannot be read or a drawing fails.
+pub(crate) fn run(set: &Path) -> anyhow::Result<()> {
+    let index = set.join("index.json");
+    let entries: Vec<Entry> = serde_json::from_slice(&files::read(&index)?)
+        .with_context(|| format!("{} is no list of drawings", index.display()))?;
+    let mut report = Report::default();
+    for (i, entry) in entries.iter().enumerate() {
+        let folder = set.join(&entry.id);
+        let measured = report.drawing(&folder, i % BASELINE_EVERY == 0);
+        measured.with_context(|| format!("drawing {}", entry.id))?;
+    }
+    report.print();
+    Ok(())
+}
+
+impl Report {
+    fn drawing(&mut self, folder: &Path, with_baseline: bool) -> anyhow::Result<()> {
+        let (svg, read_ms) = timed(|| files::read(&folder.join("drawing.svg")));
+        let mut opened = stages::open(&svg?)?;
+        let scribbles = scribbles(folder.join("dense.json"), &opened)?;
+        let first = scribbles.len().min(1);
+        let spread_ms = self.first_scribble(&mut opened, &scribbles[..first])?;
+        let paint_ms = paint_ms(&mut opened, &scribbles[..first])?;
+        self.read.push(read_ms);
+        self.import.push(opened.import_ms);
+        self.map.push(opened.map_ms);
+        self.mesh.push(opened.mesh_ms);
+        self.paint.push(paint_ms);
+        self.first_picture
+            .push(read_ms + opened.import_ms + opened.map_ms + opened.mesh_ms + spread_ms + paint_ms);
+        let colors = self.more_scribbles(&mut opened, &scribbles)?;
+        self.recolor(&mut opened, &scribbles)?;
+        if with_baseline { self.baseline(&mut opened, &colors) } else { Ok(()) }
+    }
+
+    fn first_scribble(&mut self, opened: &mut Opened, first: &[Scribble]) -> anyhow::Result<f64> {
+        let (_, times) = stages::spread(&mut opened.picture, first, Blend::Oklab)?;
+        self.color.push(times.color_ms);
+        self.analyse.push(times.analyse_ms);
+        self.factor.push(times.factor_ms);
+        self.solve.push(times.solve_ms);
+        Ok(times.total_ms())
+    }
+
+    /// Adds one scribble at a time; gives the colours with all of them.
+    fn more_scribbles(&mut self, opened: &mut Opened, scribbles: &[Scribble]) -> anyhow::Result<SideColors> {
+        for count in 2..=scribbles.len() {
+            let (_, times) = stages::spread(&mut opened.picture, &scribbles[..count], Blend::Oklab)?;
+            self.new_scribble.push(times.total_ms());
+        }
+        self.repaint.push(paint_ms(opened, scribbles)?);
+        Ok(opened.picture.color(scribbles, Blend::Oklab))
+    }
+
+    /// Gives the last scribble another colour.
+    fn recolor(&mut self, opened: &mut Opened, scribbles: &[Scribble]) -> anyhow::Result<()> {
+        let mut recolored = scribbles.to_vec();
+        if let Some(last) = recolored.last_mut() {
+            last.color.0[1] ^= 0x40;
+        }
+        let (_, times) = stages::spread(&mut opened.picture, &recolored, Blend::Oklab)?;
+        self.recolor.push(times.total_ms());
+        Ok(())
+    }
+
+    /// The same colours by the plain way and, from scratch, by ours.
+    fn baseline(&mut self, opened: &mut Opened, colors: &SideColors) -> anyhow::Result<()> {
+        let mut grid = PixelGrid::new(SIZE_PX as usize);
+        grid.draw(opened.picture.map().triangulation(), colors, f64::from(SIZE_PX) / LONGER_SIDE_DU);
+        let (solved, baseline_ms) = timed(|| grid.solve());
+        solved.context("the pixel multigrid did not converge")?;
+        self.baseline.push(baseline_ms);
+        let mut fresh = scumble_solve::MeshSolver::new(opened.picture.map().refined());
+        let view = stages::page_view(&opened.import.drawing, SIZE_PX);
+        let (painted, ours_ms) = timed(|| {
+            let field = fresh.solve(colors, Blend::Oklab)?;
+            Ok::<_, scumble_solve::SolveError>(stages::paint_page(field, &[], &view, Some(PAPER)))
+        });
+        painted?;
+        self.beside_baseline.push(ours_ms);
+        Ok(())
+    }
+
+    fn print(&self) {
+        print_head(&format!("{} drawings, one thread", self.import.len()));
+        for (name, times) in [
+            ("read", &self.read),
+            ("import", &self.import),
+            ("map", &self.map),
+            ("mesh", &self.mesh),
+            ("first scribble: color", &self.color),
+            ("first scribble: analyse", &self.analyse),
+            ("first scribble: factor", &self.factor),
+            ("first scribble: solve", &self.solve),
+            ("paint at 1024 px", &self.paint),
+            ("file to first picture at 1024 px", &self.first_picture),
+            ("a new scribble (color to solve)", &self.new_scribble),
+            ("a scribble recoloured (color to solve)", &self.recolor),
+            ("paint at 1024 px with all scribbles", &self.repaint),
+        ] {
+            print_row(name, times);
+        }
+        self.print_ratio();
+    }
+
+    fn print_ratio(&self) {
+        println!();
+        print_head(&format!("{} of them, colours on sides to pixels", self.baseline.len()));
+        print_row("plain multigrid on 1024² pixels", &self.baseline);
+        print_row("analyse, factor, solve, paint at 1024 px", &self.beside_baseline);
+        let baseline_ms = self.baseline.median();
+        println!(
+            "multigrid / ours: {:.1}; multigrid / a new scribble: {:.1}",
+            baseline_ms / self.beside_baseline.median(),
+            baseline_ms / self.new_scribble.median()
+        );
+    }
+}
+
+fn scribbles(path: PathBuf, opened: &Opened) -> anyhow::Result<Vec<Scribble>> {
+    Ok(read_scribbles(&files::read(&path)?, &opened.import.drawing)?.scribbles)
+}
+
+fn paint_ms(opened: &mut Opened, scribbles: &[Scribble]) -> anyhow::Result<f64> {
+    let colors = opened.picture.color(scribbles, Blend::Oklab);
+    let view = stages::page_view(&opened.import.drawing, SIZE_PX);
+    let field = opened.picture.mesh().solve(&colors, Blend::Oklab)?;
+    let (_, paint_ms) = timed(|| stages::paint_page(field, &[], &view, Some(PAPER)));
+    Ok(paint_ms)
+}

@@ -1,0 +1,69 @@
+//! Colours line drawings from the command line, tries the program on folders of drawings, and times it.
+//!
+//! | noun | file |
+//! |---|---|
+//! | what the user asked for | `options` |
+//! | `scumble color`: one picture | `color` |
+//! | `scumble corpus`: a folder of drawings, for crashes and lost curves | `corpus` |
+//! | `scumble bench`: how long each stage takes | `bench` |
+//! | … beside a plain solver on pixels | `baseline` |
+//! | from a file to a picture, stage by stage | `stages` |
+//! | times and their percentiles | `clock` |
+//! | files in and out | `files` |
+
+mod baseline;
+mod bench;
+mod clock;
+mod color;
+mod corpus;
+mod files;
+mod options;
+mod stages;
+
+use std::process::ExitCode;
+
+use options::Command;
+
+/// What a user sees who asks for help, or for nothing.
+const HELP: &str = "\
+Colours line drawings: scribble a colour on it, get a smooth-shaded picture.
+
+scumble color DRAWING.svg --scribbles S.json -o OUT.png
+    [--size 1024]           longer side of the picture, in pixels
+    [--lines]               draw the lines over the colours
+    [--transparent]         no white paper where nothing is coloured
+    [--blend oklab|srgb]    how colours mix
+    [--timings]             print counts and milliseconds of each stage as JSON
+
+    S.json: {\"scribbles\":[{\"color\":\"#rrggbb\",\"width\":1.5,\"points\":[[x,y],…]},…]}
+    in units of the drawing's viewBox, in drawing order.
+
+scumble corpus DIR [--take N]
+    tries all drawings of a folder, or N of them evenly spaced;
+    exit code 1 where one panics, fails, or loses a curve
+
+scumble bench [SETDIR]
+    times each stage on a quality set (SETDIR/ID/drawing.svg, SETDIR/ID/dense.json)
+
+Exit code 2: bad input; nothing was written.
+";
+
+fn main() -> ExitCode {
+    match run() {
+        Ok(code) => code,
+        Err(error) => {
+            eprintln!("scumble: {error:#}");
+            ExitCode::from(2)
+        }
+    }
+}
+
+fn run() -> anyhow::Result<ExitCode> {
+    match options::parse(pico_args::Arguments::from_env())? {
+        Command::Help => print!("{HELP}"),
+        Command::Color(options) => color::run(&options)?,
+        Command::Corpus { folder, take } => return corpus::run(&folder, take),
+        Command::Bench { set } => bench::run(&set)?,
+    }
+    Ok(ExitCode::SUCCESS)
+}

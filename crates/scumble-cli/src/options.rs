@@ -1,0 +1,118 @@
+//! What the user asked for.
+
+use std::ffi::OsString;
+use std::path::PathBuf;
+
+use anyhow::{Context, anyhow, bail};
+use pico_args::Arguments;
+use scumble_core::Blend;
+
+/// Where the quality set lies if the user names no folder.
+const DEFAULT_SET: &str = "../shared/quality/dev";
+
+/// Picture sizes that are made, in pixels of the longer side.
+const SIZES_PX: std::ops::RangeInclusive<u32> = 1..=16384;
+
+/// A command with its options.
+#[derive(Debug)]
+pub(crate) enum Command {
+    Help,
+    Color(ColorOptions),
+    Corpus { folder: PathBuf, take: Option<usize> },
+    Bench { set: PathBuf },
+}
+
+/// What `scumble color` is to make.
+#[derive(Debug)]
+pub(crate) struct ColorOptions {
+    pub(crate) drawing: PathBuf,
+    pub(crate) scribbles: PathBuf,
+    pub(crate) output: PathBuf,
+    /// Longer side.
+    pub(crate) size_px: u32,
+    pub(crate) lines: bool,
+    pub(crate) transparent: bool,
+    pub(crate) blend: Blend,
+    pub(crate) timings: bool,
+}
+
+/// Reads a command line.
+///
+/// # Errors
+/// When a command or an option is unknown, missing or faulty.
+pub(crate) fn parse(mut arguments: Arguments) -> anyhow::Result<Command> {
+    if arguments.contains(["-h", "--help"]) {
+        return Ok(Command::Help);
+    }
+    match arguments.subcommand().map_err(advise)?.as_deref() {
+        None => rest(arguments, []).map(|[]| Command::Help),
+        Some("color") => color(arguments).map(Command::Color),
+        Some("corpus") => {
+            let take = arguments.opt_value_from_fn("--take", positive).map_err(advise)?;
+            let [folder] = rest(arguments, ["DIR"])?;
+            Ok(Command::Corpus { folder: folder.into(), take })
+        }
+        Some("bench") => {
+            let set = arguments.opt_free_from_str::<PathBuf>().map_err(advise)?;
+            let set = set.unwrap_or_else(|| DEFAULT_SET.into());
+            rest(arguments, []).map(|[]| Command::Bench { set })
+        }
+        Some(other) => bail!("there is no command “{other}”; use color, corpus or bench, or --help"),
+    }
+}
+
+fn color(mut arguments: Arguments) -> anyhow::Result<ColorOptions> {
+    let path = |value: &std::ffi::OsStr| Ok::<_, std::convert::Infallible>(PathBuf::from(value));
+    let scribbles = arguments.opt_value_from_os_str("--scribbles", path).map_err(advise)?;
+    let output = arguments.opt_value_from_os_str("-o", path).map_err(advise)?;
+    let size_px = arguments.opt_value_from_fn("--size", size).map_err(advise)?;
+    let blend = arguments.opt_value_from_fn("--blend", blend).map_err(advise)?;
+    let lines = arguments.contains("--lines");
+    let transparent = arguments.contains("--transparent");
+    let timings = arguments.contains("--timings");
+    let [drawing] = rest(arguments, ["DRAWING.svg"])?;
+    Ok(ColorOptions {
+        drawing: drawing.into(),
+        scribbles: scribbles.context("--scribbles is missing; name a file of scribbles")?,
+        output: output.context("-o is missing; name the picture to write, for example -o picture.png")?,
+        size_px: size_px.unwrap_or(1024),
+        lines,
+        transparent,
+        blend: blend.unwrap_or_default(),
+        timings,
+    })
+}
+
+/// What is left once the options are taken: exactly the arguments that have these names.
+fn rest<const N: usize>(arguments: Arguments, names: [&str; N]) -> anyhow::Result<[OsString; N]> {
+    let rest = arguments.finish();
+    if let Some(option) = rest.iter().find(|argument| argument.to_string_lossy().starts_with('-')) {
+        bail!("the option {} is unknown, or given twice; see --help", option.display());
+    }
+    let count = rest.len();
+    rest.try_into().map_err(|_| match names.get(count) {
+        Some(name) => anyhow!("{name} is missing; see --help"),
+        None => anyhow!("there are {count} arguments where {N} are expected; see --help"),
+    })
+}
+
+fn size(text: &str) -> Result<u32, String> {
+    let size_px = text.parse().ok().filter(|size_px| SIZES_PX.contains(size_px));
+    size_px.ok_or_else(|| format!("give a number of pixels from {} to {}", SIZES_PX.start(), SIZES_PX.end()))
+}
+
+fn positive(text: &str) -> Result<usize, String> {
+    text.parse().ok().filter(|n| *n > 0).ok_or_else(|| "give a whole number above zero".into())
+}
+
+fn blend(text: &str) -> Result<Blend, String> {
+    match text {
+        "oklab" => Ok(Blend::Oklab),
+        "srgb" => Ok(Blend::Srgb),
+        _ => Err("give oklab or srgb".into()),
+    }
+}
+
+fn advise(error: pico_args::Error) -> anyhow::Error {
+    anyhow!("{error}; see --help")
+}

@@ -1,0 +1,82 @@
+//! From a file to a picture, stage by stage, each with its time.
+
+use kurbo::Affine;
+use scumble_core::drawing::LONGER_SIDE_DU;
+use scumble_core::{Blend, Drawing, Scribble, SideColors, Srgb8};
+use scumble_io::{Import, import_svg};
+use scumble_solve::{Field, Picture, Pixmap, Scene, Shape, SolveError, View, paint};
+
+use crate::clock::timed;
+
+/// White.
+pub(crate) const PAPER: Srgb8 = Srgb8([255; 3]);
+
+/// A drawing that is ready for colours, and the milliseconds that it took.
+#[derive(Debug)]
+pub(crate) struct Opened {
+    pub(crate) import: Import,
+    pub(crate) picture: Picture,
+    pub(crate) import_ms: f64,
+    pub(crate) map_ms: f64,
+    pub(crate) mesh_ms: f64,
+}
+
+/// Imports, maps and meshes a drawing.
+///
+/// # Errors
+/// When the bytes are no drawing, or it has too many pieces.
+pub(crate) fn open(svg: &[u8]) -> anyhow::Result<Opened> {
+    let (import, import_ms) = timed(|| import_svg(svg));
+    let import = import?;
+    let (picture, map_ms) = timed(|| Picture::new(&import.drawing));
+    let mut picture = picture?;
+    let (_, mesh_ms) = timed(|| picture.mesh().triangle_count());
+    Ok(Opened { import, picture, import_ms, map_ms, mesh_ms })
+}
+
+/// The milliseconds that scribbles took.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct SpreadTimes {
+    pub(crate) color_ms: f64,
+    pub(crate) analyse_ms: f64,
+    pub(crate) factor_ms: f64,
+    pub(crate) solve_ms: f64,
+}
+
+impl SpreadTimes {
+    pub(crate) fn total_ms(&self) -> f64 {
+        self.color_ms + self.analyse_ms + self.factor_ms + self.solve_ms
+    }
+}
+
+/// Colours the sides and spreads their colours.
+///
+/// # Errors
+/// When the solver fails.
+pub(crate) fn spread(
+    picture: &mut Picture,
+    scribbles: &[Scribble],
+    blend: Blend,
+) -> Result<(SideColors, SpreadTimes), SolveError> {
+    let (colors, color_ms) = timed(|| picture.color(scribbles, blend));
+    let solver = picture.mesh();
+    let ((), analyse_ms) = timed(|| solver.analyse(&colors));
+    let (factored, factor_ms) = timed(|| solver.factor(&colors));
+    factored?;
+    let (solved, solve_ms) = timed(|| solver.solve(&colors, blend).map(|_| ()));
+    solved?;
+    Ok((colors, SpreadTimes { color_ms, analyse_ms, factor_ms, solve_ms }))
+}
+
+/// The whole page with a longer side of so many pixels.
+pub(crate) fn page_view(drawing: &Drawing, size_px: u32) -> View {
+    let scale = f64::from(size_px) / LONGER_SIDE_DU;
+    let size = drawing.size_du() * scale;
+    let [width_px, height_px] = [size.width, size.height].map(|side| (side.round() as u32).max(1));
+    View { px_from_du: Affine::scale(scale), width_px, height_px }
+}
+
+/// Paints a field and shapes over it.
+pub(crate) fn paint_page(field: &Field, shapes: &[Shape], view: &View, paper: Option<Srgb8>) -> Pixmap {
+    paint(&Scene { paper, field, shapes }, view)
+}

@@ -1,0 +1,75 @@
+//! An open graphics device, with no more features and limits than the renderer uses.
+
+use std::sync::Arc;
+
+use crate::error::GpuError;
+
+/// A device and where it came from. The handles are counted: clones are cheap and mean the same device.
+#[derive(Clone, Debug)]
+pub struct Gpu {
+    /// What the device runs on.
+    pub adapter: wgpu::Adapter,
+    /// Makes buffers, textures and pipelines.
+    pub device: wgpu::Device,
+    /// Takes commands and data.
+    pub queue: wgpu::Queue,
+}
+
+/// The entry to `wgpu`.
+///
+/// On WebGL nothing can be waited for; there pixels are fetched in the order of the commands, so fences that finish
+/// at once are right.
+pub fn instance() -> wgpu::Instance {
+    let mut descriptor = wgpu::InstanceDescriptor::new_without_display_handle();
+    descriptor.backend_options.gl.fence_behavior = wgpu::GlFenceBehavior::AutoFinish;
+    wgpu::Instance::new(descriptor)
+}
+
+/// The first format of a surface that stores bytes as they are; the renderer does the sRGB encoding itself.
+pub fn surface_format(capabilities: &wgpu::SurfaceCapabilities) -> Option<wgpu::TextureFormat> {
+    use wgpu::TextureFormat::{Bgra8Unorm, Rgba8Unorm};
+    capabilities.formats.iter().copied().find(|format| matches!(format, Rgba8Unorm | Bgra8Unorm))
+}
+
+impl Gpu {
+    /// Opens a device, on WebGL for one surface, elsewhere for any.
+    ///
+    /// `on_failure` hears when the device is lost or fails later: everything must then be built anew. It may be
+    /// called in the middle of any call into `wgpu`, so it should only make a note.
+    pub async fn open(
+        instance: &wgpu::Instance,
+        surface: Option<&wgpu::Surface<'_>>,
+        on_failure: impl Fn(GpuError) + Send + Sync + 'static,
+    ) -> Result<Self, GpuError> {
+        let options = wgpu::RequestAdapterOptions { compatible_surface: surface, ..Default::default() };
+        let adapter = instance.request_adapter(&options).await;
+        let adapter = adapter.map_err(|error| GpuError::NoAdapter(error.to_string()))?;
+        let opened = adapter.request_device(&device_descriptor(&adapter)).await;
+        let (device, queue) = opened.map_err(|error| GpuError::NoDevice(error.to_string()))?;
+        watch(&device, on_failure);
+        Ok(Self { adapter, device, queue })
+    }
+}
+
+/// WebGL2's limits, but the adapter's texture size, and one colour attachment: some adapters have few.
+fn device_descriptor(adapter: &wgpu::Adapter) -> wgpu::DeviceDescriptor<'static> {
+    let limits = wgpu::Limits::downlevel_webgl2_defaults().using_resolution(adapter.limits());
+    wgpu::DeviceDescriptor {
+        label: Some("scumble"),
+        required_limits: wgpu::Limits { max_color_attachments: 1, ..limits },
+        ..Default::default()
+    }
+}
+
+fn watch(device: &wgpu::Device, on_failure: impl Fn(GpuError) + Send + Sync + 'static) {
+    let on_failure = Arc::new(on_failure);
+    let on_error = Arc::clone(&on_failure);
+    device.on_uncaptured_error(Arc::new(move |error: wgpu::Error| {
+        on_error(GpuError::Failed(error.to_string()));
+    }));
+    device.set_device_lost_callback(move |reason, message| {
+        if reason != wgpu::DeviceLostReason::Destroyed {
+            on_failure(GpuError::Lost(message));
+        }
+    });
+}

@@ -1,0 +1,129 @@
+//! Things to draw, on the GPU: field triangles and corners of shapes, in buffers that grow and are kept.
+
+use bytemuck::{Pod, Zeroable};
+use scumble_solve::{Field, Shape};
+
+/// A field triangle as the vertex shader reads it.
+#[derive(Clone, Copy, Debug, Pod, Zeroable)]
+#[repr(C)]
+pub(crate) struct FieldItem {
+    corners: [[f32; 2]; 3],
+    colors: [[f32; 3]; 6],
+}
+
+/// Three corners of a shape.
+#[derive(Clone, Copy, Debug, Pod, Zeroable)]
+#[repr(C)]
+pub(crate) struct ShapeItem([ShapeCorner; 3]);
+
+#[derive(Clone, Copy, Debug, Pod, Zeroable)]
+#[repr(C)]
+struct ShapeCorner {
+    position_du: [f32; 2],
+    color: [u8; 4],
+    depth: f32,
+}
+
+/// Where depths begin to have gaps: multiples of its inverse, up to 1, are exact.
+const DEPTHS: f32 = (1 << 24) as f32;
+
+/// What one of these buffers holds at most; a power of two well below any device's limit.
+const BUFFER_BYTES: usize = 1 << 26;
+
+/// How the vertex shader of the field reads its buffer: one item an instance.
+pub(crate) const FIELD_LAYOUT: wgpu::VertexBufferLayout<'static> = wgpu::VertexBufferLayout {
+    array_stride: size_of::<FieldItem>() as u64,
+    step_mode: wgpu::VertexStepMode::Instance,
+    attributes: &wgpu::vertex_attr_array![
+        0 => Float32x2, 1 => Float32x2, 2 => Float32x2, 3 => Float32x3, 4 => Float32x3,
+        5 => Float32x3, 6 => Float32x3, 7 => Float32x3, 8 => Float32x3,
+    ],
+};
+
+/// How the vertex shader of shapes reads its buffer: one item three vertices.
+pub(crate) const SHAPE_LAYOUT: wgpu::VertexBufferLayout<'static> = wgpu::VertexBufferLayout {
+    array_stride: size_of::<ShapeCorner>() as u64,
+    step_mode: wgpu::VertexStepMode::Vertex,
+    attributes: &wgpu::vertex_attr_array![0 => Float32x2, 1 => Unorm8x4, 2 => Float32],
+};
+
+/// The triangles of a field.
+pub(crate) fn field_items(field: &Field) -> Vec<FieldItem> {
+    field.triangles.iter().map(|t| FieldItem { corners: t.corners, colors: t.colors }).collect()
+}
+
+/// The triangles of shapes, those of each shape at one depth, the depths rising above `depth_below`.
+///
+/// Up to 2²³ shapes, above a depth of 0 or 0.5, have depths of their own.
+pub(crate) fn shape_items(shapes: &[Shape], depth_below: f32) -> Vec<ShapeItem> {
+    let mut items = Vec::with_capacity(shapes.iter().map(|shape| shape.triangles.len()).sum());
+    for (rank, shape) in (1_u32..).zip(shapes) {
+        let (color, depth) = (shape.color.0, depth_below + rank as f32 / DEPTHS);
+        let corner = |position_du| ShapeCorner { position_du, color, depth };
+        items.extend(shape.triangles.iter().map(|corners| ShapeItem(corners.map(corner))));
+    }
+    items
+}
+
+/// Items of one kind on the GPU, in as many buffers as they need.
+#[derive(Debug, Default)]
+pub(crate) struct Items(Vec<Part>);
+
+#[derive(Debug)]
+struct Part {
+    buffer: wgpu::Buffer,
+    count: u32,
+}
+
+impl Items {
+    /// Replaces the items.
+    pub(crate) fn write<T: Pod>(&mut self, device: &wgpu::Device, queue: &wgpu::Queue, items: &[T]) {
+        let chunks = items.chunks(BUFFER_BYTES / size_of::<T>());
+        self.0.truncate(chunks.len().max(1));
+        self.0.iter_mut().for_each(|part| part.count = 0);
+        for (i, chunk) in chunks.enumerate() {
+            let bytes: &[u8] = bytemuck::cast_slice(chunk);
+            if self.0.get(i).is_none_or(|part| part.buffer.size() < bytes.len() as u64) {
+                self.0.truncate(i);
+                self.0.push(Part::new(device, bytes.len()));
+            }
+            queue.write_buffer(&self.0[i].buffer, 0, bytes);
+            self.0[i].count = chunk.len() as u32;
+        }
+    }
+
+    /// The buffers that hold something, and how many items each holds.
+    pub(crate) fn parts(&self) -> impl Iterator<Item = (&wgpu::Buffer, u32)> {
+        self.0.iter().filter(|part| part.count > 0).map(|part| (&part.buffer, part.count))
+    }
+}
+
+impl Part {
+    fn new(device: &wgpu::Device, bytes: usize) -> Self {
+        let buffer = device.create_buffer(&wgpu::BufferDescriptor {
+            label: Some("items"),
+            size: bytes.next_power_of_two() as u64,
+            usage: wgpu::BufferUsages::VERTEX | wgpu::BufferUsages::COPY_DST,
+            mapped_at_creation: false,
+        });
+        Self { buffer, count: 0 }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use scumble_core::Rgba8;
+
+    #[test]
+    fn shapes_rise_in_depth_by_steps_that_are_exact() {
+        let shape = Shape { triangles: vec![[[0.0; 2]; 3]], color: Rgba8([1, 2, 3, 4]) };
+        for depth_below in [0.0, 0.5] {
+            let items = shape_items(&vec![shape.clone(); 100_000], depth_below);
+            for (rank, item) in (1..).zip(items) {
+                let exact = f64::from(depth_below) + f64::from(rank) / 16_777_216.0;
+                assert_eq!(item.0.map(|corner| f64::from(corner.depth)), [exact; 3]);
+            }
+        }
+    }
+}

@@ -1,0 +1,110 @@
+//! The two pipelines: field triangles, and shapes over them.
+
+use crate::items;
+use crate::samples::{DEPTH_FORMAT, SAMPLES};
+use crate::shaders;
+
+/// How both reach the view.
+pub(crate) const VIEW_LAYOUT: wgpu::BindGroupLayoutDescriptor<'static> = wgpu::BindGroupLayoutDescriptor {
+    label: Some("view"),
+    entries: &[wgpu::BindGroupLayoutEntry {
+        binding: 0,
+        visibility: wgpu::ShaderStages::VERTEX_FRAGMENT,
+        ty: wgpu::BindingType::Buffer {
+            ty: wgpu::BufferBindingType::Uniform,
+            has_dynamic_offset: false,
+            min_binding_size: None,
+        },
+        count: None,
+    }],
+};
+
+/// What tells one pipeline from another.
+struct Kernel {
+    label: &'static str,
+    source: &'static str,
+    layout: wgpu::VertexBufferLayout<'static>,
+    blend: Option<wgpu::BlendState>,
+    depth_write: bool,
+    depth_compare: wgpu::CompareFunction,
+}
+
+/// Draws triangles that do not overlap.
+pub(crate) fn field(
+    device: &wgpu::Device,
+    view_layout: &wgpu::BindGroupLayout,
+    format: wgpu::TextureFormat,
+) -> wgpu::RenderPipeline {
+    let kernel = Kernel {
+        label: "field",
+        source: shaders::FIELD,
+        layout: items::FIELD_LAYOUT,
+        blend: None,
+        depth_write: false,
+        depth_compare: wgpu::CompareFunction::Always,
+    };
+    kernel.pipeline(device, view_layout, format)
+}
+
+/// Mixes triangles in, once a sample and shape: where a shape has been, its depth is no longer greater.
+pub(crate) fn shape(
+    device: &wgpu::Device,
+    view_layout: &wgpu::BindGroupLayout,
+    format: wgpu::TextureFormat,
+) -> wgpu::RenderPipeline {
+    let kernel = Kernel {
+        label: "shape",
+        source: shaders::SHAPE,
+        layout: items::SHAPE_LAYOUT,
+        blend: Some(wgpu::BlendState::PREMULTIPLIED_ALPHA_BLENDING),
+        depth_write: true,
+        depth_compare: wgpu::CompareFunction::Greater,
+    };
+    kernel.pipeline(device, view_layout, format)
+}
+
+impl Kernel {
+    fn pipeline(
+        self,
+        device: &wgpu::Device,
+        view_layout: &wgpu::BindGroupLayout,
+        format: wgpu::TextureFormat,
+    ) -> wgpu::RenderPipeline {
+        let label = Some(self.label);
+        let source = wgpu::ShaderSource::Wgsl(self.source.into());
+        let module = device.create_shader_module(wgpu::ShaderModuleDescriptor { label, source });
+        let layout = device.create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
+            label,
+            bind_group_layouts: &[Some(view_layout)],
+            immediate_size: 0,
+        });
+        let target = wgpu::ColorTargetState { format, blend: self.blend, write_mask: wgpu::ColorWrites::ALL };
+        device.create_render_pipeline(&wgpu::RenderPipelineDescriptor {
+            label,
+            layout: Some(&layout),
+            vertex: wgpu::VertexState {
+                module: &module,
+                entry_point: Some("vertex"),
+                compilation_options: Default::default(),
+                buffers: &[Some(self.layout)],
+            },
+            primitive: wgpu::PrimitiveState::default(),
+            depth_stencil: Some(wgpu::DepthStencilState {
+                format: DEPTH_FORMAT,
+                depth_write_enabled: Some(self.depth_write),
+                depth_compare: Some(self.depth_compare),
+                stencil: Default::default(),
+                bias: Default::default(),
+            }),
+            multisample: wgpu::MultisampleState { count: SAMPLES, ..Default::default() },
+            fragment: Some(wgpu::FragmentState {
+                module: &module,
+                entry_point: Some("fragment"),
+                compilation_options: Default::default(),
+                targets: &[Some(target)],
+            }),
+            multiview_mask: None,
+            cache: None,
+        })
+    }
+}

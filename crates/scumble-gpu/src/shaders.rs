@@ -1,0 +1,73 @@
+//! The shaders, each with the shared pieces before it.
+
+macro_rules! with_common {
+    ($file:literal) => {
+        concat!(
+            include_str!("../../../shaders/common.wgsl"),
+            include_str!(concat!("../../../shaders/", $file))
+        )
+    };
+}
+
+/// Draws the triangles of a colour field.
+pub(crate) const FIELD: &str = with_common!("field.wgsl");
+/// Draws flat shapes.
+pub(crate) const SHAPE: &str = with_common!("shape.wgsl");
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use naga::ShaderStage::{Fragment, Vertex};
+    use naga::back::glsl;
+    use naga::valid::{Capabilities, ModuleInfo, ValidationFlags, Validator};
+
+    const ALL: [(&str, &str); 2] = [("field.wgsl", FIELD), ("shape.wgsl", SHAPE)];
+
+    fn validated(name: &str, source: &str) -> (naga::Module, ModuleInfo) {
+        let module = naga::front::wgsl::parse_str(source)
+            .unwrap_or_else(|error| panic!("{name}: {}", error.emit_to_string(source)));
+        let info = Validator::new(ValidationFlags::all(), Capabilities::empty())
+            .validate(&module)
+            .unwrap_or_else(|error| panic!("{name}: {}", error.emit_to_string(source)));
+        (module, info)
+    }
+
+    fn webgl_source(
+        module: &naga::Module,
+        info: &ModuleInfo,
+        stage: naga::ShaderStage,
+        entry: &str,
+    ) -> String {
+        let options = glsl::Options { version: glsl::Version::new_gles(300), ..Default::default() };
+        let pipeline =
+            glsl::PipelineOptions { shader_stage: stage, entry_point: entry.to_owned(), multiview: None };
+        let mut text = String::new();
+        let bounds = naga::proc::BoundsCheckPolicies::default();
+        glsl::Writer::new(&mut text, module, info, &options, &pipeline, bounds)
+            .and_then(|mut writer| writer.write())
+            .unwrap_or_else(|error| panic!("{entry}: {error}"));
+        text
+    }
+
+    #[test]
+    fn every_shader_is_valid_and_can_be_said_in_webgl() {
+        for (name, source) in ALL {
+            let (module, info) = validated(name, source);
+            for (stage, entry) in [(Vertex, "vertex"), (Fragment, "fragment")] {
+                assert!(webgl_source(&module, &info, stage, entry).contains("void main()"), "{name}");
+            }
+        }
+    }
+
+    #[test]
+    fn every_shader_file_is_used() {
+        let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/../../shaders");
+        let mut found: Vec<String> = std::fs::read_dir(folder)
+            .unwrap()
+            .map(|entry| entry.unwrap().file_name().into_string().unwrap())
+            .filter(|name| name != "common.wgsl")
+            .collect();
+        found.sort();
+        assert_eq!(found, ALL.map(|(name, _)| name));
+    }
+}

@@ -1,0 +1,116 @@
+//! What can be wrong with a file, each with what to do about it.
+
+use thiserror::Error;
+
+use crate::MAX_FILE_BYTES;
+use crate::notes::ImportNotes;
+
+/// Why a file is not a drawing that can be coloured.
+#[derive(Clone, Debug, Error, PartialEq, Eq)]
+pub enum ImportError {
+    /// No bytes, or nothing but white space.
+    #[error("the file is empty; choose an SVG file")]
+    Empty,
+    /// More bytes than are read.
+    #[error("the file is larger than the {} MB that can be opened; simplify the drawing or remove its pictures",
+        MAX_FILE_BYTES / 1_000_000)]
+    TooLarge,
+    /// `.svgz`.
+    #[error("the file is compressed (SVGZ); unpack it with gzip, or save it as plain SVG")]
+    Compressed,
+    /// Text in an encoding that SVG readers rarely know.
+    #[error("the file is in UTF-16; save it in UTF-8")]
+    Utf16,
+    /// Binary data.
+    #[error("the file is not an SVG drawing: it is no text; choose an SVG file")]
+    NotText,
+    /// Text that is no XML.
+    #[error("the file is not an SVG drawing, or it is damaged: {0}")]
+    NotXml(String),
+    /// XML with another root.
+    #[error("the file is not an SVG drawing: it starts with <{0}>, not <svg>")]
+    NotSvg(String),
+    /// Entities that could grow without bound.
+    #[error("the file declares XML entities that could grow without bound; save it again without them")]
+    Entities,
+    /// Too many elements, counting each copy that `<use>` makes.
+    #[error(
+        "the drawing has more than 200,000 elements, counting the copies that <use> makes; simplify it or split it"
+    )]
+    TooManyElements,
+    /// Groups within groups.
+    #[error(
+        "the drawing has groups within groups too deep (at most {limit}, fewer in large drawings); ungroup it and save it again"
+    )]
+    TooDeep {
+        /// The depth allowed.
+        limit: u32,
+    },
+    /// Elements that refer to themselves.
+    #[error(
+        "elements of the drawing refer to each other in a circle, or in a long chain; replace the <use> elements or gradients by copies"
+    )]
+    Circular,
+    /// Too much path data.
+    #[error(
+        "the drawing has more path data than the 4 MB that can be opened; simplify its paths or split it"
+    )]
+    TooDetailed,
+    /// Attributes without end.
+    #[error(
+        "the file has elements with too many attributes, or too many name spaces; save it again as plain SVG"
+    )]
+    TooManyAttributes,
+    /// A list of dashes without end.
+    #[error("the drawing has a list of dashes that is too long; use a shorter one")]
+    TooManyDashes,
+    /// Gradients or patterns with too many parts.
+    #[error("the drawing has a gradient or pattern with too many parts; replace it by a plain colour")]
+    TooManyStops,
+    /// Style sheets that take too long to apply.
+    #[error("the style sheet of the drawing is too large; save the drawing with styles as attributes")]
+    TooManyStyles,
+    /// Width or height is zero, negative, or no number.
+    #[error("the page of the drawing has no area; give it a viewBox or a size above zero")]
+    NoPage,
+    /// Nothing to colour between.
+    #[error("the drawing has no lines and no shapes to colour{}", but_has(.0))]
+    NoCurves(ImportNotes),
+    /// More segments than fit in memory.
+    #[error("the drawing has more than {limit} line segments; simplify it or split it")]
+    TooManySegments {
+        /// The number allowed.
+        limit: usize,
+    },
+}
+
+fn but_has(notes: &ImportNotes) -> String {
+    if notes.is_empty() { String::new() } else { format!(" ({notes})") }
+}
+
+/// Why a text is not a list of scribbles.
+#[derive(Clone, Debug, Error, PartialEq, Eq)]
+pub enum ScribblesError {
+    /// No bytes, or nothing but white space.
+    #[error(
+        "the scribbles file is empty; it should read {{\"scribbles\":[{{\"color\":\"#rrggbb\",\"width\":1.5,\"points\":[[x,y],…]}},…]}}"
+    )]
+    Empty,
+    /// More bytes than are read.
+    #[error("the scribbles file is larger than the {} MB that can be read; use fewer points", MAX_FILE_BYTES / 1_000_000)]
+    TooLarge,
+    /// No JSON, or JSON of another form.
+    #[error(
+        "the scribbles file cannot be read: {0}; it should read {{\"scribbles\":[{{\"color\":\"#rrggbb\",\"width\":1.5,\"points\":[[x,y],…]}},…]}}"
+    )]
+    NotScribbles(String),
+    /// There are scribbles, but each of them is faulty or off the page.
+    #[error("none of the scribbles can be used: {0}")]
+    NoneUsable(crate::notes::ScribbleNotes),
+    /// The pen's way is too long to follow.
+    #[error("the scribbles are longer than {limit_pages} pages in all; use fewer points")]
+    TooLong {
+        /// The length allowed, in longer sides of the page.
+        limit_pages: u32,
+    },
+}

@@ -1,0 +1,136 @@
+//! What a tree grows to once every `use` is replaced by a copy of what it refers to.
+//!
+//! Counted, never built: each element is counted once, and its count is used again wherever it is referred to.
+
+use std::collections::HashMap;
+
+use roxmltree::{Document, Node};
+
+use crate::error::ImportError;
+use crate::limits::MAX_DEPTH;
+
+/// Sums over an element and all below it.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(crate) struct Expansion {
+    pub(crate) elements: u64,
+    /// Bytes of all attribute values.
+    pub(crate) attribute_bytes: u64,
+    /// Bytes of path data and point lists.
+    pub(crate) geometry_bytes: u64,
+    /// Bytes of class names.
+    pub(crate) class_bytes: u64,
+    /// Levels, a `use` counting as one more.
+    pub(crate) height: u32,
+}
+
+impl Expansion {
+    fn of_element(node: Node) -> Self {
+        let len = |name| node.attribute(name).map_or(0, |value: &str| value.len() as u64);
+        let attribute_bytes = node.attributes().map(|a| a.value().len() as u64).sum();
+        let geometry_bytes = len("d") + len("points");
+        Self { elements: 1, attribute_bytes, geometry_bytes, class_bytes: len("class"), height: 1 }
+    }
+
+    fn add_below(&mut self, other: Self) {
+        self.elements = self.elements.saturating_add(other.elements);
+        self.attribute_bytes = self.attribute_bytes.saturating_add(other.attribute_bytes);
+        self.geometry_bytes = self.geometry_bytes.saturating_add(other.geometry_bytes);
+        self.class_bytes = self.class_bytes.saturating_add(other.class_bytes);
+        self.height = self.height.max(1 + other.height);
+    }
+}
+
+/// The expansion of a whole tree, which is at most [`MAX_DEPTH`] deep as written.
+///
+/// # Errors
+/// When elements refer to themselves, or the copies nest too deep.
+pub(crate) fn of<'a, 'input>(
+    xml: &'a Document<'input>,
+    ids: &Ids<'a, 'input>,
+) -> Result<Expansion, ImportError> {
+    let mut counter = Counter { ids, known: vec![Known::New; xml.descendants().count()] };
+    counter.count(xml.root_element(), 0)
+}
+
+#[derive(Clone, Copy)]
+enum Known {
+    New,
+    Open,
+    Counted(Expansion),
+}
+
+struct Counter<'i, 'a, 'input> {
+    ids: &'i Ids<'a, 'input>,
+    known: Vec<Known>,
+}
+
+impl<'a, 'input> Counter<'_, 'a, 'input> {
+    fn count(&mut self, node: Node<'a, 'input>, depth: u32) -> Result<Expansion, ImportError> {
+        let index = node.id().get_usize();
+        match self.known[index] {
+            Known::Counted(expansion) => return Ok(expansion),
+            Known::Open => return Err(ImportError::Circular),
+            Known::New if depth > MAX_DEPTH => return Err(ImportError::TooDeep { limit: MAX_DEPTH }),
+            Known::New => self.known[index] = Known::Open,
+        }
+        let mut expansion = Expansion::of_element(node);
+        let target = if node.tag_name().name() == "use" { self.referred(node) } else { None };
+        for child in node.children().filter(Node::is_element).chain(target) {
+            expansion.add_below(self.count(child, depth + 1)?);
+        }
+        self.known[index] = Known::Counted(expansion);
+        Ok(expansion)
+    }
+
+    fn referred(&self, node: Node) -> Option<Node<'a, 'input>> {
+        href(node).and_then(|id| self.ids.get(id)).copied()
+    }
+}
+
+/// Elements by name.
+pub(crate) type Ids<'a, 'input> = HashMap<&'a str, Node<'a, 'input>>;
+
+/// The named elements of a tree; the first of a name counts.
+pub(crate) fn ids<'a, 'input>(xml: &'a Document<'input>) -> Ids<'a, 'input> {
+    let mut ids = HashMap::new();
+    for node in xml.descendants().filter(Node::is_element) {
+        if let Some(id) = node.attribute("id") {
+            ids.entry(id).or_insert(node);
+        }
+    }
+    ids
+}
+
+/// The name of the element that another refers to.
+fn href<'a>(node: Node<'a, '_>) -> Option<&'a str> {
+    let mut links = node.attributes().filter(|a| a.name() == "href");
+    let plain = links.clone().find(|a| a.namespace().is_none());
+    plain.or_else(|| links.next()).and_then(|a| a.value().trim().strip_prefix('#'))
+}
+
+/// Longest chain of gradients or patterns that take what they lack from each other.
+const MAX_CHAIN: usize = 32;
+
+/// The number of elements in the largest gradient or pattern.
+///
+/// # Errors
+/// When gradients or patterns refer to each other in too long a chain.
+pub(crate) fn largest_paint_server<'a, 'input>(
+    xml: &'a Document<'input>,
+    ids: &Ids<'a, 'input>,
+) -> Result<u64, ImportError> {
+    let mut largest = 0;
+    for server in xml.descendants().filter(|node| is_paint_server(*node)) {
+        largest = largest.max(server.descendants().count() as u64);
+        let chain =
+            std::iter::successors(Some(server), |node| href(*node).and_then(|id| ids.get(id)).copied());
+        if chain.take(MAX_CHAIN + 1).count() > MAX_CHAIN {
+            return Err(ImportError::Circular);
+        }
+    }
+    Ok(largest)
+}
+
+fn is_paint_server(node: Node) -> bool {
+    matches!(node.tag_name().name(), "linearGradient" | "radialGradient" | "pattern")
+}

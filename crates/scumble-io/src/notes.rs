@@ -1,0 +1,107 @@
+//! What was left out of a file that could be used otherwise.
+
+use std::fmt;
+
+/// What was left out of a drawing.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct ImportNotes {
+    /// Text elements.
+    pub texts: usize,
+    /// Raster images.
+    pub images: usize,
+    /// Clip paths: what they hide is shown.
+    pub clip_paths: usize,
+    /// Masks: what they hide is shown.
+    pub masks: usize,
+    /// Filters: what they change is shown unchanged.
+    pub filters: usize,
+    /// Markers, such as arrow heads.
+    pub markers: usize,
+    /// Shapes and subpaths with coordinates that are no numbers or far too large.
+    pub broken: usize,
+}
+
+impl ImportNotes {
+    /// Whether nothing was left out.
+    pub fn is_empty(&self) -> bool {
+        *self == Self::default()
+    }
+}
+
+impl fmt::Display for ImportNotes {
+    /// One line without a full stop; empty if nothing was left out.
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let counts = [
+            (self.texts, "text", "texts"),
+            (self.images, "image", "images"),
+            (self.clip_paths, "clip path", "clip paths"),
+            (self.masks, "mask", "masks"),
+            (self.filters, "filter", "filters"),
+            (self.markers, "marker", "markers"),
+            (self.broken, "shape with unusable coordinates", "shapes with unusable coordinates"),
+        ];
+        write_counts(f, "left out: ", &counts)
+    }
+}
+
+/// What was left out of a list of scribbles.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct ScribbleNotes {
+    /// Fields that no scribble has.
+    pub unknown_fields: usize,
+    /// Scribbles whose colour is not `#rrggbb`.
+    pub bad_colors: usize,
+    /// Scribbles whose width is zero, negative, or wider than the page.
+    pub bad_widths: usize,
+    /// Scribbles without points.
+    pub no_points: usize,
+    /// Scribbles that lie off the page.
+    pub off_page: usize,
+    /// Points far outside the page, brought nearer to it.
+    pub far_points: usize,
+}
+
+impl ScribbleNotes {
+    /// Whether everything could be used as it is.
+    pub fn is_empty(&self) -> bool {
+        *self == Self::default()
+    }
+}
+
+impl fmt::Display for ScribbleNotes {
+    /// One line without a full stop; empty if everything could be used as it is.
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let counts = [
+            (self.unknown_fields, "unknown field", "unknown fields"),
+            (self.bad_colors, "scribble without a colour #rrggbb", "scribbles without a colour #rrggbb"),
+            (self.bad_widths, "scribble of unusable width", "scribbles of unusable width"),
+            (self.no_points, "scribble without points", "scribbles without points"),
+            (self.off_page, "scribble off the page", "scribbles off the page"),
+            (self.far_points, "point far outside the page", "points far outside the page"),
+        ];
+        write_counts(f, "left out: ", &counts)
+    }
+}
+
+fn write_counts(f: &mut fmt::Formatter<'_>, lead: &str, counts: &[(usize, &str, &str)]) -> fmt::Result {
+    let mut separator = lead;
+    for &(count, one, many) in counts.iter().filter(|(count, ..)| *count > 0) {
+        write!(f, "{separator}{count} {}", if count == 1 { one } else { many })?;
+        separator = ", ";
+    }
+    Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn notes_read_as_a_sentence() {
+        assert_eq!(ImportNotes::default().to_string(), "");
+        let notes = ImportNotes { texts: 1, images: 2, ..ImportNotes::default() };
+        assert_eq!(notes.to_string(), "left out: 1 text, 2 images");
+        let notes = ScribbleNotes { off_page: 2, far_points: 1, ..ScribbleNotes::default() };
+        assert_eq!(notes.to_string(), "left out: 2 scribbles off the page, 1 point far outside the page");
+    }
+}

@@ -1,0 +1,117 @@
+//! Paths of `usvg` as Bézier paths in drawing units, one for each subpath.
+
+use kurbo::{Affine, BezPath, PathEl, Point, Rect, Shape};
+use usvg::tiny_skia_path::{self, PathSegment};
+
+/// Coordinates beyond this, in du, are a million pages away and no drawing.
+const MAX_COORDINATE_DU: f64 = 1e9;
+
+/// Areas thinner than this, in du, do not show.
+const FLAT_DU: f64 = 1e-3;
+
+/// The subpaths of a path, quadratics raised to cubics. Each has at least one segment.
+pub(crate) fn subpaths(path: &tiny_skia_path::Path, du_from_path: Affine) -> Vec<BezPath> {
+    let mut outlines = Outlines::default();
+    for segment in path.segments() {
+        outlines.push(segment, du_from_path);
+    }
+    outlines.finish()
+}
+
+#[derive(Default)]
+struct Outlines {
+    done: Vec<BezPath>,
+    open: BezPath,
+    /// The last point and the subpath's first.
+    at: Point,
+    start: Point,
+}
+
+impl Outlines {
+    fn push(&mut self, segment: PathSegment, du_from_path: Affine) {
+        let du = |p: tiny_skia_path::Point| du_from_path * Point::new(f64::from(p.x), f64::from(p.y));
+        match segment {
+            PathSegment::MoveTo(p) => {
+                self.end_subpath();
+                self.at = du(p);
+                self.start = self.at;
+            }
+            PathSegment::LineTo(p) => self.append(PathEl::LineTo(du(p)), du(p)),
+            PathSegment::QuadTo(a, b) => self.quadratic(du(a), du(b)),
+            PathSegment::CubicTo(a, b, c) => self.append(PathEl::CurveTo(du(a), du(b), du(c)), du(c)),
+            PathSegment::Close => {
+                let start = self.start;
+                self.append(PathEl::ClosePath, start);
+                self.end_subpath();
+            }
+        }
+    }
+
+    fn append(&mut self, element: PathEl, to: Point) {
+        if self.open.is_empty() {
+            self.open.move_to(self.at);
+        }
+        self.open.push(element);
+        self.at = to;
+    }
+
+    fn quadratic(&mut self, control: Point, to: Point) {
+        let raised = [self.at.lerp(control, 2.0 / 3.0), to.lerp(control, 2.0 / 3.0)];
+        self.append(PathEl::CurveTo(raised[0], raised[1], to), to);
+    }
+
+    fn end_subpath(&mut self) {
+        if !self.open.is_empty() {
+            self.done.push(std::mem::take(&mut self.open));
+        }
+    }
+
+    fn finish(mut self) -> Vec<BezPath> {
+        self.end_subpath();
+        self.done
+    }
+}
+
+/// Whether all coordinates are numbers within reach of the page.
+pub(crate) fn is_within_reach(path: &BezPath) -> bool {
+    path.segments().all(|segment| {
+        let c = segment.to_cubic();
+        [c.p0, c.p1, c.p2, c.p3]
+            .iter()
+            .all(|p| p.x.abs() <= MAX_COORDINATE_DU && p.y.abs() <= MAX_COORDINATE_DU)
+    })
+}
+
+/// Whether a subpath, filled, shows: whether it is more than a straight line.
+pub(crate) fn has_area(path: &BezPath) -> bool {
+    let points: Vec<_> =
+        path.segments().map(|segment| segment.to_cubic()).flat_map(|c| [c.p0, c.p1, c.p2, c.p3]).collect();
+    let Some(&start) = points.first() else { return false };
+    let along = points.iter().map(|p| *p - start).find(|d| d.hypot() > FLAT_DU).unwrap_or_default();
+    points.iter().any(|p| along.cross(*p - start).abs() > FLAT_DU * along.hypot())
+}
+
+/// The subpath with its end joined to its start.
+pub(crate) fn closed(mut path: BezPath) -> BezPath {
+    if path.elements().last() != Some(&PathEl::ClosePath) {
+        path.close_path();
+    }
+    path
+}
+
+/// The straight lines that close open subpaths where they are filled.
+pub(crate) fn gaps(subpaths: &[BezPath]) -> Vec<BezPath> {
+    let ends = subpaths.iter().filter(|path| has_area(path)).filter_map(|path| match path.elements() {
+        [PathEl::MoveTo(start), .., last] => last.end_point().map(|end| (end, *start)),
+        _ => None,
+    });
+    let open = ends.filter(|(end, start)| end != start);
+    open.map(|(end, start)| BezPath::from_vec(vec![PathEl::MoveTo(end), PathEl::LineTo(start)])).collect()
+}
+
+/// Whether a subpath is an upright rectangle that covers a frame.
+pub(crate) fn is_rectangle_over(path: &BezPath, frame: Rect) -> bool {
+    let bounds = path.bounding_box();
+    let covers = bounds.inflate(0.5, 0.5).contains_rect(frame);
+    covers && (path.area().abs() - bounds.area()).abs() <= 1e-6 * bounds.area()
+}

@@ -1,0 +1,54 @@
+//! The paint of a stroke or a fill as one colour.
+
+use scumble_core::{Blend, Rgba8, Srgb8};
+use usvg::{Opacity, Paint, Stop};
+
+/// Stands for a pattern: neither ink nor paper.
+const PATTERN_COLOR: [u8; 3] = [0x80; 3];
+
+/// Lightness in OKLab below which a fill is ink.
+const INK_LIGHTNESS: f64 = 0.5;
+
+/// Opacity from which on a dark fill is ink.
+const INK_ALPHA: u8 = 128;
+
+/// The colour of a paint under an opacity; a gradient has the mean of its stops. `None` where nothing shows.
+pub(crate) fn color(paint: &Paint, opacity: f32) -> Option<Rgba8> {
+    let (rgb, own_opacity) = match paint {
+        Paint::Color(c) => ([c.red, c.green, c.blue], 1.0),
+        Paint::LinearGradient(gradient) => mean(gradient.stops()),
+        Paint::RadialGradient(gradient) => mean(gradient.stops()),
+        Paint::Pattern(_) => (PATTERN_COLOR, 1.0),
+    };
+    let alpha = (opacity * own_opacity * 255.0).round() as u8;
+    let [r, g, b] = rgb;
+    (alpha > 0).then_some(Rgba8([r, g, b, alpha]))
+}
+
+fn mean(stops: &[Stop]) -> ([u8; 3], f32) {
+    let count = stops.len().max(1);
+    let channel = |of: fn(usvg::Color) -> u8| {
+        (stops.iter().map(|stop| usize::from(of(stop.color()))).sum::<usize>() / count) as u8
+    };
+    let opacity = stops.iter().map(|stop| stop.opacity()).map(Opacity::get).sum::<f32>() / count as f32;
+    ([channel(|c| c.red), channel(|c| c.green), channel(|c| c.blue)], opacity)
+}
+
+/// Whether an area of this colour belongs to the lines of a drawing.
+pub(crate) fn is_ink(Rgba8([r, g, b, alpha]): Rgba8) -> bool {
+    alpha >= INK_ALPHA && Blend::Oklab.from_srgb8(Srgb8([r, g, b]))[0] < INK_LIGHTNESS
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn dark_and_opaque_is_ink() {
+        assert!(is_ink(Rgba8([0, 0, 0, 255])));
+        assert!(is_ink(Rgba8([0x3f, 0x3f, 0x3f, 200])));
+        assert!(!is_ink(Rgba8([0, 0, 0, 40])));
+        assert!(!is_ink(Rgba8([0xff, 0xff, 0xff, 255])));
+        assert!(!is_ink(Rgba8([0x80, 0x80, 0x80, 255])));
+    }
+}

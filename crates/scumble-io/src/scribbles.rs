@@ -1,0 +1,129 @@
+//! Scribbles as JSON: `{"scribbles":[{"color":"#rrggbb","width":1.5,"points":[[x,y],…]},…]}`, in page units and in
+//! drawing order.
+
+use std::collections::BTreeMap;
+
+use kurbo::{Affine, Point, Rect};
+use scumble_core::drawing::LONGER_SIDE_DU;
+use scumble_core::{Drawing, Scribble, Srgb8};
+use serde::Deserialize;
+use serde::de::IgnoredAny;
+
+use crate::MAX_FILE_BYTES;
+use crate::error::ScribblesError;
+use crate::notes::ScribbleNotes;
+
+/// The scribbles of a file that can be used, and what was left out.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct ReadScribbles {
+    /// In drawing order, in du.
+    pub scribbles: Vec<Scribble>,
+    /// What was left out or changed.
+    pub notes: ScribbleNotes,
+}
+
+/// Points further outside the page than this, in du, are moved to that distance.
+const REACH_DU: f64 = LONGER_SIDE_DU;
+
+/// Longest way of all scribbles together, in longer sides of the page.
+const MAX_PAGES: u32 = 4000;
+
+#[derive(Deserialize)]
+struct FileText {
+    scribbles: Vec<ScribbleText>,
+    #[serde(flatten)]
+    unknown: BTreeMap<String, IgnoredAny>,
+}
+
+#[derive(Deserialize)]
+struct ScribbleText {
+    color: String,
+    width: f64,
+    points: Vec<[f64; 2]>,
+    #[serde(flatten)]
+    unknown: BTreeMap<String, IgnoredAny>,
+}
+
+/// Reads the scribbles on a drawing.
+///
+/// Faulty scribbles are left out and counted. A file without any scribble is a picture without colour, not an error.
+///
+/// # Errors
+/// When the bytes are no such JSON, when there are scribbles but none that can be used, or beyond the limits.
+pub fn read_scribbles(json: &[u8], drawing: &Drawing) -> Result<ReadScribbles, ScribblesError> {
+    if json.trim_ascii().is_empty() {
+        return Err(ScribblesError::Empty);
+    }
+    if json.len() > MAX_FILE_BYTES {
+        return Err(ScribblesError::TooLarge);
+    }
+    let file: FileText =
+        serde_json::from_slice(json).map_err(|error| ScribblesError::NotScribbles(error.to_string()))?;
+    let given = file.scribbles.len();
+    let mut reader = Reader::new(drawing);
+    reader.notes.unknown_fields = file.unknown.len();
+    let scribbles: Vec<_> = file.scribbles.into_iter().filter_map(|text| reader.scribble(text)).collect();
+    if scribbles.is_empty() && given > 0 {
+        return Err(ScribblesError::NoneUsable(reader.notes));
+    }
+    if scribbles.iter().map(length_du).sum::<f64>() > f64::from(MAX_PAGES) * LONGER_SIDE_DU {
+        return Err(ScribblesError::TooLong { limit_pages: MAX_PAGES });
+    }
+    Ok(ReadScribbles { scribbles, notes: reader.notes })
+}
+
+fn length_du(scribble: &Scribble) -> f64 {
+    scribble.points.windows(2).map(|w| (w[1] - w[0]).hypot()).sum()
+}
+
+struct Reader {
+    du_from_page: Affine,
+    du_per_page_unit: f64,
+    frame: Rect,
+    notes: ScribbleNotes,
+}
+
+impl Reader {
+    fn new(drawing: &Drawing) -> Self {
+        Self {
+            du_from_page: drawing.drawing_from_page(),
+            du_per_page_unit: drawing.du_per_page_unit(),
+            frame: drawing.frame(),
+            notes: ScribbleNotes::default(),
+        }
+    }
+
+    /// A scribble in du, or a note on why there is none.
+    fn scribble(&mut self, text: ScribbleText) -> Option<Scribble> {
+        self.notes.unknown_fields += text.unknown.len();
+        let color = count_none(text.color.parse::<Srgb8>().ok(), &mut self.notes.bad_colors)?;
+        let width_du = text.width * self.du_per_page_unit;
+        let usable_width = (width_du > 0.0 && width_du <= LONGER_SIDE_DU).then_some(width_du);
+        let width_du = count_none(usable_width, &mut self.notes.bad_widths)?;
+        let points = count_none((!text.points.is_empty()).then_some(text.points), &mut self.notes.no_points)?;
+        let points: Vec<_> = points.into_iter().map(|[x, y]| self.du_from_page * Point::new(x, y)).collect();
+        let on_page = self.touches_page(&points, width_du).then_some(points);
+        let points = count_none(on_page, &mut self.notes.off_page)?;
+        let points = points.into_iter().map(|p| self.within_reach(p)).collect();
+        Some(Scribble { color, width_du, points })
+    }
+
+    fn touches_page(&self, points: &[Point], width_du: f64) -> bool {
+        let first = points.first().copied().unwrap_or_default();
+        let bounds = points.iter().fold(Rect::from_points(first, first), |bounds, p| bounds.union_pt(*p));
+        bounds.inflate(0.5 * width_du, 0.5 * width_du).overlaps(self.frame)
+    }
+
+    /// The point itself, or the nearest one that is not far outside.
+    fn within_reach(&mut self, p: Point) -> Point {
+        let reach = self.frame.inflate(REACH_DU, REACH_DU);
+        let nearest = Point::new(p.x.clamp(reach.x0, reach.x1), p.y.clamp(reach.y0, reach.y1));
+        self.notes.far_points += usize::from(nearest != p);
+        nearest
+    }
+}
+
+fn count_none<T>(value: Option<T>, count: &mut usize) -> Option<T> {
+    *count += usize::from(value.is_none());
+    value
+}

@@ -1,0 +1,38 @@
+//! What it costs to match a file's style sheets.
+//!
+//! `simplecss` tests every rule on every element, and a selector of k words by trying all ancestors for each of
+//! them. The cost is estimated from the text alone.
+
+use roxmltree::{Document, Node};
+
+/// Tests of one element against all style sheets of a tree of a given height, and declarations applied to it.
+pub(crate) fn tests_per_element(xml: &Document, height: u32) -> f64 {
+    let sheets = xml.descendants().filter(|node| node.tag_name().name() == "style");
+    let texts = sheets.flat_map(|sheet| sheet.children().filter(Node::is_text));
+    texts.filter_map(|node| node.text()).map(|css| tests(&without_comments(css), f64::from(height))).sum()
+}
+
+fn without_comments(css: &str) -> String {
+    let mut parts = css.split("/*");
+    let first = parts.next().unwrap_or_default();
+    let rest = parts.map(|part| part.split_once("*/").map_or("", |(_, after)| after));
+    std::iter::once(first).chain(rest).collect()
+}
+
+/// A rule is stored and tested once for each of its selectors, with all its declarations.
+fn tests(css: &str, height: f64) -> f64 {
+    let rules = css.split('}').filter_map(|rule| rule.split_once('{'));
+    let selectors = rules.flat_map(|(selectors, body)| {
+        let declarations = 1.0 + body.matches(';').count() as f64;
+        selectors.split(',').map(move |selector| (selector, declarations))
+    });
+    selectors.map(|(selector, declarations)| selector_tests(selector, height) + declarations).sum()
+}
+
+/// Ways to lay the words of a selector along the ancestors of an element.
+fn selector_tests(selector: &str, height: f64) -> f64 {
+    let words: Vec<_> = selector.split_whitespace().collect();
+    let is_word = |word: &str| !matches!(word, ">" | "+");
+    let descents = words.windows(2).filter(|pair| is_word(pair[0]) && is_word(pair[1])).count();
+    (0..descents).map(|i| (height - i as f64).max(1.0) / (i + 1) as f64).product()
+}

@@ -1,0 +1,207 @@
+//! Files that are no drawing, or that were made to hurt: each has an answer that says what is wrong.
+
+use scumble_io::{ImportError, import_svg};
+
+fn error(bytes: impl AsRef<[u8]>) -> ImportError {
+    match import_svg(bytes.as_ref()) {
+        Ok(import) => panic!("read {} curves", import.drawing.curves.len()),
+        Err(error) => error,
+    }
+}
+
+fn svg(content: &str) -> String {
+    format!(r#"<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 64 64">{content}</svg>"#)
+}
+
+const LINE: &str = r#"<path d="M1 1h6" stroke="black"/>"#;
+
+#[test]
+fn what_is_no_svg_is_refused() {
+    assert_eq!(error(""), ImportError::Empty);
+    assert_eq!(error(" \n\t "), ImportError::Empty);
+    assert_eq!(error([0x1f, 0x8b, 8, 0, 0]), ImportError::Compressed);
+    assert_eq!(error(b"\xff\xfe<\0s\0v\0g\0"), ImportError::Utf16);
+    assert_eq!(error([0x89, b'P', b'N', b'G', 0, 1, 2, 255, 254]), ImportError::NotText);
+    assert_eq!(error("<html><body/></html>"), ImportError::NotSvg("html".into()));
+    assert_eq!(error(r#"<svg xmlns="urn:other"/>"#), ImportError::NotSvg("svg".into()));
+    assert!(matches!(error("not a drawing"), ImportError::NotXml(_)));
+    assert!(matches!(error("<svg><g></svg>"), ImportError::NotXml(_)));
+    assert!(matches!(error("\0\0\0\0\0\0"), ImportError::NotXml(_)));
+}
+
+#[test]
+fn binary_junk_is_refused() {
+    let mut state = 1_u32;
+    let mut next = move || {
+        state = state.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
+        (state >> 24) as u8
+    };
+    for len in [1, 10, 1000, 100_000] {
+        let junk: Vec<u8> = (0..len).map(|_| next()).collect();
+        assert!(matches!(error(&junk), ImportError::NotText | ImportError::NotXml(_)), "{len} bytes");
+    }
+}
+
+#[test]
+fn a_drawing_without_curves_is_refused() {
+    assert!(matches!(error(svg("")), ImportError::NoCurves(_)));
+    assert!(matches!(
+        error(svg("<g><rect fill='none' width='9' height='9'/></g>")),
+        ImportError::NoCurves(_)
+    ));
+    let only_text = error(svg("<text>a</text><image/>")).to_string();
+    assert!(only_text.ends_with("(left out: 1 text, 1 image)"), "{only_text}");
+    let only_broken = error(svg(r#"<path d="M NaN 1 L 1e308 2" stroke="black"/>"#)).to_string();
+    assert!(only_broken.ends_with("(left out: 1 shape with unusable coordinates)"), "{only_broken}");
+}
+
+#[test]
+fn a_page_without_area_is_refused() {
+    for view_box in
+        ["0 0 0 0", "0 0 64 0", "0 0 -4 4", "0 0 NaN 4", "0 0 1e308 1e308", "a b c d", "", "0 0 1e-30 1"]
+    {
+        let svg = format!(r#"<svg xmlns="http://www.w3.org/2000/svg" viewBox="{view_box}">{LINE}</svg>"#);
+        assert_eq!(error(svg), ImportError::NoPage, "viewBox {view_box:?}");
+    }
+    let svg = format!(r#"<svg xmlns="http://www.w3.org/2000/svg" width="0" height="9">{LINE}</svg>"#);
+    assert_eq!(error(svg), ImportError::NoPage);
+}
+
+#[test]
+fn fifty_megabytes_are_refused() {
+    assert_eq!(error(svg(&LINE.repeat(50_000_000 / LINE.len()))), ImportError::TooLarge);
+}
+
+#[test]
+fn a_million_nested_groups_are_refused() {
+    let nested = |depth: usize| svg(&format!("{}{LINE}{}", "<g>".repeat(depth), "</g>".repeat(depth)));
+    assert_eq!(error(nested(1_000_000)), ImportError::TooManyElements);
+    for depth in [400_000, 10_000, 201] {
+        assert!(matches!(error(nested(depth)), ImportError::TooDeep { .. }), "{depth} groups");
+    }
+    assert!(import_svg(nested(190).as_bytes()).is_ok());
+    let wide = format!("{}{}{}", "<g>".repeat(190), LINE.repeat(100_000), "</g>".repeat(190));
+    assert!(matches!(error(svg(&wide)), ImportError::TooDeep { .. }));
+}
+
+#[test]
+fn use_bombs_are_refused() {
+    let level =
+        |i: usize| format!(r##"<g id="u{i}">{}</g>"##, format!(r##"<use href="#u{}"/>"##, i - 1).repeat(10));
+    let bomb = |levels: usize| {
+        let levels: String = (1..=levels).map(level).collect();
+        svg(&format!(r#"<g id="u0">{LINE}</g>{levels}"#))
+    };
+    assert_eq!(error(bomb(5)), ImportError::TooManyElements);
+    assert_eq!(error(bomb(60)), ImportError::TooManyElements);
+    assert!(matches!(error(bomb(200)), ImportError::TooDeep { .. }));
+    assert!(import_svg(bomb(2).as_bytes()).is_ok());
+}
+
+#[test]
+fn use_chains_and_circles_are_refused() {
+    let link = |i: usize| format!(r##"<g id="u{i}"><use href="#u{}"/></g>"##, i + 1);
+    let chain: String = (0..100_000).map(link).collect();
+    assert!(matches!(error(svg(&chain)), ImportError::TooDeep { .. }));
+    let circle =
+        r##"<g id="a"><use href="#b"/></g><g id="b"><use href="#c"/></g><g id="c"><use href="#a"/></g>"##;
+    assert_eq!(error(svg(circle)), ImportError::Circular);
+    assert_eq!(error(svg(r##"<g id="a"><use href="#a"/></g>"##)), ImportError::Circular);
+}
+
+#[test]
+fn copies_of_long_paths_are_refused() {
+    let long = format!(r#"<path id="p" stroke="black" d="M0 0{}"/>"#, "l1 1".repeat(100_000));
+    assert_eq!(
+        error(svg(&format!("{long}{}", r##"<use href="#p"/>"##.repeat(100)))),
+        ImportError::TooDetailed
+    );
+}
+
+#[test]
+fn entity_bombs_are_refused() {
+    let laughs: String =
+        (1..10).map(|i| format!(r#"<!ENTITY l{i} "{}">"#, format!("&l{};", i - 1).repeat(10))).collect();
+    let bomb = format!(r#"<!DOCTYPE svg [<!ENTITY l0 "lol">{laughs}]>{}"#, svg("<text>&l9;</text>"));
+    assert_eq!(error(bomb), ImportError::Entities);
+    let flat =
+        format!(r#"<!DOCTYPE svg [<!ENTITY e "{}">]>{}"#, " ".repeat(4000), svg(&"&e;".repeat(100_000)));
+    assert_eq!(error(flat), ImportError::Entities);
+    let long = format!(r#"<!DOCTYPE svg [<!ENTITY e "{}">]>{}"#, " ".repeat(10_000), svg("&e;"));
+    assert_eq!(error(long), ImportError::Entities);
+}
+
+#[test]
+fn attributes_without_end_are_refused() {
+    let attributes: String = (0..100_000).map(|i| format!(r#" a{i}="""#)).collect();
+    assert_eq!(error(svg(&format!("<g{attributes}/>"))), ImportError::TooManyAttributes);
+    let name_spaces: String = (0..20_000).map(|i| format!(r#"<g xmlns:n{i}="u{i}"/>"#)).collect();
+    assert_eq!(error(svg(&name_spaces)), ImportError::TooManyAttributes);
+}
+
+#[test]
+fn gradient_and_pattern_bombs_are_refused() {
+    let shapes = r#"<path d="M0 0h9v9z" fill="url(#g)"/>"#.repeat(1000);
+    let stops = "<stop offset='0.5'/>".repeat(100_000);
+    let gradient = format!(r#"<linearGradient id="g">{stops}</linearGradient>{shapes}"#);
+    assert_eq!(error(svg(&gradient)), ImportError::TooManyStops);
+    let pattern =
+        format!(r#"<pattern id="g" width="1" height="1">{}</pattern>{shapes}"#, LINE.repeat(10_000));
+    assert_eq!(error(svg(&pattern)), ImportError::TooManyStops);
+    let link = |i: usize| format!(r##"<linearGradient id="g{i}" href="#g{}"/>"##, i + 1);
+    let chain: String = (0..10_000).map(link).collect();
+    assert_eq!(error(svg(&chain)), ImportError::Circular);
+    let circle = r##"<radialGradient id="g" href="#h"/><radialGradient id="h" href="#g"/>"##;
+    assert_eq!(error(svg(circle)), ImportError::Circular);
+}
+
+#[test]
+fn patterns_within_patterns_end() {
+    let pattern = |i: usize| {
+        let tiles = format!(r##"<path d="M0 0h9v9z" fill="url(#p{})"/>"##, i + 1).repeat(10);
+        format!(r#"<pattern id="p{i}" width="1" height="1">{tiles}</pattern>"#)
+    };
+    let nested: String = (0..30).map(pattern).collect();
+    let import = import_svg(svg(&format!(r#"{nested}<path d="M1 1h9v9z" fill="url(#p0)"/>"#)).as_bytes());
+    assert_eq!(import.map(|import| import.drawing.curves.len()), Ok(1));
+}
+
+#[test]
+fn style_sheet_bombs_are_refused() {
+    let groups = |depth: usize| format!("{}{LINE}{}", "<g>".repeat(depth), "</g>".repeat(depth));
+    let deep = format!("<style>y {} path{{fill:red}}</style>{}", "g ".repeat(12), groups(60));
+    assert_eq!(error(svg(&deep)), ImportError::TooManyStyles);
+    let many = format!("<style>{}</style>{}", ".a{fill:red}".repeat(20_000), LINE.repeat(20_000));
+    assert_eq!(error(svg(&many)), ImportError::TooManyStyles);
+    let classes =
+        format!("<style>{}</style><g class='{}'/>", ".a{fill:red}".repeat(1000), "b ".repeat(1_000_000));
+    assert_eq!(error(svg(&classes)), ImportError::TooManyStyles);
+    let comment = format!("<style>/* {} */ .a{{fill:red}}</style>{LINE}", "a, b { } ".repeat(10_000));
+    assert!(import_svg(svg(&comment).as_bytes()).is_ok());
+}
+
+#[test]
+fn dashes_without_end_are_refused() {
+    let dashes = "1 ".repeat(1000);
+    for dashed in [
+        format!(r#"<g stroke-dasharray="{dashes}">{LINE}</g>"#),
+        format!("<g style='stroke-dasharray:{dashes}'>{LINE}</g>"),
+        format!("<style>g{{stroke-dasharray:{dashes}}}</style>{LINE}"),
+    ] {
+        assert_eq!(error(svg(&dashed)), ImportError::TooManyDashes);
+    }
+}
+
+#[test]
+fn more_segments_than_fit_are_refused() {
+    let stairs = format!(r#"<path stroke="black" d="M0 0{}"/>"#, "h1v1".repeat(260_000));
+    assert!(matches!(error(svg(&stairs)), ImportError::TooManySegments { .. }));
+}
+
+#[test]
+fn every_message_says_what_to_do() {
+    let messages = [error(""), error(svg("")), error("\u{1}"), error(svg(&"<g>".repeat(1_000_001)))];
+    for message in messages.map(|error| error.to_string()) {
+        assert!((20..400).contains(&message.len()), "{message}");
+    }
+}

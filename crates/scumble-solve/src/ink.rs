@@ -1,0 +1,320 @@
+//! The ink of a drawing as flat shapes: solid areas, drawn lines, scribbles.
+//!
+//! Lines and scribbles are loose overlapping triangles, which painters paint once per place. Solid areas are the
+//! regions of the planar map that lie inside them, so that they meet the colour field without a gap.
+
+mod soup;
+
+use kurbo::{BezPath, Cap, Join, PathEl, Point, Rect, Shape as _, Stroke};
+use scumble_core::{Drawing, Fill, Line, PlanarMap, Rgba8, Scribble, Srgb8, Triangulation};
+
+use crate::scene::Shape;
+use soup::{Pen, Soup, Stop};
+
+/// Finer tolerances than this, in du, are taken as this; it is a tenth of a pixel at 6400%.
+const LEAST_TOLERANCE_DU: f64 = 1.0 / 640.0;
+
+/// Dashes that a line may be cut into; a line with more of them is drawn whole.
+const MAX_DASHES: f64 = 10_000.0;
+
+/// The ink of a drawing, in painting order: its fills, then the lines of its curves.
+///
+/// Curves and round parts lie within `tolerance_du` of their true place. Fills and lines of which nothing would be
+/// seen have no shape.
+pub fn line_shapes(drawing: &Drawing, map: &PlanarMap, tolerance_du: f64) -> Vec<Shape> {
+    let lines = drawing.curves.iter().filter_map(|curve| {
+        curve.line.as_ref().map(|line| line_shape(&curve.path, line, tolerance_du.max(LEAST_TOLERANCE_DU)))
+    });
+    let mut shapes = fill_shapes(&drawing.fills, map.triangulation());
+    shapes.extend(lines.filter(|shape| !shape.triangles.is_empty()));
+    shapes
+}
+
+/// A scribble as it was drawn: round caps and joins, a disc for a single point. Round parts lie within
+/// `tolerance_du` of their true place.
+pub fn scribble_shape(scribble: &Scribble, opacity: u8, tolerance_du: f64) -> Shape {
+    let stroke = Stroke::new(scribble.width_du).with_join(Join::Round).with_caps(Cap::Round);
+    let stops: Vec<_> = scribble.points.iter().map(|&point| Stop { point, is_corner: true }).collect();
+    let mut triangles = Soup::new();
+    if let Some(pen) = pen(&stroke, tolerance_du.max(LEAST_TOLERANCE_DU)) {
+        pen.draw(&stops, false, &mut triangles);
+    }
+    let Srgb8([r, g, b]) = scribble.color;
+    Shape { triangles, color: Rgba8([r, g, b, opacity]) }
+}
+
+fn line_shape(path: &BezPath, line: &Line, tolerance_du: f64) -> Shape {
+    let mut triangles = Soup::new();
+    if let Some(pen) = pen(&line.stroke, tolerance_du) {
+        for (stops, closed) in stretches(path, &line.stroke, tolerance_du) {
+            pen.draw(&stops, closed, &mut triangles);
+        }
+    }
+    Shape { triangles, color: line.color }
+}
+
+/// `None` for a stroke without a width.
+fn pen(stroke: &Stroke, tolerance_du: f64) -> Option<Pen> {
+    (stroke.width > 0.0 && stroke.width.is_finite()).then_some(Pen {
+        half_width_du: 0.5 * stroke.width,
+        join: stroke.join,
+        miter_limit: stroke.miter_limit,
+        start_cap: stroke.start_cap,
+        end_cap: stroke.end_cap,
+        tolerance_du,
+    })
+}
+
+/// The stops of each stretch of a path, or of each of its dashes; and whether it is closed.
+fn stretches(path: &BezPath, stroke: &Stroke, tolerance_du: f64) -> Vec<(Vec<Stop>, bool)> {
+    if has_dashes(path, stroke, tolerance_du) {
+        let dashes = kurbo::dash(path.iter(), stroke.dash_offset, &stroke.dash_pattern);
+        flatten(dashes, tolerance_du)
+    } else {
+        flatten(path.iter(), tolerance_du)
+    }
+}
+
+/// Whether a line is to be cut into dashes: as in SVG, not if one of them is negative or all are zero.
+fn has_dashes(path: &BezPath, stroke: &Stroke, tolerance_du: f64) -> bool {
+    let dashes = &stroke.dash_pattern;
+    let period: f64 = dashes.iter().sum();
+    let sound = period > 0.0 && period.is_finite() && dashes.iter().all(|&d| d >= 0.0);
+    sound
+        && stroke.dash_offset.is_finite()
+        && path.perimeter(tolerance_du) * dashes.len() as f64 <= MAX_DASHES * period
+}
+
+fn flatten(path: impl Iterator<Item = PathEl>, tolerance_du: f64) -> Vec<(Vec<Stop>, bool)> {
+    let mut stretches: Vec<(Vec<Stop>, bool)> = Vec::new();
+    let mut end = Point::ORIGIN;
+    for element in path {
+        match (element, stretches.last_mut()) {
+            (PathEl::MoveTo(p), _) => stretches.push((vec![corner(p)], false)),
+            (PathEl::ClosePath, Some((_, closed))) => *closed = true,
+            (_, Some((stops, _))) => flatten_element(end, element, tolerance_du, stops),
+            (_, None) => {}
+        }
+        end = element.end_point().unwrap_or(end);
+    }
+    stretches.retain(|(stops, closed)| stops.len() > 1 || *closed);
+    stretches
+}
+
+/// Adds the stops of one element; the last of them is a corner.
+fn flatten_element(start: Point, element: PathEl, tolerance_du: f64, stops: &mut Vec<Stop>) {
+    kurbo::flatten([PathEl::MoveTo(start), element], tolerance_du, |flat| {
+        if let PathEl::LineTo(point) = flat {
+            stops.push(Stop { point, is_corner: false });
+        }
+    });
+    if let Some(last) = stops.last_mut() {
+        last.is_corner = true;
+    }
+}
+
+fn corner(point: Point) -> Stop {
+    Stop { point, is_corner: true }
+}
+
+/// A region of the map.
+struct Region {
+    /// A point well inside it: the centroid of its largest triangle.
+    inner: Point,
+    triangles: Soup,
+}
+
+fn fill_shapes(fills: &[Fill], mesh: &Triangulation) -> Vec<Shape> {
+    if fills.is_empty() {
+        return Vec::new();
+    }
+    let regions = regions(mesh);
+    let shapes = fills.iter().map(|fill| Shape { triangles: filled(fill, &regions), color: fill.color });
+    shapes.filter(|shape| !shape.triangles.is_empty()).collect()
+}
+
+/// The triangles of the regions inside a fill.
+fn filled(fill: &Fill, regions: &[Region]) -> Soup {
+    let bounds = fill.path.bounding_box();
+    let inside = regions.iter().filter(|region| is_inside(fill, bounds, region.inner));
+    inside.flat_map(|region| region.triangles.iter().copied()).collect()
+}
+
+fn is_inside(fill: &Fill, bounds: Rect, p: Point) -> bool {
+    bounds.contains(p) && {
+        let winding = fill.path.winding(p);
+        if fill.even_odd { winding % 2 != 0 } else { winding != 0 }
+    }
+}
+
+fn regions(mesh: &Triangulation) -> Vec<Region> {
+    let (region_of, count) = mesh.regions();
+    let mut regions: Vec<_> = (0..count).map(|_| (0.0, Point::ORIGIN, Soup::new())).collect();
+    for (t, &region) in region_of.iter().enumerate() {
+        let [a, b, c] = mesh.corners(t);
+        let area = (b - a).cross(c - a);
+        let (largest, inner, triangles) = &mut regions[region as usize];
+        if area > *largest {
+            (*largest, *inner) = (area, a + ((b - a) + (c - a)) / 3.0);
+        }
+        triangles.push([a, b, c].map(|p| [p.x as f32, p.y as f32]));
+    }
+    regions.into_iter().map(|(_, inner, triangles)| Region { inner, triangles }).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{Field, Scene, View, paint};
+    use kurbo::{Affine, Circle, Dashes};
+    use scumble_core::{Curve, Sampling};
+
+    const INK: Rgba8 = Rgba8([10, 20, 30, 200]);
+
+    fn curve(svg_path: &str, stroke: Stroke) -> Curve {
+        let path = BezPath::from_svg(svg_path).expect("a sound path");
+        Curve { path, line: Some(Line { stroke, color: INK }) }
+    }
+
+    /// The shapes of a drawing on a page of 1024 × 1024 du.
+    fn shapes(curves: Vec<Curve>, fills: Vec<Fill>) -> Vec<Shape> {
+        let drawing = Drawing { page: Rect::new(0.0, 0.0, 1024.0, 1024.0), curves, fills };
+        let map = PlanarMap::build(&drawing, &Sampling::default()).expect("a map");
+        line_shapes(&drawing, &map, 0.1)
+    }
+
+    fn line(svg_path: &str, stroke: Stroke) -> Soup {
+        shapes(vec![curve(svg_path, stroke)], vec![]).pop().map(|shape| shape.triangles).unwrap_or_default()
+    }
+
+    /// Least and greatest x and y.
+    fn bounds(soup: &Soup) -> Rect {
+        let points = soup.as_flattened().iter().map(|&[x, y]| Point::new(x.into(), y.into()));
+        points.map(|p| Rect::from_points(p, p)).reduce(|a, b| a.union(b)).expect("not empty")
+    }
+
+    fn area(soup: &Soup) -> f64 {
+        let corners = |t: &[[f32; 2]; 3]| t.map(|[x, y]| Point::new(x.into(), y.into()));
+        soup.iter().map(corners).map(|[a, b, c]| 0.5 * (b - a).cross(c - a).abs()).sum()
+    }
+
+    fn assert_bounds(soup: &Soup, x0: f64, y0: f64, x1: f64, y1: f64) {
+        let found = bounds(soup);
+        let difference = [found.x0 - x0, found.y0 - y0, found.x1 - x1, found.y1 - y1];
+        assert!(difference.iter().all(|d| d.abs() < 0.11), "{found:?}");
+    }
+
+    #[test]
+    fn a_line_has_its_width_and_its_caps() {
+        let wide = Stroke::new(8.0);
+        let path = "M 100 100 L 200 100";
+        assert_bounds(&line(path, wide.clone().with_caps(Cap::Butt)), 100.0, 96.0, 200.0, 104.0);
+        assert_bounds(&line(path, wide.clone().with_caps(Cap::Square)), 96.0, 96.0, 204.0, 104.0);
+        assert_bounds(&line(path, wide.with_caps(Cap::Round)), 96.0, 96.0, 204.0, 104.0);
+    }
+
+    #[test]
+    fn curves_are_flattened_to_the_tolerance_whatever_the_width() {
+        let stroke = Stroke::new(60.0).with_join(Join::Bevel).with_caps(Cap::Butt);
+        let ring = line("M 500 400 A 100 100 0 1 1 499.999 400 Z", stroke);
+        assert_bounds(&ring, 370.0, 370.0, 630.0, 630.0);
+        for [x, y] in ring.as_flattened() {
+            let radius = Point::new(500.0, 500.0).distance(Point::new((*x).into(), (*y).into()));
+            assert!((69.0..130.1).contains(&radius), "{radius}");
+        }
+    }
+
+    #[test]
+    fn dashes_cut_a_line_and_an_offset_shifts_them() {
+        let stroke = Stroke::new(2.0).with_caps(Cap::Butt).with_dashes(5.0, [10.0, 20.0]);
+        let dashed = line("M 100 100 L 200 100", stroke);
+        assert!((area(&dashed) - 2.0 * (5.0 + 10.0 * 3.0)).abs() < 1e-3);
+        assert_bounds(&dashed, 100.0, 99.0, 195.0, 101.0);
+    }
+
+    #[test]
+    fn dashes_that_make_no_sense_leave_a_line_whole() {
+        let patterns: [&[f64]; 5] =
+            [&[0.0, 0.0], &[-1.0, 5.0], &[f64::NAN], &[1e-9, 1e-9], &[f64::INFINITY, 1.0]];
+        for pattern in patterns {
+            let mut stroke = Stroke::new(2.0).with_caps(Cap::Butt);
+            stroke.dash_pattern = Dashes::from_slice(pattern);
+            assert!((area(&line("M 100 100 L 200 100", stroke)) - 200.0).abs() < 1e-3, "{pattern:?}");
+        }
+    }
+
+    #[test]
+    fn a_curve_of_no_length_is_a_dot_of_its_cap() {
+        let dot = |cap| line("M 50 50 L 50 50", Stroke::new(10.0).with_caps(cap));
+        assert!(dot(Cap::Butt).is_empty());
+        assert_bounds(&dot(Cap::Square), 45.0, 45.0, 55.0, 55.0);
+        assert_bounds(&dot(Cap::Round), 45.0, 45.0, 55.0, 55.0);
+    }
+
+    #[test]
+    fn lines_come_in_painting_order_after_the_fills_and_invisible_ones_not_at_all() {
+        let outline = Curve { path: Circle::new((300.0, 300.0), 50.0).to_path(0.01), line: None };
+        let fill = Fill { path: outline.path.clone(), even_odd: false, color: Rgba8([1, 1, 1, 255]) };
+        let thin = curve("M 0 0 L 9 9", Stroke::new(0.0));
+        let curves = vec![
+            outline,
+            curve("M 0 9 L 99 9", Stroke::new(1.0)),
+            thin,
+            curve("M 0 0 L 9 0", Stroke::new(2.0)),
+        ];
+        let shapes = shapes(curves, vec![fill]);
+        assert_eq!(shapes.iter().map(|s| s.color.0[0]).collect::<Vec<_>>(), [1, 10, 10]);
+        assert!(bounds(&shapes[2].triangles).x1 < 11.0);
+    }
+
+    #[test]
+    fn a_fill_is_the_regions_inside_it_by_its_rule() {
+        let path =
+            BezPath::from_svg("M 100 100 H 300 V 300 H 100 Z M 150 150 H 250 V 250 H 150 Z").expect("sound");
+        let outlines = ["M 100 100 H 300 V 300 H 100 Z", "M 150 150 H 250 V 250 H 150 Z", "M 0 200 H 1024"];
+        let curves = || outlines.map(|o| Curve { line: None, ..curve(o, Stroke::default()) }).to_vec();
+        for (even_odd, expected) in [(false, 40_000.0), (true, 30_000.0)] {
+            let shapes = shapes(curves(), vec![Fill { path: path.clone(), even_odd, color: INK }]);
+            assert!((area(&shapes[0].triangles) - expected).abs() < 1.0);
+        }
+    }
+
+    #[test]
+    fn a_scribble_is_round_and_a_single_point_a_disc() {
+        let scribble = |points| Scribble { color: Srgb8([9, 8, 7]), width_du: 20.0, points };
+        let disc = scribble_shape(&scribble(vec![Point::new(40.0, 40.0)]), 128, 0.1);
+        assert_eq!(disc.color, Rgba8([9, 8, 7, 128]));
+        assert_bounds(&disc.triangles, 30.0, 30.0, 50.0, 50.0);
+        let hook = scribble(vec![Point::new(40.0, 40.0), Point::new(90.0, 40.0), Point::new(60.0, 40.0)]);
+        assert_bounds(&scribble_shape(&hook, 255, 0.1).triangles, 30.0, 30.0, 100.0, 50.0);
+    }
+
+    #[test]
+    fn joins_and_caps_leave_no_hairline_however_far_one_zooms_in() {
+        let way: Vec<_> = (0..40)
+            .map(f64::from)
+            .map(|i| Point::new(300.0 + 9.1 * i, 500.0 + 30.0 * (i / 3.0).sin()))
+            .collect();
+        let scribble = Scribble { color: Srgb8([9, 8, 7]), width_du: 20.0, points: way.clone() };
+        let shapes = [scribble_shape(&scribble, 255, 0.1)];
+        let scene = Scene { paper: None, field: &Field::default(), shapes: &shapes };
+        for (point, zoom) in way.iter().flat_map(|point| [64.0, 2000.0].map(|zoom| (point, zoom))) {
+            let px_from_du =
+                Affine::translate((32.0, 32.0)) * Affine::scale(zoom) * Affine::translate(-point.to_vec2());
+            let picture = paint(&scene, &View { px_from_du, width_px: 64, height_px: 64 });
+            assert!(
+                picture.rgba.as_chunks().0.iter().all(|pixel| *pixel == [9, 8, 7, 255]),
+                "{point} {zoom}"
+            );
+        }
+    }
+
+    #[test]
+    fn tolerances_of_any_kind_give_bounded_output() {
+        let scribble = Scribble { color: Srgb8([0; 3]), width_du: 500.0, points: vec![Point::ORIGIN] };
+        for tolerance_du in [0.0, -1.0, f64::NAN, 1e9] {
+            let count = scribble_shape(&scribble, 255, tolerance_du).triangles.len();
+            assert!((4..=256).contains(&count), "{count}");
+        }
+    }
+}

@@ -1,0 +1,23 @@
+//! Colour points in, colour field out: the mesh solver and a painter on the CPU.
+//!
+//! | noun | file |
+//! |---|---|
+//! | triangles with colours: the solved picture | [`field`] |
+//! | lines, fills and scribbles as flat shapes | [`ink`] |
+//! | the mesh solver | [`mesh`] |
+//! | the painter on the CPU | [`mod@paint`] |
+//! | what a painter paints | [`scene`] |
+
+pub mod field;
+pub mod ink;
+pub mod mesh;
+pub mod paint;
+pub mod picture;
+pub mod scene;
+
+pub use field::{Field, FieldTriangle};
+pub use ink::{line_shapes, scribble_shape};
+pub use mesh::{MeshSolver, SolveError};
+pub use paint::{Pixmap, paint};
+pub use picture::{Picture, PictureError};
+pub use scene::{Scene, Shape, View};

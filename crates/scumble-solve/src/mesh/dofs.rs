@@ -1,0 +1,117 @@
+//! Degrees of freedom: which unknowns a triangle has at its corners and in the middle of its edges.
+//!
+//! Around a node the triangles fall into sectors, separated by curves; all corners of one sector share an unknown.
+//! At the tip of a curve the sector goes all the way round, so there the two sides meet. The two triangles at an
+//! edge share the unknown in its middle, unless the edge is a side of a curve.
+
+use std::iter;
+
+use scumble_core::{HalfEdge, SideId, Triangulation};
+
+/// Unknown that is not numbered yet.
+const NONE: u32 = u32::MAX;
+
+/// The triangles of one region and their unknowns, counted from 0 in each region.
+#[derive(Debug, Default)]
+pub(super) struct Dofs {
+    /// Triangles of the mesh, in ascending order.
+    pub(super) triangles: Vec<u32>,
+    /// The unknowns of each of them, at corners 0, 1, 2 and in the middle of edges 01, 12, 20.
+    pub(super) of_triangle: Vec<[u32; 6]>,
+    /// The sides of curves that bound the region, and the unknowns at their start, middle and end.
+    pub(super) sides: Vec<(SideId, [u32; 3])>,
+    /// Number of unknowns at corners; they are numbered first.
+    pub(super) corner_count: usize,
+    /// Number of unknowns.
+    pub(super) count: usize,
+}
+
+/// Numbers the unknowns of all regions of a mesh.
+pub(super) fn number(mesh: &Triangulation) -> Vec<Dofs> {
+    let (region_of, count) = mesh.regions();
+    let mut regions: Vec<Dofs> = iter::repeat_with(Dofs::default).take(count).collect();
+    for (t, &region) in (0..).zip(&region_of) {
+        regions[region as usize].triangles.push(t);
+    }
+    let mut numbers = Numbers { mesh, of_triangle: vec![[NONE; 6]; mesh.triangle_count()], next: 0 };
+    for region in &mut regions {
+        numbers.fill(region);
+    }
+    regions
+}
+
+impl Dofs {
+    /// Renumbers the unknowns: what was `i` becomes `rank[i]`; corners no longer come first.
+    pub(super) fn renumber(&mut self, rank: &[u32]) {
+        let of_sides = self.sides.iter_mut().flat_map(|(_, dofs)| dofs);
+        for dof in self.of_triangle.iter_mut().flatten().chain(of_sides) {
+            *dof = rank[*dof as usize];
+        }
+    }
+}
+
+/// The unknowns given out so far.
+struct Numbers<'a> {
+    mesh: &'a Triangulation,
+    of_triangle: Vec<[u32; 6]>,
+    next: u32,
+}
+
+impl Numbers<'_> {
+    fn fill(&mut self, region: &mut Dofs) {
+        self.next = 0;
+        half_edges(&region.triangles).for_each(|h| self.number_sector(h));
+        region.corner_count = self.next as usize;
+        half_edges(&region.triangles).for_each(|h| self.number_middle(h));
+        region.count = self.next as usize;
+        region.of_triangle = region.triangles.iter().map(|&t| self.of_triangle[t as usize]).collect();
+        region.sides = self.sides(&region.triangles);
+    }
+
+    /// Gives one unknown to all corners in the sector of the node that a half-edge starts from.
+    fn number_sector(&mut self, h: HalfEdge) {
+        if *self.corner(h) == NONE {
+            for corner in sector(self.mesh, h) {
+                *self.corner(corner) = self.next;
+            }
+            self.next += 1;
+        }
+    }
+
+    fn number_middle(&mut self, h: HalfEdge) {
+        if *self.middle(h) == NONE {
+            *self.middle(h) = self.next;
+            if let Some(twin) = self.mesh.passage(h) {
+                *self.middle(twin) = self.next;
+            }
+            self.next += 1;
+        }
+    }
+
+    fn sides(&mut self, triangles: &[u32]) -> Vec<(SideId, [u32; 3])> {
+        let sides = half_edges(triangles).filter_map(|h| self.mesh.side(h).map(|side| (side, h)));
+        sides.map(|(side, h)| (side, [*self.corner(h), *self.middle(h), *self.corner(h.next())])).collect()
+    }
+
+    fn corner(&mut self, h: HalfEdge) -> &mut u32 {
+        &mut self.of_triangle[h.triangle()][h.index() % 3]
+    }
+
+    fn middle(&mut self, h: HalfEdge) -> &mut u32 {
+        &mut self.of_triangle[h.triangle()][3 + h.index() % 3]
+    }
+}
+
+fn half_edges(triangles: &[u32]) -> impl Iterator<Item = HalfEdge> {
+    triangles.iter().flat_map(|&t| (0..3).map(move |i| HalfEdge::of(t as usize, i)))
+}
+
+/// The half-edges that start from the same node as `h`, without a curve between them and `h`.
+fn sector(mesh: &Triangulation, h: HalfEdge) -> impl Iterator<Item = HalfEdge> + use<'_> {
+    let clockwise = |h: HalfEdge| mesh.passage(h).map(HalfEdge::next);
+    let mut first = h;
+    while let Some(next) = clockwise(first).filter(|&next| next != h) {
+        first = next;
+    }
+    iter::successors(Some(first), move |h| mesh.passage(h.prev()).filter(|&next| next != first))
+}

@@ -1,0 +1,180 @@
+//! The linear system of one region for one set of coloured sides: sparse Cholesky, one right-hand side a channel.
+//!
+//! Unknowns on coloured sides are fixed and leave the system; what couples them to the others goes to the right-
+//! hand side. The rest keeps the region's order of elimination, so the matrix needs no permutation.
+
+use faer::dyn_stack::{MemBuffer, MemStack};
+use faer::linalg::cholesky::llt::factor::LltRegularization;
+use faer::sparse::linalg::cholesky::simplicial::{self, SimplicialLltRef, SymbolicSimplicialCholesky};
+use faer::sparse::{SparseColMatRef, SymbolicSparseColMatRef};
+use faer::{Conj, MatMut, Par};
+use scumble_core::{BlendColor, Triangulation};
+
+use super::SolveError;
+use super::dofs::Dofs;
+use super::element;
+
+/// Row of an unknown that is fixed.
+const FIXED: u32 = u32::MAX;
+
+/// Largest number of entries of a factor: what signed 32-bit indices reach.
+const MAX_ENTRIES: u64 = i32::MAX as u64;
+
+/// A system, analysed; and factored once its factor is asked for.
+#[derive(Debug)]
+pub(super) struct System {
+    /// The row of each unknown of the region, or [`FIXED`].
+    row_of: Vec<u32>,
+    matrix: Upper,
+    /// A row, a fixed unknown, and the entry between them.
+    couplings: Vec<(u32, u32, f64)>,
+    symbolic: SymbolicSimplicialCholesky<u32>,
+    /// Values of the factor; empty until it is computed.
+    factor: Vec<f64>,
+}
+
+impl System {
+    /// Sets up the matrix and finds the pattern of its factor.
+    pub(super) fn new(mesh: &Triangulation, dofs: &Dofs, fixed: &[bool]) -> Result<Self, SolveError> {
+        let row_of = rows(fixed);
+        let size = fixed.iter().filter(|&&fixed| !fixed).count();
+        let (matrix, couplings) = assemble(mesh, dofs, &row_of, size);
+        let symbolic = matrix.analyse()?;
+        Ok(Self { row_of, matrix, couplings, symbolic, factor: Vec::new() })
+    }
+
+    /// Computes the factor if that is not done yet.
+    pub(super) fn factor(&mut self) -> Result<(), SolveError> {
+        if self.factor.is_empty() {
+            self.factor = self.matrix.factor(&self.symbolic)?;
+        }
+        Ok(())
+    }
+
+    /// Computes the free values of a factored system from the fixed ones.
+    pub(super) fn solve(&self, values: &mut [BlendColor]) {
+        let size = self.matrix.size();
+        let mut channels = vec![0.0; 3 * size];
+        for &(row, fixed, entry) in &self.couplings {
+            for (i, value) in values[fixed as usize].into_iter().enumerate() {
+                channels[i * size + row as usize] -= entry * value;
+            }
+        }
+        SimplicialLltRef::new(&self.symbolic, &self.factor).solve_in_place_with_conj(
+            Conj::No,
+            MatMut::from_column_major_slice_mut(&mut channels, size, 3),
+            Par::Seq,
+            MemStack::new(&mut []),
+        );
+        for (value, &row) in values.iter_mut().zip(&self.row_of).filter(|(_, row)| **row != FIXED) {
+            *value = [0, 1, 2].map(|i| channels[i * size + row as usize]);
+        }
+    }
+}
+
+fn rows(fixed: &[bool]) -> Vec<u32> {
+    let mut next = 0;
+    let row = |&fixed: &bool| {
+        if fixed {
+            return FIXED;
+        }
+        next += 1;
+        next - 1
+    };
+    fixed.iter().map(row).collect()
+}
+
+/// The upper triangle of a symmetric matrix, column by column. Rows are in no order, and entries of the same row
+/// and column add up: the simplicial routines scatter a column before they use it.
+#[derive(Debug)]
+struct Upper {
+    column_starts: Vec<u32>,
+    rows: Vec<u32>,
+    entries: Vec<f64>,
+}
+
+impl Upper {
+    /// Puts triplets of row, column, entry into columns.
+    fn new(size: usize, triplets: &[(u32, u32, f64)]) -> Self {
+        let mut column_starts = vec![0; size + 1];
+        for &(_, column, _) in triplets {
+            column_starts[column as usize + 1] += 1;
+        }
+        for column in 0..size {
+            column_starts[column + 1] += column_starts[column];
+        }
+        let mut next = column_starts.clone();
+        let (mut rows, mut entries) = (vec![0; triplets.len()], vec![0.0; triplets.len()]);
+        for &(row, column, entry) in triplets {
+            let place = &mut next[column as usize];
+            (rows[*place as usize], entries[*place as usize]) = (row, entry);
+            *place += 1;
+        }
+        Self { column_starts, rows, entries }
+    }
+
+    fn size(&self) -> usize {
+        self.column_starts.len() - 1
+    }
+
+    fn pattern(&self) -> SymbolicSparseColMatRef<'_, u32> {
+        let size = self.size();
+        SymbolicSparseColMatRef::new_unsorted_checked(size, size, &self.column_starts, None, &self.rows)
+    }
+
+    fn analyse(&self) -> Result<SymbolicSimplicialCholesky<u32>, SolveError> {
+        let size = self.size();
+        let scratch = simplicial::prefactorize_symbolic_cholesky_scratch::<u32>(size, self.rows.len())
+            .or(simplicial::factorize_simplicial_symbolic_cholesky_scratch::<u32>(size));
+        let mut memory = MemBuffer::try_new(scratch).map_err(|_| SolveError::TooLarge)?;
+        let stack = MemStack::new(&mut memory);
+        let (mut tree, mut counts) = (vec![0; size], vec![0; size]);
+        let tree = simplicial::prefactorize_symbolic_cholesky(&mut tree, &mut counts, self.pattern(), stack);
+        if counts.iter().map(|&count| u64::from(count)).sum::<u64>() > MAX_ENTRIES {
+            return Err(SolveError::TooLarge);
+        }
+        simplicial::factorize_simplicial_symbolic_cholesky(self.pattern(), tree, &counts, stack)
+            .map_err(|_| SolveError::TooLarge)
+    }
+
+    fn factor(&self, symbolic: &SymbolicSimplicialCholesky<u32>) -> Result<Vec<f64>, SolveError> {
+        let scratch = simplicial::factorize_simplicial_numeric_llt_scratch::<u32, f64>(self.size());
+        let mut memory = MemBuffer::try_new(scratch).map_err(|_| SolveError::TooLarge)?;
+        let mut factor = Vec::new();
+        factor.try_reserve_exact(symbolic.len_val()).map_err(|_| SolveError::TooLarge)?;
+        factor.resize(symbolic.len_val(), 0.0);
+        simplicial::factorize_simplicial_numeric_llt(
+            &mut factor,
+            SparseColMatRef::new(self.pattern(), &self.entries),
+            LltRegularization::default(),
+            symbolic,
+            MemStack::new(&mut memory),
+        )
+        .map_err(|_| SolveError::NotPositive)?;
+        Ok(factor)
+    }
+}
+
+/// The matrix of the free unknowns, and the entries between them and the fixed ones.
+fn assemble(mesh: &Triangulation, dofs: &Dofs, row_of: &[u32], size: usize) -> (Upper, Vec<(u32, u32, f64)>) {
+    let mut diagonal = vec![0.0; size];
+    let (mut triplets, mut to_fixed) = (Vec::with_capacity(12 * dofs.triangles.len()), Vec::new());
+    for (&t, dofs) in dofs.triangles.iter().zip(&dofs.of_triangle) {
+        let weights = element::weights(mesh.corners(t as usize));
+        let rows = dofs.map(|dof| row_of[dof as usize]);
+        for (row, entry) in rows.into_iter().zip(element::diagonal(weights)).filter(|(row, _)| *row != FIXED)
+        {
+            diagonal[row as usize] += entry;
+        }
+        for (i, j, entry) in element::couplings(weights) {
+            match (rows[i], rows[j]) {
+                (FIXED, FIXED) => {}
+                (FIXED, row) => to_fixed.push((row, dofs[i], entry)),
+                (row, FIXED) => to_fixed.push((row, dofs[j], entry)),
+                (a, b) => triplets.push((a.min(b), a.max(b), entry)),
+            }
+        }
+    }
+    triplets.extend((0..).zip(diagonal).map(|(row, entry)| (row, row, entry)));
+    (Upper::new(size, &triplets), to_fixed)
+}

@@ -1,0 +1,59 @@
+//! The painter on the CPU: turns a scene into pixels, for files and where there is no GPU.
+//!
+//! What a pixel is, so that every painter makes the same picture:
+//!
+//! - **Inner pixels** of the field, which no side of a curve passes through, take the colour of the triangle that
+//!   holds the pixel's centre, at that centre. The quadratic is evaluated in the blend space; for OKLab its cone
+//!   responses are cubed and taken to linear sRGB; each channel is clamped to `0..=1`, given the sRGB transfer
+//!   function and rounded to the nearest of 255 levels. A triangle whose colours differ by less than 1e-6 has one
+//!   colour.
+//! - **Rim pixels**, which a side passes through, are the mean of 16 samples on a rotated grid. All samples that one
+//!   triangle covers have the 8-bit colour that it has at the pixel's centre, its negative corner weights taken as
+//!   zero (and the others scaled to a sum of 1); samples without a triangle are paper. The mean is of 8-bit sRGB
+//!   values; over transparent paper it is weighted by coverage, and the coverage is the alpha.
+//! - **Shapes** cover the samples that any of their triangles covers, and are mixed in with straight sRGB values,
+//!   opacity times coverage, in order.
+//!
+//! A point on the left or upper edge of a triangle belongs to it, one on the right or lower edge does not. Edges of
+//! the field that are not sides of curves are never smoothed, so its outer border is cut at pixel centres there.
+
+mod canvas;
+mod encode;
+mod field_painter;
+mod gradient;
+mod pixel_set;
+mod raster;
+mod shape_painter;
+#[cfg(test)]
+mod tests;
+
+use canvas::Canvas;
+use shape_painter::Coverage;
+
+use crate::scene::{Scene, View};
+
+/// A picture in sRGB with straight alpha.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Pixmap {
+    /// Picture size.
+    pub width_px: u32,
+    /// Picture size.
+    pub height_px: u32,
+    /// Red, green, blue and alpha of each pixel, row by row from the top left.
+    pub rgba: Vec<u8>,
+}
+
+/// Paints what a view shows of a scene. Without paper, what nothing covers is transparent black.
+///
+/// Time and memory grow with the size of the picture, whatever the zoom; the caller bounds the size.
+pub fn paint(scene: &Scene<'_>, view: &View) -> Pixmap {
+    let mut canvas = Canvas::new(view, scene.paper);
+    field_painter::paint_field(&mut canvas, scene.field, view.px_from_du, scene.paper);
+    if !scene.shapes.is_empty() {
+        let mut coverage = Coverage::new(&canvas);
+        for shape in scene.shapes {
+            coverage.paint(&mut canvas, shape, view.px_from_du);
+        }
+    }
+    canvas.into_pixmap()
+}

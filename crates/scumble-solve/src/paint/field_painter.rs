@@ -1,0 +1,134 @@
+//! Paints a colour field: inner pixels from their centres, pixels on the sides of curves from their samples.
+
+use kurbo::{Affine, Point};
+use scumble_core::Srgb8;
+
+use super::canvas::Canvas;
+use super::encode::Encoder;
+use super::gradient::{LANES, Paint, RowGradient};
+use super::pixel_set::PixelSet;
+use super::raster::{SAMPLES, ScanTriangle};
+use crate::field::{Field, FieldTriangle};
+
+/// Pixels that sides pass through, and what has been painted into them.
+struct RimPixels {
+    set: PixelSet,
+    /// For each member the sums over its covered samples of red, green and blue, and their number.
+    sums: Vec<[u32; 4]>,
+}
+
+/// A triangle, ready to paint.
+struct Prepared {
+    scan: ScanTriangle,
+    paint: Paint,
+}
+
+/// Paints a field over a canvas of bare paper.
+pub(super) fn paint_field(canvas: &mut Canvas, field: &Field, px_from_du: Affine, paper: Option<Srgb8>) {
+    let encoder = Encoder::new(field.blend);
+    let mut rim = RimPixels::new(canvas, field, px_from_du);
+    for triangle in &field.triangles {
+        let corners = px_corners(&triangle.corners, px_from_du);
+        let Some(scan) = ScanTriangle::new(corners, canvas.width(), canvas.height()) else { continue };
+        let prepared = Prepared { scan, paint: Paint::new(triangle, &corners, &encoder) };
+        prepared.paint(canvas, &mut rim, &encoder);
+    }
+    rim.resolve(canvas, paper);
+}
+
+/// Corners in px. Equal corners stay equal to the last bit.
+pub(super) fn px_corners(corners: &[[f32; 2]; 3], px_from_du: Affine) -> [[f64; 2]; 3] {
+    corners.map(|[x, y]| {
+        let p = px_from_du * Point::new(f64::from(x), f64::from(y));
+        [p.x, p.y]
+    })
+}
+
+/// The edges of a triangle that are sides of curves, in px.
+fn side_edges(triangle: &FieldTriangle, px_from_du: Affine) -> impl Iterator<Item = [[f64; 2]; 2]> + use<> {
+    let bits = triangle.side_edges;
+    let corners = (bits != 0).then(|| px_corners(&triangle.corners, px_from_du));
+    corners
+        .into_iter()
+        .flat_map(move |c| (0..3).filter(move |i| bits >> i & 1 == 1).map(move |i| [c[i], c[(i + 1) % 3]]))
+}
+
+impl Prepared {
+    fn paint(&self, canvas: &mut Canvas, rim: &mut RimPixels, encoder: &Encoder) {
+        let columns = self.scan.columns(canvas.width());
+        for row in self.scan.rows(canvas.height()) {
+            self.paint_centers(canvas, row, encoder);
+            if rim.set.any_in(row, &columns) {
+                self.add_samples(rim, row, canvas.width(), encoder);
+            }
+        }
+    }
+
+    fn paint_centers(&self, canvas: &mut Canvas, row: i32, encoder: &Encoder) {
+        let span = self.scan.center_span(row, canvas.width());
+        if span.is_empty() {
+            return;
+        }
+        match &self.paint {
+            Paint::Flat([r, g, b]) => canvas.span_mut(row, span).fill([*r, *g, *b, 255]),
+            Paint::Smooth(gradient) => {
+                let colors = gradient.row_from(span.start as f64 + 0.5, f64::from(row) + 0.5);
+                paint_smooth(canvas.span_mut(row, span), &colors, encoder);
+            }
+        }
+    }
+
+    fn add_samples(&self, rim: &mut RimPixels, row: i32, width: i32, encoder: &Encoder) {
+        let spans = self.scan.sample_spans(row, width);
+        rim.set.for_each_in(row, &spans.touched(), |column, member| {
+            let count = spans.count_at(column);
+            if count > 0 {
+                let color = self.paint.at(column as f64 + 0.5, f64::from(row) + 0.5, encoder);
+                add(&mut rim.sums[member], color, count);
+            }
+        });
+    }
+}
+
+fn paint_smooth(pixels: &mut [[u8; 4]], colors: &RowGradient, encoder: &Encoder) {
+    for (i, chunk) in pixels.chunks_mut(LANES).enumerate() {
+        encoder.encode_to(chunk, &colors.lanes(i * LANES));
+    }
+}
+
+fn add(sum: &mut [u32; 4], [r, g, b]: [u8; 3], count: u32) {
+    for (sum, c) in sum.iter_mut().zip([r, g, b, 1]) {
+        *sum += u32::from(c) * count;
+    }
+}
+
+impl RimPixels {
+    fn new(canvas: &Canvas, field: &Field, px_from_du: Affine) -> Self {
+        let sides = field.triangles.iter().flat_map(|triangle| side_edges(triangle, px_from_du));
+        let set = PixelSet::touched_by(sides, canvas.width() as u32, canvas.height() as u32);
+        let sums = vec![[0; 4]; set.len()];
+        Self { set, sums }
+    }
+
+    /// Writes the mean of each member's samples, those that nothing covers being paper.
+    fn resolve(&self, canvas: &mut Canvas, paper: Option<Srgb8>) {
+        let columns = 0..canvas.width() as usize;
+        for row in 0..canvas.height() {
+            self.set.for_each_in(row, &columns, |column, member| {
+                canvas.span_mut(row, column..column + 1)[0] = mean(self.sums[member], paper);
+            });
+        }
+    }
+}
+
+/// The mean of the samples of a pixel.
+fn mean(mut sum: [u32; 4], paper: Option<Srgb8>) -> [u8; 4] {
+    let bare = (SAMPLES as u32).saturating_sub(sum[3]);
+    if let Some(Srgb8(paper)) = paper {
+        add(&mut sum, paper, bare);
+    }
+    let [r, g, b, count] = sum;
+    let alpha = (255 * count.min(SAMPLES as u32) + SAMPLES as u32 / 2) / SAMPLES as u32;
+    let [r, g, b] = [r, g, b].map(|c| ((c + count / 2).checked_div(count).unwrap_or(0)) as u8);
+    [r, g, b, alpha as u8]
+}

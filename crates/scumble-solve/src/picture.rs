@@ -1,0 +1,74 @@
+//! All that is derived from a document: map, labels, colour points, field. Kept, and redone where the source
+//! changed.
+
+use scumble_core::{
+    Blend, Document, Drawing, Engine, MapError, PlanarMap, Sampling, Scribble, SideColors, Sight,
+    color_spans, side_colors,
+};
+use thiserror::Error;
+
+use crate::field::Field;
+use crate::mesh::{MeshSolver, SolveError};
+
+/// Why there is no picture.
+#[derive(Debug, Error)]
+pub enum PictureError {
+    /// The lines have no planar map.
+    #[error(transparent)]
+    Map(#[from] MapError),
+    /// The colours could not be spread.
+    #[error(transparent)]
+    Solve(#[from] SolveError),
+}
+
+/// The picture of one drawing under changing scribbles.
+///
+/// The stages are [`Picture::new`] (map), [`Picture::mesh`], [`Picture::color`] and the solver's own; a caller
+/// that does not care calls [`Picture::update`].
+#[derive(Debug)]
+pub struct Picture {
+    map: PlanarMap,
+    engine: Sight,
+    solver: Option<MeshSolver>,
+}
+
+impl Picture {
+    /// Builds the planar map of a drawing.
+    ///
+    /// # Errors
+    /// When the drawing has too many pieces.
+    pub fn new(drawing: &Drawing) -> Result<Self, MapError> {
+        let map = PlanarMap::build(drawing, &Sampling::default())?;
+        Ok(Self { map, engine: Sight::default(), solver: None })
+    }
+
+    /// The planar map of the drawing.
+    pub fn map(&self) -> &PlanarMap {
+        &self.map
+    }
+
+    /// The solver on the refined map; meshes at the first call.
+    pub fn mesh(&mut self) -> &mut MeshSolver {
+        let map = &self.map;
+        self.solver.get_or_insert_with(|| MeshSolver::new(map.refined()))
+    }
+
+    /// The colours that scribbles give the sides.
+    pub fn color(&mut self, scribbles: &[Scribble], blend: Blend) -> SideColors {
+        let labels = self.engine.label(&self.map, scribbles);
+        let color_of = |side: scumble_core::SideId| {
+            let label = labels.get(side.index()).copied().flatten()?;
+            scribbles.get(label as usize).map(|scribble| scribble.color)
+        };
+        side_colors(&self.map, &color_spans(&self.map, color_of), blend)
+    }
+
+    /// The colour field of a document with the drawing that this picture was made for.
+    ///
+    /// # Errors
+    /// When the solver fails.
+    pub fn update(&mut self, document: &Document) -> Result<&Field, SolveError> {
+        let colors = self.color(&document.scribbles, document.blend);
+        self.mesh().solve(&colors, document.blend)
+    }
+}

@@ -1,0 +1,37 @@
+//! What a painter paints, on the CPU or on the GPU: paper, a colour field, flat shapes over it.
+
+use kurbo::Affine;
+use scumble_core::{Rgba8, Srgb8};
+
+use crate::field::Field;
+
+/// Everything in one picture, back to front.
+#[derive(Clone, Debug)]
+pub struct Scene<'a> {
+    /// The paper's colour, or `None` for a transparent picture.
+    pub paper: Option<Srgb8>,
+    /// The coloured regions.
+    pub field: &'a Field,
+    /// Fills, lines, scribbles: later ones over earlier ones.
+    pub shapes: &'a [Shape],
+}
+
+/// A flat-coloured shape as triangles in du. They may overlap; each place is painted once.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Shape {
+    /// Corners, turning either way.
+    pub triangles: Vec<[[f32; 2]; 3]>,
+    /// Colour and opacity.
+    pub color: Rgba8,
+}
+
+/// Which part of the plane a picture shows, at which size.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct View {
+    /// Takes du to pixels; pixel (0, 0) covers the square from (0, 0) to (1, 1).
+    pub px_from_du: Affine,
+    /// Picture size.
+    pub width_px: u32,
+    /// Picture size.
+    pub height_px: u32,
+}

@@ -1,0 +1,186 @@
+//! What JavaScript calls. Opening a renderer and reading pictures back take time: they go on beside the calls, and
+//! `wake` asks the page for a frame, with whose effects their outcome comes.
+
+use std::cell::{Cell, RefCell};
+use std::rc::Rc;
+
+use js_sys::{Array, Function};
+use scumble_gpu::GpuError;
+use wasm_bindgen::prelude::wasm_bindgen;
+use wasm_bindgen::{JsCast, JsError, JsValue};
+use wasm_bindgen_futures::spawn_local;
+use web_sys::{HtmlCanvasElement, console};
+
+use crate::boundary::{color, command_from_js, field, js_from_effects};
+use crate::command::Phase;
+use crate::effect::Effect;
+use crate::screen::{CPU, Screen};
+use crate::session::Session;
+
+/// A device that is lost this often is not asked for again.
+const LOSSES_BORNE: u32 = 3;
+
+thread_local! {
+    /// Set from callbacks of the GPU, which may own nothing of JavaScript.
+    static DEVICE_LOST: Cell<bool> = const { Cell::new(false) };
+    static WAKE: RefCell<Option<Function>> = const { RefCell::new(None) };
+}
+
+/// The editor behind the page.
+#[wasm_bindgen]
+#[derive(Debug)]
+pub struct App {
+    shared: Rc<RefCell<Shared>>,
+}
+
+struct Shared {
+    session: Session,
+    /// `None` while a renderer is being opened.
+    screen: Option<Screen>,
+    losses: u32,
+}
+
+#[wasm_bindgen]
+impl App {
+    /// Claims a canvas. Options: `renderer` ("webgpu", "webgl" or "cpu"), `desk` (the colour around the page, as
+    /// #rrggbb), `wake` (called when there is a frame to ask for).
+    ///
+    /// # Errors
+    /// When the renderer does not start here; the canvas may be spoilt then.
+    pub async fn create(canvas: HtmlCanvasElement, options: JsValue) -> Result<App, JsError> {
+        std::panic::set_hook(Box::new(|panic| console::error_1(&panic.to_string().into())));
+        let desk = color(&field(&options, "desk")).ok_or_else(|| missing("desk"))?;
+        let renderer = field(&options, "renderer").as_string().ok_or_else(|| missing("renderer"))?;
+        let wake = field(&options, "wake").dyn_into().map_err(|_| missing("wake"))?;
+        WAKE.with_borrow_mut(|slot| *slot = Some(wake));
+        let mut session = Session::new(desk)?;
+        let screen = Screen::open(canvas, &renderer, on_device_failure).await?;
+        session.tell(Effect::Renderer(screen.renderer()));
+        let shared = Shared { session, screen: Some(screen), losses: 0 };
+        Ok(Self { shared: Rc::new(RefCell::new(shared)) })
+    }
+
+    /// Takes pointer samples (see [`Session::pointer`]) of a phase: "down", "move", "up" or "cancel".
+    ///
+    /// # Errors
+    /// For a phase of another name.
+    pub fn pointer(&self, phase: &str, samples: &[f32]) -> Result<Array, JsError> {
+        let phase = Phase::from_name(phase).ok_or_else(|| missing(phase))?;
+        let mut shared = self.shared.borrow_mut();
+        shared.session.pointer(phase, samples);
+        Ok(shared.effects())
+    }
+
+    /// Does what a control asks for; see `boundary.rs` for names and arguments. "export" and "canvas" (`canvas`,
+    /// `renderer`) take longer than the call.
+    ///
+    /// # Errors
+    /// For a command that does not exist with these arguments.
+    pub fn command(&self, name: &str, args: &JsValue) -> Result<Array, JsError> {
+        match name {
+            "export" => self.export(),
+            "canvas" => self.reopen(args)?,
+            _ => {
+                let command = command_from_js(name, args).ok_or_else(|| missing(name))?;
+                self.shared.borrow_mut().session.command(command);
+            }
+        }
+        Ok(self.shared.borrow_mut().effects())
+    }
+
+    /// Paints, if anything has changed since the last frame.
+    pub fn frame(&self) -> Array {
+        let mut shared = self.shared.borrow_mut();
+        shared.paint();
+        shared.effects()
+    }
+
+    fn export(&self) {
+        let mut shared = self.shared.borrow_mut();
+        let Shared { session, screen: Some(screen), .. } = &mut *shared else { return };
+        let export = session.export();
+        let (name, picture) = (export.name.clone(), screen.picture(&export.painting()));
+        session.repaint();
+        let shared = Rc::clone(&self.shared);
+        spawn_local(async move {
+            let effect = match picture.await {
+                Ok(picture) => Effect::Exported { name, picture },
+                Err(error) => Effect::Failed(error.to_string()),
+            };
+            shared.borrow_mut().session.tell(effect);
+            wake();
+        });
+    }
+
+    fn reopen(&self, args: &JsValue) -> Result<(), JsError> {
+        let canvas = field(args, "canvas").dyn_into().map_err(|_| missing("canvas"))?;
+        let renderer = field(args, "renderer").as_string().ok_or_else(|| missing("renderer"))?;
+        let shared = Rc::clone(&self.shared);
+        spawn_local(async move {
+            let screen = Screen::open(canvas, &renderer, on_device_failure).await;
+            shared.borrow_mut().reopened(screen.ok(), &renderer);
+            wake();
+        });
+        Ok(())
+    }
+}
+
+impl Shared {
+    fn paint(&mut self) {
+        if DEVICE_LOST.take() {
+            self.lose();
+        }
+        if let Some(screen) = &mut self.screen {
+            self.session.frame(screen);
+        }
+    }
+
+    /// Everything that was on the device is dropped; the document has all that it takes to draw it again.
+    fn lose(&mut self) {
+        if let Some(screen) = self.screen.take() {
+            self.losses += 1;
+            let next = if self.losses < LOSSES_BORNE { screen.renderer() } else { CPU };
+            self.session.tell(Effect::Lost(Some(next)));
+        }
+    }
+
+    fn reopened(&mut self, screen: Option<Screen>, renderer: &str) {
+        let effect = match &screen {
+            Some(screen) => Effect::Renderer(screen.renderer()),
+            None => Effect::Lost((renderer != CPU).then_some(CPU)),
+        };
+        self.screen = screen;
+        self.session.repaint();
+        self.session.tell(effect);
+    }
+
+    fn effects(&mut self) -> Array {
+        js_from_effects(self.session.take_effects())
+    }
+}
+
+impl std::fmt::Debug for Shared {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.debug_struct("Shared").field("losses", &self.losses).finish_non_exhaustive()
+    }
+}
+
+/// May be called in the middle of drawing, so it only leaves a mark and asks for a frame.
+fn on_device_failure(error: GpuError) {
+    console::warn_1(&error.to_string().into());
+    DEVICE_LOST.set(true);
+    wake();
+}
+
+fn wake() {
+    WAKE.with_borrow(|wake| {
+        if let Some(wake) = wake {
+            // The page's function asks for an animation frame; that it throws would be its own fault to report.
+            let _ = wake.call0(&JsValue::NULL);
+        }
+    });
+}
+
+fn missing(name: &str) -> JsError {
+    JsError::new(&format!("“{name}” is missing, unknown, or has other arguments"))
+}

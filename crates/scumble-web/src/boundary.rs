@@ -1,0 +1,138 @@
+//! Commands and effects as JavaScript values.
+//!
+//! Effects go out as a flat list, name and value in turn; `web/main.js` has a handler for each name.
+
+use js_sys::{Array, Float64Array, Object, Reflect, Uint8Array};
+use kurbo::{Point, Vec2};
+use scumble_core::{Blend, Srgb8};
+use scumble_solve::Pixmap;
+use wasm_bindgen::{JsCast, JsValue};
+
+use crate::command::{Command, ViewChange};
+use crate::effect::Effect;
+
+/// The command of a name, or `None` where there is none of it that takes these arguments.
+pub(crate) fn command_from_js(name: &str, args: &JsValue) -> Option<Command> {
+    Some(match name {
+        "open" => Command::Open {
+            name: field(args, "name").as_string()?,
+            bytes: field(args, "bytes").dyn_into::<Uint8Array>().ok()?.to_vec(),
+        },
+        "color" => Command::Color(color(args)?),
+        "swap-colors" => Command::SwapColors,
+        "brush-size" => Command::BrushSize(args.as_f64()?),
+        "brush-larger" => Command::BrushLarger,
+        "brush-smaller" => Command::BrushSmaller,
+        "undo" => Command::Undo,
+        "redo" => Command::Redo,
+        "blend" => Command::Blend(blend_from_name(&args.as_string()?)?),
+        "lines" => Command::Lines(args.as_bool()?),
+        "scribbles" => Command::Scribbles(args.as_bool()?),
+        "desk" => Command::Desk(color(args)?),
+        _ => Command::View(view_change(name, args)?),
+    })
+}
+
+fn view_change(name: &str, args: &JsValue) -> Option<ViewChange> {
+    Some(match name {
+        "zoom-in" => ViewChange::ZoomIn,
+        "zoom-out" => ViewChange::ZoomOut,
+        "zoom-reset" => ViewChange::ZoomReset,
+        "fit" => ViewChange::Fit,
+        "pan" => {
+            let [x, y] = numbers(args)?;
+            ViewChange::Pan(Vec2::new(x, y))
+        }
+        "zoom-at" => {
+            let [x, y, factor] = numbers(args)?;
+            ViewChange::ZoomAt(Point::new(x, y), factor)
+        }
+        "resize" => {
+            let [width_px, height_px, px_per_css] = numbers(args)?;
+            ViewChange::Resize([width_px as u32, height_px as u32], px_per_css)
+        }
+        _ => return None,
+    })
+}
+
+/// A field of an object; `undefined` where there is none.
+pub(crate) fn field(object: &JsValue, name: &str) -> JsValue {
+    Reflect::get(object, &name.into()).unwrap_or_default()
+}
+
+/// A colour written as #rrggbb.
+pub(crate) fn color(value: &JsValue) -> Option<Srgb8> {
+    value.as_string()?.parse().ok()
+}
+
+fn numbers<const N: usize>(value: &JsValue) -> Option<[f64; N]> {
+    let array = value.dyn_ref::<Array>()?;
+    let mut numbers = [0.0; N];
+    for (number, i) in numbers.iter_mut().zip(0..) {
+        *number = array.get(i).as_f64()?;
+    }
+    Some(numbers)
+}
+
+fn blend_from_name(name: &str) -> Option<Blend> {
+    match name {
+        "oklab" => Some(Blend::Oklab),
+        "srgb" => Some(Blend::Srgb),
+        _ => None,
+    }
+}
+
+/// Name and value of each effect, in turn.
+pub(crate) fn js_from_effects(effects: Vec<Effect>) -> Array {
+    let list = Array::new();
+    for effect in effects {
+        let (name, value) = js_from_effect(effect);
+        list.push(&name.into());
+        list.push(&value);
+    }
+    list
+}
+
+fn js_from_effect(effect: Effect) -> (&'static str, JsValue) {
+    match effect {
+        Effect::Undo(possible) => ("undo", possible.into()),
+        Effect::Redo(possible) => ("redo", possible.into()),
+        Effect::Zoom(zoom) => ("zoom", zoom.into()),
+        Effect::View(css_from_du) => ("view", Float64Array::from(&css_from_du.as_coeffs()[..]).into()),
+        Effect::Color(color) => ("color", color.to_string().into()),
+        Effect::BrushSize(size_du) => ("brush-size", size_du.into()),
+        Effect::Lines(shown) => ("lines", shown.into()),
+        Effect::Scribbles(shown) => ("scribbles", shown.into()),
+        Effect::Blend(Blend::Oklab) => ("blend", "oklab".into()),
+        Effect::Blend(Blend::Srgb) => ("blend", "srgb".into()),
+        Effect::Opened { name, notes } => {
+            ("opened", object(&[("name", name.into()), ("notes", notes.to_string().into())]))
+        }
+        Effect::ScribbleAdded { count } => ("scribble-added", object(&[("count", (count as f64).into())])),
+        Effect::ScribbleDropped => ("scribble-dropped", object(&[])),
+        Effect::Undone => ("undone", object(&[])),
+        Effect::Redone => ("redone", object(&[])),
+        Effect::Failed(sentence) => ("failed", object(&[("sentence", sentence.into())])),
+        Effect::Exported { name, picture } => ("exported", exported(name, &picture)),
+        Effect::Renderer(name) => ("renderer", name.into()),
+        Effect::Lost(next) => ("lost", next.map_or(JsValue::NULL, JsValue::from)),
+    }
+}
+
+fn exported(name: String, picture: &Pixmap) -> JsValue {
+    object(&[
+        ("name", name.into()),
+        ("width", picture.width_px.into()),
+        ("height", picture.height_px.into()),
+        ("rgba", Uint8Array::from(&picture.rgba[..]).into()),
+    ])
+}
+
+fn object(fields: &[(&str, JsValue)]) -> JsValue {
+    let object = Object::new();
+    for (name, value) in fields {
+        // Setting a field of a plain object that was made here cannot fail.
+        let _ = Reflect::set(&object, &(*name).into(), value);
+    }
+    object.into()
+}

@@ -1,0 +1,97 @@
+//! What the page must know, as a short list after each call: what of its state has changed, and what happened.
+
+use kurbo::Affine;
+use scumble_core::{Blend, Srgb8};
+use scumble_io::ImportNotes;
+use scumble_solve::Pixmap;
+
+/// One thing that the page must know.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Effect {
+    /// Whether there is something to undo.
+    Undo(bool),
+    /// Whether there is something to redo.
+    Redo(bool),
+    /// CSS pixels of one du.
+    Zoom(f64),
+    /// Takes du to CSS pixels of the canvas.
+    View(Affine),
+    /// The colour of the next scribble.
+    Color(Srgb8),
+    /// The width of the next scribble, in du.
+    BrushSize(f64),
+    /// Whether lines are shown.
+    Lines(bool),
+    /// Whether scribbles are shown.
+    Scribbles(bool),
+    /// The space in which colours are blended.
+    Blend(Blend),
+    /// A drawing was opened.
+    Opened {
+        /// Its name, as the page gave it.
+        name: String,
+        /// What was left out of it.
+        notes: ImportNotes,
+    },
+    /// A scribble was kept.
+    ScribbleAdded {
+        /// How many there are with it.
+        count: usize,
+    },
+    /// A scribble was abandoned.
+    ScribbleDropped,
+    /// A gesture was taken back.
+    Undone,
+    /// A gesture was done again.
+    Redone,
+    /// Something could not be done: a sentence for people.
+    Failed(String),
+    /// A picture to keep.
+    Exported {
+        /// Name for its file.
+        name: String,
+        /// Its pixels; the page makes the file of them.
+        picture: Pixmap,
+    },
+    /// The canvas is served by the renderer of this name.
+    Renderer(&'static str),
+    /// The canvas is served no more. On a new one, the renderer of this name is to be asked for; `None` where all
+    /// have failed.
+    Lost(Option<&'static str>),
+}
+
+/// All that the page shows of the state. `None` is what it has never been told.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub(crate) struct State {
+    pub(crate) undo: Option<bool>,
+    pub(crate) redo: Option<bool>,
+    pub(crate) zoom: Option<f64>,
+    pub(crate) view: Option<Affine>,
+    pub(crate) color: Option<Srgb8>,
+    pub(crate) brush_du: Option<f64>,
+    pub(crate) lines: Option<bool>,
+    pub(crate) scribbles: Option<bool>,
+    pub(crate) blend: Option<Blend>,
+}
+
+impl State {
+    /// What is not as it was.
+    pub(crate) fn news_since(&self, known: &Self) -> Vec<Effect> {
+        let each = [
+            news(self.undo, known.undo, Effect::Undo),
+            news(self.redo, known.redo, Effect::Redo),
+            news(self.zoom, known.zoom, Effect::Zoom),
+            news(self.view, known.view, Effect::View),
+            news(self.color, known.color, Effect::Color),
+            news(self.brush_du, known.brush_du, Effect::BrushSize),
+            news(self.lines, known.lines, Effect::Lines),
+            news(self.scribbles, known.scribbles, Effect::Scribbles),
+            news(self.blend, known.blend, Effect::Blend),
+        ];
+        each.into_iter().flatten().collect()
+    }
+}
+
+fn news<T: PartialEq>(now: Option<T>, known: Option<T>, effect: fn(T) -> Effect) -> Option<Effect> {
+    if now == known { None } else { now.map(effect) }
+}

@@ -1,0 +1,88 @@
+//! What lies over the colour field, back to front: scribbles, the ink of the drawing, the desk around the page.
+
+use kurbo::Rect;
+use scumble_core::{Drawing, PlanarMap, Rgba8, Scribble, Srgb8};
+use scumble_solve::{Shape, line_shapes, scribble_shape};
+
+/// Largest distance of a drawn edge from its true place, in device pixels.
+const TOLERANCE_PX: f64 = 0.1;
+
+/// Opacity of scribbles, of 255: the picture shows through.
+const SCRIBBLE_OPACITY: u8 = 160;
+
+/// The desk reaches so far beyond the page, in du: past the widest canvas at the smallest zoom.
+const DESK_REACH_DU: f64 = 262_144.0;
+
+/// The shapes of a scene.
+#[derive(Clone, Debug, Default)]
+pub struct Layers {
+    /// Scribbles, then ink, then the desk.
+    shapes: Vec<Shape>,
+    scribble_count: usize,
+    tolerance_du: f64,
+}
+
+impl Layers {
+    /// All shapes, back to front.
+    pub fn shapes(&self) -> &[Shape] {
+        &self.shapes
+    }
+
+    /// The layer of scribbles.
+    pub fn scribbles(&self) -> &[Shape] {
+        self.shapes.get(..self.scribble_count).unwrap_or_default()
+    }
+
+    /// The layer of ink, with the desk.
+    pub fn ink(&self) -> &[Shape] {
+        self.shapes.get(self.scribble_count..).unwrap_or_default()
+    }
+
+    /// Whether shapes would be drawn with another tolerance at this many device pixels a du.
+    pub(crate) fn is_too_coarse_or_fine(&self, px_per_du: f64) -> bool {
+        self.tolerance_du != tolerance_du(px_per_du)
+    }
+
+    pub(crate) fn set_scribbles(&mut self, scribbles: &[Scribble], px_per_du: f64) {
+        self.tolerance_du = tolerance_du(px_per_du);
+        let shapes = scribbles.iter().map(|s| scribble_shape(s, SCRIBBLE_OPACITY, self.tolerance_du));
+        self.shapes.splice(..self.scribble_count, shapes);
+        self.scribble_count = scribbles.len();
+    }
+
+    pub(crate) fn clear_lines(&mut self) {
+        self.shapes.truncate(self.scribble_count);
+    }
+
+    pub(crate) fn set_lines(&mut self, drawing: &Drawing, map: &PlanarMap, px_per_du: f64) {
+        self.tolerance_du = tolerance_du(px_per_du);
+        self.clear_lines();
+        self.shapes.extend(line_shapes(drawing, map, self.tolerance_du));
+    }
+
+    /// Covers everything but the page.
+    pub(crate) fn set_desk(&mut self, page: Rect, color: Srgb8) {
+        let far = page.inflate(DESK_REACH_DU, DESK_REACH_DU);
+        let around = [
+            Rect::new(far.x0, far.y0, far.x1, page.y0),
+            Rect::new(far.x0, page.y1, far.x1, far.y1),
+            Rect::new(far.x0, page.y0, page.x0, page.y1),
+            Rect::new(page.x1, page.y0, far.x1, page.y1),
+        ];
+        let Srgb8([r, g, b]) = color;
+        let triangles = around.into_iter().flat_map(halves).collect();
+        self.shapes.push(Shape { triangles, color: Rgba8([r, g, b, 255]) });
+    }
+}
+
+/// Steps of two, so that shapes are drawn anew only once in a while as the zoom changes.
+fn tolerance_du(px_per_du: f64) -> f64 {
+    TOLERANCE_PX / px_per_du.log2().ceil().exp2()
+}
+
+fn halves(rect: Rect) -> [[[f32; 2]; 3]; 2] {
+    let corner = |x: f64, y: f64| [x as f32, y as f32];
+    let [a, b] = [corner(rect.x0, rect.y0), corner(rect.x1, rect.y0)];
+    let [c, d] = [corner(rect.x1, rect.y1), corner(rect.x0, rect.y1)];
+    [[a, b, c], [a, c, d]]
+}

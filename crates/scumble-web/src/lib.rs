@@ -1,0 +1,30 @@
+//! The page's side of the boundary to the browser.
+//!
+//! | noun | file |
+//! |---|---|
+//! | a document under gestures and commands, and what there is to paint | [`session`] |
+//! | what the page can ask for | [`command`] |
+//! | what the page must know | [`effect`] |
+//! | pan, zoom, fit | [`view`] |
+//! | scribbles, ink and desk over the picture | [`layers`] |
+//! | the canvas and what paints it: GPU or CPU | `screen` |
+//! | commands and effects as JavaScript values | `boundary` |
+//! | what JavaScript calls | `app` |
+//!
+//! All but the last three are free of the browser and tested without one.
+
+pub mod command;
+pub mod effect;
+pub mod layers;
+pub mod session;
+pub mod view;
+
+#[cfg(target_arch = "wasm32")]
+mod app;
+#[cfg(target_arch = "wasm32")]
+mod boundary;
+#[cfg(target_arch = "wasm32")]
+pub mod screen;
+
+#[cfg(target_arch = "wasm32")]
+pub use app::App;

@@ -1,0 +1,205 @@
+//! The canvas of the page and what paints it: a renderer on the GPU, or the painter on the CPU.
+//!
+//! A canvas takes one kind of context in its life. WebGPU claims it only after its device is there; WebGL cannot be
+//! had without claiming it, and after a failure wants another canvas.
+
+use std::future::Future;
+use std::pin::Pin;
+
+use js_sys::{Object, Reflect};
+use scumble_gpu::wgpu::{self, CurrentSurfaceTexture};
+use scumble_gpu::{Gpu, GpuError, Layer, Renderer, instance, probe, surface_format};
+use scumble_solve::{Pixmap, View, paint};
+use thiserror::Error;
+use wasm_bindgen::{Clamped, JsCast, JsValue};
+use web_sys::{CanvasRenderingContext2d, HtmlCanvasElement, ImageData};
+
+use crate::session::{Changed, PAPER, Painter, Painting};
+
+/// The name of the painter on the CPU.
+pub const CPU: &str = "cpu";
+/// The name of the renderer on the GPU that this build has.
+pub const GPU: &str = if cfg!(feature = "webgl") { "webgl" } else { "webgpu" };
+
+/// Why a canvas cannot be painted.
+#[derive(Debug, Error)]
+pub enum ScreenError {
+    /// No device, or none that draws as it should.
+    #[error(transparent)]
+    Gpu(#[from] GpuError),
+    /// The browser gave no context for the canvas.
+    #[error("the canvas cannot be painted ({0}); try another browser")]
+    Canvas(String),
+}
+
+/// A canvas with what paints it.
+#[derive(Debug)]
+pub enum Screen {
+    /// A renderer on the GPU.
+    Gpu(Box<GpuScreen>),
+    /// The painter on the CPU.
+    Cpu(CpuScreen),
+}
+
+/// A picture that is on its way back from a GPU.
+pub type Picture = Pin<Box<dyn Future<Output = Result<Pixmap, GpuError>>>>;
+
+impl Screen {
+    /// Claims a canvas for the renderer of a name. `on_failure` is called when its device is lost.
+    ///
+    /// # Errors
+    /// When there is no such renderer here, or it draws wrong colours; the canvas may be spoilt then.
+    pub async fn open(
+        canvas: HtmlCanvasElement,
+        renderer: &str,
+        on_failure: impl Fn(GpuError) + Send + Sync + 'static,
+    ) -> Result<Self, ScreenError> {
+        if renderer == CPU {
+            return Ok(Self::Cpu(CpuScreen::open(canvas)?));
+        }
+        Ok(Self::Gpu(Box::new(GpuScreen::open(canvas, on_failure).await?)))
+    }
+
+    /// The name of what paints.
+    pub fn renderer(&self) -> &'static str {
+        match self {
+            Self::Gpu(_) => GPU,
+            Self::Cpu(_) => CPU,
+        }
+    }
+
+    /// Paints for a file. The screen has forgotten what it kept afterwards.
+    pub fn picture(&mut self, painting: &Painting<'_>) -> Picture {
+        match self {
+            Self::Gpu(screen) => Box::pin(screen.picture(painting)),
+            Self::Cpu(_) => Box::pin(std::future::ready(Ok(paint(&painting.scene(), &painting.view)))),
+        }
+    }
+}
+
+impl Painter for Screen {
+    fn paint(&mut self, painting: &Painting<'_>, changed: Changed) {
+        match self {
+            Self::Gpu(screen) => screen.paint(painting, changed),
+            Self::Cpu(screen) => screen.paint(painting),
+        }
+    }
+}
+
+/// A canvas that a GPU paints.
+#[derive(Debug)]
+pub struct GpuScreen {
+    canvas: HtmlCanvasElement,
+    gpu: Gpu,
+    surface: wgpu::Surface<'static>,
+    config: wgpu::SurfaceConfiguration,
+    renderer: Renderer,
+}
+
+impl GpuScreen {
+    async fn open(
+        canvas: HtmlCanvasElement,
+        on_failure: impl Fn(GpuError) + Send + Sync + 'static,
+    ) -> Result<Self, ScreenError> {
+        let instance = instance();
+        let claim = || {
+            let target = wgpu::SurfaceTarget::Canvas(canvas.clone());
+            instance.create_surface(target).map_err(|error| ScreenError::Canvas(error.to_string()))
+        };
+        let (gpu, surface) = if cfg!(feature = "webgl") {
+            let surface = claim()?;
+            (Gpu::open(&instance, Some(&surface), on_failure).await?, surface)
+        } else {
+            (Gpu::open(&instance, None, on_failure).await?, claim()?)
+        };
+        let config = configuration(&surface, &gpu)?;
+        let mut renderer = Renderer::new(&gpu, config.format);
+        probe(&mut renderer).await?;
+        Ok(Self { canvas, gpu, surface, config, renderer })
+    }
+
+    fn paint(&mut self, painting: &Painting<'_>, changed: Changed) {
+        self.resize(&painting.view);
+        self.upload(painting, changed);
+        // A frame that cannot be had is dropped: a lost device is reported by itself.
+        if let CurrentSurfaceTexture::Success(frame) | CurrentSurfaceTexture::Suboptimal(frame) =
+            self.surface.get_current_texture()
+        {
+            let target = frame.texture.create_view(&wgpu::TextureViewDescriptor::default());
+            self.renderer.draw(&painting.view, Some(PAPER), &target);
+            self.gpu.queue.present(frame);
+        }
+    }
+
+    fn picture(&mut self, painting: &Painting<'_>) -> impl Future<Output = Result<Pixmap, GpuError>> + use<> {
+        self.upload(painting, Changed::ALL);
+        self.renderer.read_back(&painting.view, Some(PAPER))
+    }
+
+    fn resize(&mut self, view: &View) {
+        if (self.config.width, self.config.height) != (view.width_px, view.height_px) {
+            (self.config.width, self.config.height) = (view.width_px, view.height_px);
+            set_size(&self.canvas, view);
+            self.surface.configure(&self.gpu.device, &self.config);
+        }
+    }
+
+    fn upload(&mut self, painting: &Painting<'_>, changed: Changed) {
+        if changed.field {
+            self.renderer.set_field(painting.field);
+        }
+        if changed.scribbles {
+            self.renderer.set_shapes(Layer::Ink, painting.layers.scribbles());
+        }
+        if changed.ink {
+            self.renderer.set_shapes(Layer::Scribbles, painting.layers.ink());
+        }
+    }
+}
+
+/// Bytes are shown as they are written; the size is set with the first painting.
+fn configuration(surface: &wgpu::Surface<'_>, gpu: &Gpu) -> Result<wgpu::SurfaceConfiguration, ScreenError> {
+    let missing = || ScreenError::Canvas("the GPU has no format for it".into());
+    let format = surface_format(&surface.get_capabilities(&gpu.adapter)).ok_or_else(missing)?;
+    let config = surface.get_default_config(&gpu.adapter, 1, 1).ok_or_else(missing)?;
+    Ok(wgpu::SurfaceConfiguration { format, width: 0, height: 0, ..config })
+}
+
+/// A canvas that the painter on the CPU fills.
+#[derive(Debug)]
+pub struct CpuScreen {
+    canvas: HtmlCanvasElement,
+    context: CanvasRenderingContext2d,
+    width_px: u32,
+    height_px: u32,
+}
+
+impl CpuScreen {
+    fn open(canvas: HtmlCanvasElement) -> Result<Self, ScreenError> {
+        let options = Object::new();
+        let opaque = Reflect::set(&options, &"alpha".into(), &JsValue::FALSE);
+        let context = opaque.and_then(|_| canvas.get_context_with_context_options("2d", &options));
+        let context = context.ok().flatten().and_then(|context| context.dyn_into().ok());
+        let context = context.ok_or_else(|| ScreenError::Canvas("no 2D context".into()))?;
+        Ok(Self { canvas, context, width_px: 0, height_px: 0 })
+    }
+
+    fn paint(&mut self, painting: &Painting<'_>) {
+        let view = painting.view;
+        if (self.width_px, self.height_px) != (view.width_px, view.height_px) {
+            (self.width_px, self.height_px) = (view.width_px, view.height_px);
+            set_size(&self.canvas, &view);
+        }
+        let pixels = paint(&painting.scene(), &view).rgba;
+        let image = ImageData::new_with_u8_clamped_array_and_sh(Clamped(&pixels), view.width_px, view.height_px);
+        if let Ok(image) = image {
+            // Fails for a detached buffer only, which a fresh one is not.
+            let _ = self.context.put_image_data(&image, 0.0, 0.0);
+        }
+    }
+}
+
+fn set_size(canvas: &HtmlCanvasElement, view: &View) {
+    canvas.set_width(view.width_px);
+    canvas.set_height(view.height_px);
+}

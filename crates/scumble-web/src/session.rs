@@ -1,0 +1,404 @@
+//! What the page does, without a browser: a document under gestures and commands, the view of it, and what there is
+//! to paint.
+//!
+//! Calls only note what has become stale; the work is done once a frame, however many pointer events came between.
+
+use std::mem::take;
+
+use kurbo::{Affine, Point};
+use scumble_core::{Blend, Document, Drawing, Editor, MapError, Scribble, Srgb8};
+use scumble_io::import_svg;
+use scumble_solve::{Field, Picture, Scene, View};
+
+use crate::command::{Command, Phase};
+use crate::effect::{Effect, State};
+use crate::layers::Layers;
+use crate::view::Viewport;
+
+/// The colour of the page where nothing is coloured.
+pub const PAPER: Srgb8 = Srgb8([255; 3]);
+
+/// Smallest and largest width of a scribble, in du.
+const BRUSH_DU: [f64; 2] = [2.0, 96.0];
+
+/// The brush grows and shrinks by this factor, and by one du at least.
+const BRUSH_STEP: f64 = 1.25;
+
+/// The page that is there before a drawing is opened, in du.
+const BLANK: kurbo::Rect = kurbo::Rect::new(0.0, 0.0, 1024.0, 768.0);
+
+/// A picture to show or to keep.
+#[derive(Debug)]
+pub struct Painting<'a> {
+    /// The coloured regions.
+    pub field: &'a Field,
+    /// What lies over them.
+    pub layers: &'a Layers,
+    /// Which part of the plane, at which size.
+    pub view: View,
+}
+
+impl Painting<'_> {
+    /// The same, for a painter that takes it as a whole.
+    pub fn scene(&self) -> Scene<'_> {
+        Scene { paper: Some(PAPER), field: self.field, shapes: self.layers.shapes() }
+    }
+}
+
+/// What of a painting is not what it was in the frame before.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Changed {
+    /// The colour field.
+    pub field: bool,
+    /// The layer of scribbles.
+    pub scribbles: bool,
+    /// The layer of ink.
+    pub ink: bool,
+}
+
+impl Changed {
+    /// Everything, as for a painter that has painted nothing yet.
+    pub const ALL: Self = Self { field: true, scribbles: true, ink: true };
+}
+
+/// Puts paintings on the screen.
+pub trait Painter {
+    /// Shows a painting. A painter may keep what has not changed since the call before.
+    fn paint(&mut self, painting: &Painting<'_>, changed: Changed);
+}
+
+/// A picture for a file.
+#[derive(Debug)]
+pub struct Export<'a> {
+    /// Name of the file.
+    pub name: String,
+    field: &'a Field,
+    layers: Layers,
+    view: View,
+}
+
+impl Export<'_> {
+    /// What is to be painted.
+    pub fn painting(&self) -> Painting<'_> {
+        Painting { field: self.field, layers: &self.layers, view: self.view }
+    }
+}
+
+/// A document in work.
+#[derive(Debug)]
+pub struct Session {
+    name: String,
+    editor: Editor,
+    picture: Picture,
+    field: Field,
+    layers: Layers,
+    viewport: Viewport,
+    color: Srgb8,
+    previous_color: Srgb8,
+    brush_du: f64,
+    lines_shown: bool,
+    scribbles_shown: bool,
+    desk: Srgb8,
+    stale: Stale,
+    changed: Changed,
+    known: State,
+    effects: Vec<Effect>,
+}
+
+/// What must be derived anew before the next frame is painted.
+#[derive(Clone, Copy, Debug)]
+struct Stale {
+    field: bool,
+    scribbles: bool,
+    lines: bool,
+    view: bool,
+}
+
+impl Stale {
+    const ALL: Self = Self { field: true, scribbles: true, lines: true, view: true };
+}
+
+impl Session {
+    /// A blank page on a desk of a colour.
+    ///
+    /// # Errors
+    /// Where even a blank page has no map.
+    pub fn new(desk: Srgb8) -> Result<Self, MapError> {
+        let drawing = Drawing::new(BLANK);
+        Ok(Self {
+            name: String::new(),
+            picture: Picture::new(&drawing)?,
+            viewport: Viewport::new(drawing.frame()),
+            editor: Editor::new(Document::new(drawing)),
+            field: Field::default(),
+            layers: Layers::default(),
+            color: Srgb8([0xe5, 0x48, 0x4d]),
+            previous_color: Srgb8([0x3b, 0x82, 0xf6]),
+            brush_du: 16.0,
+            lines_shown: true,
+            scribbles_shown: true,
+            desk,
+            stale: Stale::ALL,
+            changed: Changed::ALL,
+            known: State::default(),
+            effects: Vec::new(),
+        })
+    }
+
+    /// The document, with the scribble in hand.
+    pub fn document(&self) -> &Document {
+        self.editor.document()
+    }
+
+    /// Takes du to CSS pixels of the canvas.
+    pub fn css_from_du(&self) -> Affine {
+        self.viewport.css_from_du()
+    }
+
+    /// What the page has not been told yet.
+    pub fn take_effects(&mut self) -> Vec<Effect> {
+        let state = self.state();
+        let mut effects = state.news_since(&self.known);
+        effects.append(&mut self.effects);
+        self.known = state;
+        effects
+    }
+
+    /// Takes one batch of pointer samples: x and y in CSS pixels from the canvas' corner, and pressure, in turn.
+    ///
+    /// Samples that are not finite are left out. Pressure changes nothing: a scribble has one width.
+    pub fn pointer(&mut self, phase: Phase, samples: &[f32]) {
+        let points = self.points_du(samples);
+        match phase {
+            Phase::Down => self.begin_scribble(&points),
+            Phase::Move => self.editor.extend_scribble(&points),
+            Phase::Up => self.end_scribble(&points),
+            Phase::Cancel => self.drop_scribble(),
+        }
+        self.scribbles_changed();
+    }
+
+    /// Does what a control of the page asks for.
+    pub fn command(&mut self, command: Command) {
+        match command {
+            Command::Open { name, bytes } => self.open(name, &bytes),
+            Command::Color(color) => self.set_color(color),
+            Command::SwapColors => self.set_color(self.previous_color),
+            Command::BrushSize(size_du) => self.set_brush(size_du),
+            Command::BrushLarger => self.set_brush((self.brush_du * BRUSH_STEP).max(self.brush_du + 1.0)),
+            Command::BrushSmaller => self.set_brush((self.brush_du / BRUSH_STEP).min(self.brush_du - 1.0)),
+            Command::Undo => self.undo(),
+            Command::Redo => self.redo(),
+            Command::Blend(blend) => self.set_blend(blend),
+            Command::Lines(shown) => self.show_lines(shown),
+            Command::Scribbles(shown) => self.show_scribbles(shown),
+            Command::Desk(desk) => self.set_desk(desk),
+            Command::View(change) => {
+                change.apply(&mut self.viewport);
+                self.stale.view = true;
+            }
+        }
+    }
+
+    /// Derives what is stale and shows it; does nothing where nothing has changed.
+    pub fn frame(&mut self, painter: &mut dyn Painter) {
+        self.refresh();
+        if take(&mut self.stale.view) {
+            let painting = Painting { field: &self.field, layers: &self.layers, view: self.viewport.view() };
+            painter.paint(&painting, take(&mut self.changed));
+        }
+    }
+
+    /// Everything is to be painted anew, by a painter that has nothing yet.
+    pub fn repaint(&mut self) {
+        self.changed = Changed::ALL;
+        self.stale.view = true;
+    }
+
+    /// The picture for a file: the whole page, one pixel a du, with lines if they are shown and without scribbles.
+    pub fn export(&mut self) -> Export<'_> {
+        self.refresh();
+        let drawing = &self.editor.document().drawing;
+        let size = drawing.size_du();
+        let mut layers = Layers::default();
+        if self.lines_shown {
+            layers.set_lines(drawing, self.picture.map(), 1.0);
+        }
+        Export {
+            name: format!("{}.png", stem(&self.name)),
+            layers,
+            field: &self.field,
+            view: View {
+                px_from_du: Affine::IDENTITY,
+                width_px: size.width.round().max(1.0) as u32,
+                height_px: size.height.round().max(1.0) as u32,
+            },
+        }
+    }
+
+    /// Tells the page something with the next effects.
+    pub fn tell(&mut self, effect: Effect) {
+        self.effects.push(effect);
+    }
+
+    fn open(&mut self, name: String, bytes: &[u8]) {
+        let import = match import_svg(bytes) {
+            Ok(import) => import,
+            Err(error) => return self.tell(Effect::Failed(error.to_string())),
+        };
+        match Picture::new(&import.drawing) {
+            Ok(picture) => self.picture = picture,
+            Err(error) => return self.tell(Effect::Failed(error.to_string())),
+        }
+        self.viewport.show_page(import.drawing.frame());
+        self.editor = Editor::new(Document::new(import.drawing));
+        self.name.clone_from(&name);
+        self.stale = Stale::ALL;
+        self.tell(Effect::Opened { name, notes: import.notes });
+    }
+
+    fn begin_scribble(&mut self, points: &[Point]) {
+        if !points.is_empty() {
+            let points = points.to_vec();
+            self.editor.begin_scribble(Scribble { color: self.color, width_du: self.brush_du, points });
+        }
+    }
+
+    fn end_scribble(&mut self, points: &[Point]) {
+        if self.editor.is_scribbling() {
+            self.editor.extend_scribble(points);
+            self.editor.commit();
+            self.tell(Effect::ScribbleAdded { count: self.document().scribbles.len() });
+        }
+    }
+
+    fn drop_scribble(&mut self) {
+        if self.editor.is_scribbling() {
+            self.editor.abort();
+            self.tell(Effect::ScribbleDropped);
+        }
+    }
+
+    fn undo(&mut self) {
+        if self.editor.undo() {
+            self.tell(Effect::Undone);
+            self.scribbles_changed();
+        }
+    }
+
+    fn redo(&mut self) {
+        if self.editor.redo() {
+            self.tell(Effect::Redone);
+            self.scribbles_changed();
+        }
+    }
+
+    fn set_blend(&mut self, blend: Blend) {
+        self.editor.set_blend(blend);
+        self.scribbles_changed();
+    }
+
+    fn set_color(&mut self, color: Srgb8) {
+        if color != self.color {
+            self.previous_color = self.color;
+            self.color = color;
+        }
+    }
+
+    fn set_brush(&mut self, size_du: f64) {
+        if size_du.is_finite() {
+            self.brush_du = size_du.round().clamp(BRUSH_DU[0], BRUSH_DU[1]);
+        }
+    }
+
+    fn show_lines(&mut self, shown: bool) {
+        self.lines_shown = shown;
+        self.stale.lines = true;
+    }
+
+    fn show_scribbles(&mut self, shown: bool) {
+        self.scribbles_shown = shown;
+        self.stale.scribbles = true;
+    }
+
+    fn set_desk(&mut self, desk: Srgb8) {
+        self.desk = desk;
+        self.stale.lines = true;
+    }
+
+    fn scribbles_changed(&mut self) {
+        self.stale.field = true;
+        self.stale.scribbles = true;
+    }
+
+    fn points_du(&self, samples: &[f32]) -> Vec<Point> {
+        let du_from_css = self.viewport.css_from_du().inverse();
+        let points = samples.chunks_exact(3).map(|sample| Point::new(sample[0].into(), sample[1].into()));
+        points.map(|point| du_from_css * point).filter(|point| point.is_finite()).collect()
+    }
+
+    fn refresh(&mut self) {
+        if take(&mut self.stale.field) {
+            self.solve();
+        }
+        let px_per_du = self.viewport.view().px_from_du.as_coeffs()[0];
+        if self.layers.is_too_coarse_or_fine(px_per_du) {
+            (self.stale.lines, self.stale.scribbles) = (true, true);
+        }
+        if take(&mut self.stale.lines) {
+            self.draw_lines(px_per_du);
+        }
+        if take(&mut self.stale.scribbles) {
+            self.draw_scribbles(px_per_du);
+        }
+    }
+
+    fn solve(&mut self) {
+        match self.picture.update(self.editor.document()) {
+            Ok(field) => self.field.clone_from(field),
+            Err(error) => self.effects.push(Effect::Failed(error.to_string())),
+        }
+        self.changed.field = true;
+        self.stale.view = true;
+    }
+
+    fn draw_lines(&mut self, px_per_du: f64) {
+        let drawing = &self.editor.document().drawing;
+        self.layers.clear_lines();
+        if self.lines_shown {
+            self.layers.set_lines(drawing, self.picture.map(), px_per_du);
+        }
+        self.layers.set_desk(drawing.frame(), self.desk);
+        self.changed.ink = true;
+        self.stale.view = true;
+    }
+
+    fn draw_scribbles(&mut self, px_per_du: f64) {
+        let scribbles = if self.scribbles_shown { &*self.editor.document().scribbles } else { &[] };
+        self.layers.set_scribbles(scribbles, px_per_du);
+        self.changed.scribbles = true;
+        self.stale.view = true;
+    }
+
+    fn state(&self) -> State {
+        State {
+            undo: Some(self.editor.can_undo()),
+            redo: Some(self.editor.can_redo()),
+            zoom: Some(self.viewport.zoom()),
+            view: Some(self.viewport.css_from_du()),
+            color: Some(self.color),
+            brush_du: Some(self.brush_du),
+            lines: Some(self.lines_shown),
+            scribbles: Some(self.scribbles_shown),
+            blend: Some(self.document().blend),
+        }
+    }
+}
+
+/// The name of a file without its last extension.
+fn stem(name: &str) -> &str {
+    match name.rsplit_once('.') {
+        Some((stem, _)) if !stem.is_empty() => stem,
+        _ => name,
+    }
+}

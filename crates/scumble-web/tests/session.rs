@@ -1,0 +1,259 @@
+//! The editor without a browser: gestures and commands in, paintings and effects out.
+
+use kurbo::{Point, Vec2};
+use scumble_core::{Blend, Srgb8};
+use scumble_solve::{Pixmap, paint};
+use scumble_web::command::{Command, Phase, ViewChange};
+use scumble_web::effect::Effect;
+use scumble_web::session::{Changed, Painter, Painting, Session};
+
+const RED: Srgb8 = Srgb8([230, 25, 75]);
+const BLUE: Srgb8 = Srgb8([0, 90, 200]);
+const DESK: Srgb8 = Srgb8([90, 91, 92]);
+const WHITE: Srgb8 = Srgb8([255; 3]);
+
+/// A square of 480 du within a page of 1024 by 768 du.
+const SQUARE: &[u8] = br#"<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 1024 768">
+    <path d="M200 150H680V630H200Z" fill="none" stroke="black" stroke-width="8"/></svg>"#;
+
+/// A canvas that the painter on the CPU fills.
+#[derive(Default)]
+struct Canvas {
+    frames: Vec<Changed>,
+    shown: Option<Pixmap>,
+}
+
+impl Painter for Canvas {
+    fn paint(&mut self, painting: &Painting<'_>, changed: Changed) {
+        self.frames.push(changed);
+        self.shown = Some(paint(&painting.scene(), &painting.view));
+    }
+}
+
+/// A page of 1200 by 900 CSS pixels with a drawing open.
+struct Page {
+    session: Session,
+    canvas: Canvas,
+}
+
+impl Page {
+    fn open(svg: &[u8]) -> Self {
+        let mut page = Self { session: Session::new(DESK).unwrap(), canvas: Canvas::default() };
+        page.view(ViewChange::Resize([1200, 900], 1.0));
+        page.session.command(Command::Open { name: "square.svg".into(), bytes: svg.to_vec() });
+        page.view(ViewChange::ZoomReset);
+        page
+    }
+
+    fn view(&mut self, change: ViewChange) {
+        self.session.command(Command::View(change));
+    }
+
+    /// A stroke of the pen through places in du, one batch of samples each.
+    fn stroke(&mut self, color: Srgb8, points_du: &[(f64, f64)]) {
+        self.session.command(Command::Color(color));
+        for (i, &point) in points_du.iter().enumerate() {
+            self.pen(if i == 0 { Phase::Down } else { Phase::Move }, point);
+        }
+        self.session.pointer(Phase::Up, &[]);
+    }
+
+    fn pen(&mut self, phase: Phase, point_du: (f64, f64)) {
+        let Point { x, y } = self.session.css_from_du() * Point::from(point_du);
+        self.session.pointer(phase, &[x as f32, y as f32, 0.5]);
+    }
+
+    /// The colour on the canvas at a place in du, after a frame.
+    fn color_at(&mut self, point_du: (f64, f64)) -> Srgb8 {
+        self.session.frame(&mut self.canvas);
+        let place_px = self.session.css_from_du() * Point::from(point_du);
+        pixel(self.canvas.shown.as_ref().unwrap(), place_px)
+    }
+}
+
+fn pixel(picture: &Pixmap, place_px: Point) -> Srgb8 {
+    let i = 4 * (place_px.y as usize * picture.width_px as usize + place_px.x as usize);
+    Srgb8([picture.rgba[i], picture.rgba[i + 1], picture.rgba[i + 2]])
+}
+
+const ACROSS: [(f64, f64); 3] = [(300.0, 300.0), (340.0, 320.0), (380.0, 310.0)];
+const INSIDE: (f64, f64) = (600.0, 560.0);
+const OUTSIDE: (f64, f64) = (100.0, 100.0);
+/// Outside the square, under the ink of its left side.
+const ON_THE_LINE: (f64, f64) = (198.0, 400.0);
+
+#[test]
+fn a_scribble_colours_its_square_and_nothing_else() {
+    let mut page = Page::open(SQUARE);
+    assert_eq!(page.color_at(INSIDE), WHITE);
+    page.stroke(RED, &ACROSS);
+    assert_eq!(page.color_at(INSIDE), RED);
+    assert_eq!(page.color_at(ACROSS[1]), RED);
+    assert_eq!(page.color_at(OUTSIDE), WHITE);
+    assert_eq!(page.color_at(ON_THE_LINE), Srgb8([0; 3]));
+    assert_eq!(page.color_at((-20.0, 400.0)), DESK);
+}
+
+#[test]
+fn colour_follows_the_pen_before_it_is_lifted_and_escape_takes_it_back() {
+    let mut page = Page::open(SQUARE);
+    page.session.command(Command::Color(RED));
+    page.pen(Phase::Down, ACROSS[0]);
+    assert_eq!(page.color_at(INSIDE), RED);
+    page.pen(Phase::Move, ACROSS[1]);
+    page.session.pointer(Phase::Cancel, &[]);
+    assert_eq!(page.color_at(INSIDE), WHITE);
+    assert!(page.session.document().scribbles.is_empty());
+    page.pen(Phase::Move, ACROSS[2]);
+    assert!(page.session.document().scribbles.is_empty(), "a move without a beginning is no scribble");
+}
+
+#[test]
+fn one_gesture_is_one_step_of_undo() {
+    let mut page = Page::open(SQUARE);
+    page.stroke(RED, &ACROSS);
+    page.stroke(BLUE, &ACROSS);
+    assert_eq!(page.color_at(INSIDE), BLUE);
+    page.session.command(Command::Undo);
+    assert_eq!(page.color_at(INSIDE), RED);
+    page.session.command(Command::Undo);
+    assert_eq!(page.color_at(INSIDE), WHITE);
+    page.session.command(Command::Redo);
+    assert_eq!(page.color_at(INSIDE), RED);
+}
+
+#[test]
+fn effects_tell_what_has_changed_and_only_that() {
+    let mut page = Page::open(SQUARE);
+    let first = page.session.take_effects();
+    assert!(first.contains(&Effect::Undo(false)) && first.contains(&Effect::Zoom(1.0)));
+    assert!(first.iter().any(|effect| matches!(effect, Effect::Opened { name, .. } if name == "square.svg")));
+    assert_eq!(page.session.take_effects(), []);
+    page.session.command(Command::Color(RED));
+    assert_eq!(page.session.take_effects(), [Effect::Color(RED)]);
+    page.stroke(RED, &ACROSS);
+    assert_eq!(page.session.take_effects(), [Effect::Undo(true), Effect::ScribbleAdded { count: 1 }]);
+    page.session.command(Command::Undo);
+    assert_eq!(page.session.take_effects(), [Effect::Undo(false), Effect::Redo(true), Effect::Undone]);
+}
+
+#[test]
+fn frames_are_painted_only_when_something_has_changed() {
+    let mut page = Page::open(SQUARE);
+    page.stroke(RED, &ACROSS);
+    page.color_at(INSIDE);
+    page.color_at(INSIDE);
+    assert_eq!(page.canvas.frames, [Changed::ALL]);
+    page.view(ViewChange::Pan((3.0, 4.0).into()));
+    page.color_at(INSIDE);
+    assert_eq!(page.canvas.frames.last(), Some(&Changed::default()), "a move of the view uploads nothing");
+    page.session.command(Command::Scribbles(false));
+    page.color_at(INSIDE);
+    assert_eq!(page.canvas.frames.last(), Some(&Changed { scribbles: true, ..Changed::default() }));
+}
+
+#[test]
+fn the_exported_picture_is_the_canvas_at_100_percent() {
+    let mut page = Page::open(SQUARE);
+    page.stroke(RED, &[(300.0, 300.0), (700.0, 650.0)]);
+    page.stroke(BLUE, &[(250.0, 200.0), (300.0, 260.0)]);
+    page.session.command(Command::Scribbles(false));
+    page.session.frame(&mut page.canvas);
+    let export = page.session.export();
+    assert_eq!(export.name, "square.png");
+    let painting = export.painting();
+    let picture = paint(&painting.scene(), &painting.view);
+    assert_eq!((picture.width_px, picture.height_px), (1024, 768));
+    let shown = page.canvas.shown.as_ref().unwrap();
+    let [.., x, y] = page.session.css_from_du().as_coeffs();
+    for row in 0..768 {
+        let start = 4 * ((row + y as usize) * 1200 + x as usize);
+        let of_canvas = &shown.rgba[start..start + 4 * 1024];
+        assert_eq!(of_canvas, &picture.rgba[4 * 1024 * row..4 * 1024 * (row + 1)], "row {row}");
+    }
+}
+
+#[test]
+fn lines_and_scribbles_can_be_hidden() {
+    let mut page = Page::open(SQUARE);
+    page.session.command(Command::Blend(Blend::Srgb));
+    page.stroke(RED, &[(50.0, 50.0), (90.0, 50.0)]);
+    page.stroke(BLUE, &[(60.0, 40.0), (60.0, 60.0)]);
+    page.session.command(Command::Lines(false));
+    page.session.command(Command::Scribbles(false));
+    assert_eq!(page.color_at(ON_THE_LINE), BLUE);
+    assert_eq!(page.color_at((90.0, 50.0)), BLUE);
+    page.session.command(Command::Lines(true));
+    page.session.command(Command::Scribbles(true));
+    assert_eq!(page.color_at(ON_THE_LINE), Srgb8([0; 3]));
+    assert_ne!(page.color_at((90.0, 50.0)), BLUE);
+}
+
+#[test]
+fn a_file_that_cannot_be_opened_leaves_the_drawing_as_it_was() {
+    let mut page = Page::open(SQUARE);
+    page.stroke(RED, &ACROSS);
+    page.session.take_effects();
+    for bytes in [&b""[..], b"\x89PNG\r\n\x1a\n", b"<svg", b"<html/>", b"<svg xmlns='http://www.w3.org/2000/svg'/>"] {
+        page.session.command(Command::Open { name: "bad".into(), bytes: bytes.to_vec() });
+        let effects = page.session.take_effects();
+        assert!(matches!(effects[..], [Effect::Failed(_)]), "{effects:?}");
+        assert_eq!(page.color_at(INSIDE), RED);
+    }
+}
+
+#[test]
+fn what_a_file_has_besides_lines_is_counted() {
+    let svg = br#"<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 64 64">
+        <circle cx="32" cy="32" r="20" fill="none" stroke="black"/><text x="3" y="9">Hello</text></svg>"#;
+    let mut page = Page::open(svg);
+    let effects = page.session.take_effects();
+    assert!(effects.iter().any(|effect| matches!(effect, Effect::Opened { notes, .. } if notes.texts == 1)));
+}
+
+#[test]
+fn samples_that_are_no_numbers_are_left_out() {
+    let mut page = Page::open(SQUARE);
+    page.session.pointer(Phase::Down, &[f32::NAN, 0.0, 0.5]);
+    page.session.pointer(Phase::Up, &[]);
+    assert!(page.session.document().scribbles.is_empty());
+    page.session.pointer(Phase::Down, &[400.0, 400.0, 0.5, f32::INFINITY, 0.0, 0.5]);
+    page.session.pointer(Phase::Up, &[f32::NAN, 1.0]);
+    assert_eq!(page.session.document().scribbles.len(), 1);
+    assert_eq!(page.session.document().scribbles[0].points.len(), 1);
+}
+
+#[test]
+fn the_brush_stays_within_its_bounds_and_colours_swap() {
+    let mut page = Page::open(SQUARE);
+    for _ in 0..40 {
+        page.session.command(Command::BrushSmaller);
+    }
+    assert!(page.session.take_effects().contains(&Effect::BrushSize(2.0)));
+    for _ in 0..40 {
+        page.session.command(Command::BrushLarger);
+    }
+    assert_eq!(page.session.take_effects(), [Effect::BrushSize(96.0)]);
+    page.session.command(Command::Color(RED));
+    page.session.command(Command::Color(BLUE));
+    page.session.command(Command::SwapColors);
+    assert_eq!(page.session.take_effects(), [Effect::Color(RED)]);
+    page.session.command(Command::SwapColors);
+    assert_eq!(page.session.take_effects(), [Effect::Color(BLUE)]);
+}
+
+#[test]
+fn edges_are_sharp_at_800_percent() {
+    let mut page = Page::open(SQUARE);
+    page.stroke(RED, &ACROSS);
+    let at = page.session.css_from_du() * Point::new(200.0, 400.0);
+    page.view(ViewChange::ZoomAt(at, 8.0));
+    page.session.command(Command::Scribbles(false));
+    page.session.frame(&mut page.canvas);
+    let middle = page.session.css_from_du() * Point::new(200.0, 400.0);
+    let shown = page.canvas.shown.as_ref().unwrap();
+    let along = (-60..60).map(|dx| pixel(shown, middle + Vec2::new(f64::from(dx), 0.0)));
+    let blurred = along.filter(|color| ![WHITE, Srgb8([0; 3]), RED].contains(color)).count();
+    assert!(blurred <= 4, "two edges of a line, at most two pixels each; {blurred}");
+    assert_eq!(page.session.css_from_du().as_coeffs()[0], 8.0);
+}

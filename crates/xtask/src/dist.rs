@@ -1,0 +1,112 @@
+//! The page as a folder of files, `dist/`, which any web host can serve from any path:
+//!
+//! | path | what |
+//! |---|---|
+//! | `index.html`, `web/` | as in the repository, without settings of tools |
+//! | `pkg/webgpu/`, `pkg/webgl/` | the two wasm builds, each with its JavaScript |
+//! | `samples/` | the drawings that the page offers, with `index.json` and licences |
+
+use crate::process::{cargo, command, node, root, run};
+use crate::{samples, tools};
+use anyhow::{Context, Result};
+use std::fs;
+use std::path::{Path, PathBuf};
+
+/// The two builds of `scumble-web`, by the feature that tells them apart.
+pub(crate) const FLAVOURS: [&str; 2] = ["webgpu", "webgl"];
+
+/// The features of wasm that every browser with WebGPU or WebGL 2 has; `--all-features` would use others.
+const WASM_OPT: [&str; 8] = [
+    "-O2",
+    "--enable-bulk-memory",
+    "--enable-nontrapping-float-to-int",
+    "--enable-sign-ext",
+    "--enable-mutable-globals",
+    "--enable-reference-types",
+    "--enable-multivalue",
+    "--enable-simd",
+];
+
+/// Builds the page; steps whose input is as it was are skipped.
+pub(crate) fn build() -> Result<PathBuf> {
+    tools::wasm_target()?;
+    tools::npm_packages()?;
+    let packages = FLAVOURS.map(|flavour| package(flavour).map(|folder| (flavour, folder)));
+    let dist = root().join("dist");
+    if dist.exists() {
+        fs::remove_dir_all(&dist)?;
+    }
+    let is_setting = |path: &Path| path.extension().is_some_and(|extension| extension == "json");
+    copy_files(&root().join("web"), &dist.join("web"), |path| !is_setting(path))?;
+    fs::copy(root().join("index.html"), dist.join("index.html"))?;
+    for package in packages {
+        let (flavour, folder) = package?;
+        copy_files(&folder, &dist.join("pkg").join(flavour), |_| true)?;
+    }
+    samples::collect(&dist.join("samples"))?;
+    Ok(dist)
+}
+
+/// The folder with one wasm build and its JavaScript, ready to be served.
+fn package(flavour: &str) -> Result<PathBuf> {
+    let wasm = compile(flavour)?;
+    tools::wasm_bindgen()?;
+    let work = root().join("target/page").join(flavour);
+    let (seen, package) = (work.join("seen"), work.join("package"));
+    // The settings go into what is compared, so that a change of them runs the steps again.
+    let input = [fs::read(&wasm)?, WASM_OPT.join(" ").into_bytes()].concat();
+    if fs::read(&seen).is_ok_and(|seen| seen == input) {
+        return Ok(package);
+    }
+    if work.exists() {
+        fs::remove_dir_all(&work)?;
+    }
+    bind(&wasm, &package)?;
+    optimise(&package.join("scumble_web_bg.wasm"))?;
+    fs::write(seen, input)?;
+    Ok(package)
+}
+
+/// Compiles one build into a target folder of its own: in a shared one each would evict the other.
+fn compile(flavour: &str) -> Result<PathBuf> {
+    let target = root().join("target").join(flavour);
+    run(cargo()
+        .args(["build", "--profile", "web", "-p", "scumble-web", "--target", tools::WASM_TARGET])
+        .args(["--no-default-features", "--features", flavour, "--target-dir"])
+        .arg(&target))?;
+    Ok(target.join(tools::WASM_TARGET).join("web/scumble_web.wasm"))
+}
+
+fn bind(wasm: &Path, package: &Path) -> Result<()> {
+    run(command("wasm-bindgen")
+        .args(["--target", "web", "--no-typescript", "--out-dir"])
+        .args([package, wasm]))
+}
+
+fn optimise(wasm: &Path) -> Result<()> {
+    let optimised = wasm.with_extension("optimised");
+    run(node().arg("node_modules/binaryen/bin/wasm-opt").args(WASM_OPT).args([
+        wasm,
+        "-o".as_ref(),
+        &optimised,
+    ]))?;
+    Ok(fs::rename(optimised, wasm)?)
+}
+
+/// The files directly in a folder, in the order of their names.
+pub(crate) fn files_in(folder: &Path) -> Result<Vec<PathBuf>> {
+    let entries = fs::read_dir(folder).with_context(|| folder.display().to_string())?;
+    let mut paths = entries.map(|entry| Ok(entry?.path())).collect::<Result<Vec<_>>>()?;
+    paths.retain(|path| path.is_file());
+    paths.sort();
+    Ok(paths)
+}
+
+/// Copies the files directly in a folder that `wanted` names.
+fn copy_files(from: &Path, to: &Path, wanted: impl Fn(&Path) -> bool) -> Result<()> {
+    fs::create_dir_all(to)?;
+    for path in files_in(from)?.into_iter().filter(|path| wanted(path)) {
+        fs::copy(&path, to.join(path.file_name().unwrap_or_default()))?;
+    }
+    Ok(())
+}

@@ -1,0 +1,142 @@
+/**
+ * Starts the two browsers headless, with the switches that give them WebGPU (and Chromium WebGL 2) without a GPU, and
+ * gives their pages one face: Playwright drives Chromium, Puppeteer drives Firefox over WebDriver BiDi.
+ */
+import { chromium } from "playwright-core";
+import puppeteer from "puppeteer-core";
+
+const CHROMIUM_FLAGS = [
+  "--no-sandbox",
+  "--use-angle=swiftshader",
+  "--enable-unsafe-swiftshader",
+  "--enable-unsafe-webgpu",
+  "--ignore-gpu-blocklist",
+  "--enable-gpu",
+  "--enable-features=Vulkan",
+  "--use-vulkan=swiftshader",
+  "--disable-quic",
+  "--no-first-run",
+  "--disable-background-networking",
+  "--disable-component-update",
+  "--disable-sync",
+];
+
+const FIREFOX_PREFERENCES = { "dom.webgpu.enabled": true, "gfx.webgpu.ignore-blocklist": true };
+
+const VIEWPORT = { width: 1200, height: 800 };
+
+/**
+ * @typedef {object} Tab one page of a browser
+ * @property {(url: string) => Promise<unknown>} goto
+ * @property {<T>(expression: string) => Promise<T>} evaluate
+ * @property {(expression: string) => Promise<unknown>} waitFor until the expression is true in the page
+ * @property {(role: string, name: string) => Promise<void>} click a control by its role and accessible name
+ * @property {{move(x: number, y: number): Promise<void>, down(): Promise<void>, up(): Promise<void>}} mouse
+ * @property {(x_px: number, y_px: number) => Promise<void>} wheel
+ * @property {(keys: string) => Promise<void>} press one key
+ * @property {(files: string[]) => Promise<void>} chooseFiles what the user picks in the file dialog of "Open"
+ * @property {(clip?: {x: number, y: number, width: number, height: number}) => Promise<Uint8Array>} screenshot PNG
+ * @property {(act: () => Promise<void>) => Promise<string>} download the path of the file that an act downloads
+ * @property {string[]} faults what went wrong in the page: uncaught errors and errors on the console
+ * @property {(see: (url: string) => void) => void} onRequest
+ */
+
+/**
+ * @typedef {object} Browser
+ * @property {() => Promise<Tab>} open a page without a history
+ * @property {() => Promise<void>} close
+ */
+
+/**
+ * @param {"chromium" | "firefox"} name
+ * @returns {Promise<Browser>}
+ */
+export function launch(name) {
+  return name === "chromium" ? launchChromium() : launchFirefox();
+}
+
+/** @returns {Promise<Browser>} */
+async function launchChromium() {
+  const browser = await chromium.launch({ executablePath: "/usr/bin/chromium", args: CHROMIUM_FLAGS });
+  return {
+    open: async () => chromiumTab(await browser.newPage({ viewport: VIEWPORT })),
+    close: () => browser.close(),
+  };
+}
+
+/**
+ * @param {import("playwright-core").Page} page
+ * @returns {Tab}
+ */
+function chromiumTab(page) {
+  /** @type {string[]} */
+  const faults = [];
+  page.on("pageerror", (error) => faults.push(String(error)));
+  page.on("console", (message) => void (message.type() === "error" && faults.push(message.text())));
+  return {
+    faults,
+    goto: (url) => page.goto(url),
+    evaluate: (expression) => page.evaluate(expression),
+    waitFor: (expression) => page.waitForFunction(expression),
+    click: (role, name) => page.getByRole(/** @type {any} */ (role), { name, exact: true }).click(),
+    mouse: page.mouse,
+    wheel: (x_px, y_px) => page.mouse.wheel(x_px, y_px),
+    press: (keys) => page.keyboard.press(keys),
+    chooseFiles: async (files) => {
+      const chooser = page.waitForEvent("filechooser");
+      await page.getByRole("button", { name: "Open", exact: true }).click();
+      await (await chooser).setFiles(files);
+    },
+    screenshot: (clip) => page.screenshot({ clip }),
+    download: async (act) => {
+      const download = page.waitForEvent("download");
+      await act();
+      return (await download).path();
+    },
+    onRequest: (see) => void page.on("request", (request) => see(request.url())),
+  };
+}
+
+/** @returns {Promise<Browser>} */
+async function launchFirefox() {
+  const browser = await puppeteer.launch({
+    browser: "firefox",
+    executablePath: "/usr/bin/firefox-esr",
+    extraPrefsFirefox: FIREFOX_PREFERENCES,
+    defaultViewport: VIEWPORT,
+  });
+  return {
+    open: async () => firefoxTab(await browser.newPage()),
+    close: () => browser.close(),
+  };
+}
+
+/**
+ * @param {import("puppeteer-core").Page} page
+ * @returns {Tab}
+ */
+function firefoxTab(page) {
+  /** @type {string[]} */
+  const faults = [];
+  page.on("pageerror", (error) => faults.push(String(error)));
+  page.on("console", (message) => void (message.type() === "error" && faults.push(message.text())));
+  return {
+    faults,
+    goto: (url) => page.goto(url),
+    evaluate: (expression) => /** @type {Promise<any>} */ (page.evaluate(expression)),
+    waitFor: (expression) => page.waitForFunction(expression),
+    click: (role, name) => page.locator(`::-p-aria([role="${role}"][name="${name}"])`).click(),
+    mouse: page.mouse,
+    wheel: (x_px, y_px) => page.mouse.wheel({ deltaX: x_px, deltaY: y_px }),
+    press: (keys) => page.keyboard.press(/** @type {any} */ (keys)),
+    chooseFiles: async (files) => {
+      const input = await page.$('input[type="file"]');
+      await /** @type {import("puppeteer-core").ElementHandle<HTMLInputElement>} */ (input).uploadFile(...files);
+    },
+    screenshot: (clip) => page.screenshot({ clip }),
+    download: async () => {
+      throw new Error("downloads are tested in Chromium");
+    },
+    onRequest: (see) => void page.on("request", (request) => see(request.url())),
+  };
+}

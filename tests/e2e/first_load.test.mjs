@@ -1,0 +1,38 @@
+// What the first visit costs: every file that the page asks for until it can be used, each as gzip would send it.
+import assert from "node:assert/strict";
+import { readFile } from "node:fs/promises";
+import { after, before, test } from "node:test";
+import { gzipSync } from "node:zlib";
+import { Editor, start } from "./harness.mjs";
+
+const LIMIT_BYTES = 400_000;
+
+/** @type {Awaited<ReturnType<typeof start>>} */
+let session;
+before(async () => {
+  session = await start("chromium");
+});
+after(() => session.close());
+
+test("the first load takes at most 400 KB, all from the page's own folder, with one wasm build", async (t) => {
+  const tab = await session.newTab();
+  /** @type {Set<string>} */
+  const urls = new Set();
+  tab.onRequest((url) => urls.add(url));
+  await Editor.open(tab, session.url, "webgpu");
+  assert.deepEqual([...urls].filter((url) => !url.startsWith(session.url)), []);
+
+  const sizes = await Promise.all([...urls].map(gzippedSize));
+  for (const { path, bytes } of sizes) t.diagnostic(`${bytes} bytes: ${path}`);
+  const total = sizes.reduce((sum, { bytes }) => sum + bytes, 0);
+  t.diagnostic(`${total} bytes gzipped in all; the limit is ${LIMIT_BYTES}`);
+  assert.deepEqual(sizes.map(({ path }) => path).filter((path) => path.endsWith(".wasm")), ["pkg/webgpu/scumble_web_bg.wasm"]);
+  assert.ok(total <= LIMIT_BYTES, `${total} bytes`);
+});
+
+/** @param {string} url */
+async function gzippedSize(url) {
+  const path = url.slice(session.url.length) || "index.html";
+  const content = await readFile(new URL(`../../dist/${path}`, import.meta.url));
+  return { path, bytes: gzipSync(content, { level: 9 }).length };
+}

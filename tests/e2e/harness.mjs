@@ -1,0 +1,169 @@
+/**
+ * The editor as its user has it: opened in a browser from a static server, found by role and name, drawn on with the
+ * pointer, and judged by screenshots of its canvas.
+ */
+import assert from "node:assert/strict";
+import { fileURLToPath } from "node:url";
+import { Picture } from "./picture.mjs";
+import { launch } from "./browsers.mjs";
+import { serve } from "./static_server.mjs";
+
+/** @typedef {import("./browsers.mjs").Tab} Tab */
+/** @typedef {{browser: "chromium" | "firefox", renderer: "webgpu" | "webgl" | "cpu"}} Target */
+
+/** Each renderer in each browser that has it. @type {Target[]} */
+export const TARGETS = [
+  { browser: "chromium", renderer: "webgpu" },
+  { browser: "chromium", renderer: "webgl" },
+  { browser: "chromium", renderer: "cpu" },
+  { browser: "firefox", renderer: "webgpu" },
+];
+
+const DIST = fileURLToPath(new URL("../../dist", import.meta.url));
+
+/** Longer side of any page in drawing units. */
+const PAGE_DU = 1024;
+
+/** @param {string} file */
+export const drawing = (file) => fileURLToPath(new URL(`drawings/${file}`, import.meta.url));
+
+/**
+ * A browser and a server for the tests of one file. The page is served from a path of its own, as on a host that
+ * serves more than one.
+ *
+ * @param {Target["browser"]} name
+ */
+export async function start(name) {
+  const { server, url } = await serve(DIST, { base: "/some/where/" });
+  const browser = await launch(name);
+  return {
+    url,
+    newTab: () => browser.open(),
+    /** @param {Target["renderer"]} renderer */
+    open: async (renderer) => Editor.open(await browser.open(), `${url}?renderer=${renderer}`, renderer),
+    close: async () => {
+      await browser.close();
+      server.close();
+    },
+  };
+}
+
+export class Editor {
+  /** @param {Tab} tab */
+  constructor(tab) {
+    this.tab = tab;
+  }
+
+  /**
+   * @param {Tab} tab
+   * @param {string} url
+   * @param {Target["renderer"]} renderer the one that must come up
+   */
+  static async open(tab, url, renderer) {
+    await tab.goto(url);
+    await tab.waitFor(`document.getElementById("status").textContent !== "" || !document.getElementById("alert").hidden`);
+    const editor = new Editor(tab);
+    assert.equal(await editor.message(), "");
+    assert.equal(await tab.evaluate(`document.getElementById("canvas").dataset.renderer`), renderer);
+    return editor;
+  }
+
+  /** What the page warns of; empty where it does not. @returns {Promise<string>} */
+  message() {
+    return this.tab.evaluate(`
+      document.getElementById("alert").hidden ? "" : document.querySelector("#alert p").textContent`);
+  }
+
+  /** What just happened, in the page's words. @returns {Promise<string>} */
+  status() {
+    return this.tab.evaluate(`document.getElementById("status").textContent`);
+  }
+
+  /**
+   * Acts, and waits until the page has said something that contains the words.
+   * @param {string} words
+   * @param {() => Promise<unknown>} act
+   */
+  async until(words, act) {
+    // What was said before must not be taken for the answer.
+    await this.tab.evaluate(`document.getElementById("status").textContent = ""`);
+    await act();
+    await this.tab.waitFor(`document.getElementById("status").textContent.includes(${JSON.stringify(words)})`);
+  }
+
+  /** @param {string} name */
+  click(name) {
+    return this.tab.click("button", name);
+  }
+
+  /** Checks or unchecks a box. @param {string} name */
+  toggle(name) {
+    return this.tab.click("checkbox", name);
+  }
+
+  /** Opens a drawing of the tests through "Open". @param {string} name of the file, without `.svg` */
+  openDrawing(name) {
+    return this.until(`Opened ${name}`, () => this.tab.chooseFiles([drawing(`${name}.svg`)]));
+  }
+
+  /** @param {string} name */
+  async openSample(name) {
+    await this.click("Samples");
+    await this.until(`Opened ${name}`, () => this.click(name));
+  }
+
+  /** The corner and the size of the canvas in the window. @returns {Promise<DOMRect>} */
+  box() {
+    return this.tab.evaluate(`document.getElementById("canvas").getBoundingClientRect().toJSON()`);
+  }
+
+  /**
+   * Where points of a drawing lie on the canvas, in CSS pixels.
+   * @param {[number, number][]} points in units of the drawing's viewBox, which begins at 0, 0
+   * @param {number} longer_side of the viewBox
+   * @returns {Promise<[number, number][]>}
+   */
+  async place(points, longer_side) {
+    /** @type {string} */
+    const view = await this.tab.evaluate(`document.getElementById("canvas").dataset.view`);
+    const [a, b, c, d, e, f] = view.split(" ").map(Number);
+    const du = PAGE_DU / longer_side;
+    return points.map(([x, y]) => [du * (a * x + c * y) + e, du * (b * x + d * y) + f]);
+  }
+
+  /**
+   * Drags the pointer over the canvas with the button down.
+   * @param {[number, number][]} points in CSS pixels of the canvas
+   */
+  async drag(points) {
+    const { x, y } = await this.box();
+    const [[startX, startY], ...rest] = points;
+    await this.tab.mouse.move(x + startX, y + startY);
+    await this.tab.mouse.down();
+    for (const [px, py] of rest) await this.tab.mouse.move(x + px, y + py);
+    await this.tab.mouse.up();
+  }
+
+  /**
+   * Scribbles through points of a drawing, and waits until the scribble is there.
+   * @param {[number, number][]} points in units of the drawing's viewBox
+   * @param {number} longer_side of the viewBox
+   */
+  async scribble(points, longer_side) {
+    const way = await this.place(points, longer_side);
+    await this.until("Scribble added", () => this.drag(way));
+  }
+
+  /** What the canvas shows once it has come to rest: twice the same in a row. */
+  async picture() {
+    let [before, after] = [await this.screenshot(), await this.screenshot()];
+    while (!after.equals(before)) [before, after] = [after, await this.screenshot()];
+    return Picture.decode(after);
+  }
+
+  async screenshot() {
+    await this.tab.evaluate("new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)))");
+    const { x, y, width, height } = await this.box();
+    return Buffer.from(await this.tab.screenshot({ x, y, width, height }));
+  }
+}

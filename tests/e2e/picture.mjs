@@ -1,0 +1,124 @@
+/** Pictures as rows of pixels, and what the tests ask of them. */
+import assert from "node:assert/strict";
+import { PNG } from "pngjs";
+
+/** @typedef {[number, number, number]} Rgb */
+
+/** @type {Rgb} */
+export const PAPER = [255, 255, 255];
+
+/** A change between neighbours that is an edge: shading changes less from one pixel to the next. */
+const EDGE_LEVELS = 12;
+
+/** Two renderers may differ by this much where there is no edge. */
+const SAME_LEVELS = 2;
+
+export class Picture {
+  /**
+   * @param {number} width
+   * @param {number} height
+   * @param {Uint8Array} rgba
+   */
+  constructor(width, height, rgba) {
+    this.width = width;
+    this.height = height;
+    this.rgba = rgba;
+  }
+
+  /** @param {Buffer} png */
+  static decode(png) {
+    const { width, height, data } = PNG.sync.read(png);
+    return new Picture(width, height, data);
+  }
+
+  /**
+   * The colour of the pixel that holds a point.
+   * @param {number} x
+   * @param {number} y
+   * @returns {Rgb}
+   */
+  at(x, y) {
+    const i = 4 * (Math.floor(y) * this.width + Math.floor(x));
+    return [this.rgba[i], this.rgba[i + 1], this.rgba[i + 2]];
+  }
+
+  /**
+   * The colours of the pixels in a rectangle given by two corners, both in it, without repetition.
+   * @param {[number, number]} from
+   * @param {[number, number]} to
+   */
+  colors([x0, y0], [x1, y1]) {
+    const colors = new Set();
+    for (let y = Math.floor(y0); y <= y1; y++) {
+      for (let x = Math.floor(x0); x <= x1; x++) colors.add(hex(this.at(x, y)));
+    }
+    return [...colors];
+  }
+
+  /** @param {Picture} other */
+  equals(other) {
+    return this.width === other.width && this.height === other.height && Buffer.compare(this.rgba, other.rgba) === 0;
+  }
+
+  /**
+   * The part of a size whose upper left corner is here.
+   * @param {number} left
+   * @param {number} top
+   * @param {{width: number, height: number}} size
+   */
+  part(left, top, { width, height }) {
+    const rows = Array.from({ length: height }, (_, y) => {
+      const start = 4 * ((top + y) * this.width + left);
+      return this.rgba.subarray(start, start + 4 * width);
+    });
+    return new Picture(width, height, Buffer.concat(rows));
+  }
+
+  /**
+   * Whether there is an edge at this pixel or beside it.
+   * @param {number} x
+   * @param {number} y
+   */
+  isEdge(x, y) {
+    const here = this.at(x, y);
+    for (let j = Math.max(y - 1, 0); j <= Math.min(y + 1, this.height - 1); j++) {
+      for (let i = Math.max(x - 1, 0); i <= Math.min(x + 1, this.width - 1); i++) {
+        if (distance(here, this.at(i, j)) > EDGE_LEVELS) return true;
+      }
+    }
+    return false;
+  }
+}
+
+/**
+ * Asserts that two pictures differ by at most two levels in each pixel that is on an edge of neither, and that most are.
+ * @param {Picture} actual
+ * @param {Picture} expected
+ */
+export function assertSame(actual, expected) {
+  assert.deepEqual([actual.width, actual.height], [expected.width, expected.height]);
+  let compared = 0;
+  for (let y = 0; y < expected.height; y++) {
+    for (let x = 0; x < expected.width; x++) {
+      if (expected.isEdge(x, y) || actual.isEdge(x, y)) continue;
+      compared += 1;
+      const levels = distance(actual.at(x, y), expected.at(x, y));
+      assert.ok(levels <= SAME_LEVELS, `${levels} levels at ${x}, ${y}: ${actual.at(x, y)}, not ${expected.at(x, y)}`);
+    }
+  }
+  assert.ok(compared > 0.8 * expected.width * expected.height, `only ${compared} pixels are on no edge`);
+}
+
+/**
+ * The largest difference of a channel, in levels of 255.
+ * @param {Rgb} a
+ * @param {Rgb} b
+ */
+export function distance(a, b) {
+  return Math.max(...a.map((value, i) => Math.abs(value - b[i])));
+}
+
+/** @param {Rgb} color */
+export function hex(color) {
+  return `#${color.map((value) => value.toString(16).padStart(2, "0")).join("")}`;
+}

@@ -1,0 +1,42 @@
+// The three renderers show the same picture.
+import { after, before, describe, test } from "node:test";
+import { start } from "./harness.mjs";
+import { assertSame } from "./picture.mjs";
+
+/** The longer side of the viewBox of `drawings/shading.svg`. */
+const SHADING = 200;
+const SCRIBBLES = /** @type {[string, [number, number][]][]} */ ([
+  ["Yellow", [[35, 45], [60, 30], [90, 28]]],
+  ["Violet", [[40, 70], [80, 82], [110, 76]]],
+  ["Teal", [[150, 20], [185, 40], [180, 80]]],
+  ["Red", [[120, 45], [126, 52]]],
+]);
+
+/**
+ * @param {Awaited<ReturnType<typeof start>>} session
+ * @param {import("./harness.mjs").Target["renderer"]} renderer
+ */
+async function shaded(session, renderer) {
+  const editor = await session.open(renderer);
+  await editor.openDrawing("shading");
+  for (const [color, points] of SCRIBBLES) {
+    await editor.click(color);
+    await editor.scribble(points, SHADING);
+  }
+  return editor.picture();
+}
+
+describe("the same picture from every renderer", () => {
+  /** @type {Awaited<ReturnType<typeof start>>} */
+  let session;
+  /** @type {import("./picture.mjs").Picture} */
+  let expected;
+  before(async () => {
+    session = await start("chromium");
+    expected = await shaded(session, "cpu");
+  });
+  after(() => session.close());
+
+  test("webgpu", async () => assertSame(await shaded(session, "webgpu"), expected));
+  test("webgl", async () => assertSame(await shaded(session, "webgl"), expected));
+});

@@ -1,0 +1,37 @@
+// The mouse cursor over the canvas: a ring as wide as the brush, in its colour.
+
+/** Rings outside this range are drawn as cross hairs: too small to see, or larger than browsers allow. */
+const RING_PX = { least: 6, most: 120 };
+
+let color = "#000000";
+let size_du = 0;
+let zoom = 1;
+
+/** The values come one by one, as effects. */
+export const followed = {
+  /** @param {string} value */
+  color: (value) => show(() => (color = value)),
+  /** @param {number} value */
+  "brush-size": (value) => show(() => (size_du = value)),
+  /** @param {number} value */
+  zoom: (value) => show(() => (zoom = value)),
+};
+
+/** @param {() => void} change */
+function show(change) {
+  change();
+  const width_px = size_du * zoom;
+  const drawn = width_px >= RING_PX.least && width_px <= RING_PX.most;
+  document.documentElement.style.setProperty("--brush", drawn ? ring(width_px) : "crosshair");
+}
+
+/** @param {number} width_px */
+function ring(width_px) {
+  const size = Math.ceil(width_px) + 4;
+  const circle = (/** @type {number} */ r, /** @type {string} */ stroke) =>
+    `<circle cx="${size / 2}" cy="${size / 2}" r="${r}" fill="none" stroke="${stroke}" stroke-width="1.5"/>`;
+  const svg = `<svg xmlns="http://www.w3.org/2000/svg" width="${size}" height="${size}">${
+    circle(width_px / 2 + 1, "white")}${circle(width_px / 2, color)}</svg>`;
+  const middle = Math.round(size / 2);
+  return `url("data:image/svg+xml,${encodeURIComponent(svg)}") ${middle} ${middle}, crosshair`;
+}

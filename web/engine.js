@@ -1,0 +1,155 @@
+// The way to the wasm module: which build is loaded, calls into it, frames, and what comes back.
+//
+// A call returns a flat list of effects, [name, value, name, value, …], which go to the handlers. Once the module
+// has thrown it is not entered again.
+
+/**
+ * @typedef {object} App What the module exports; see `crates/scumble-web/src/app.rs`.
+ * @property {(phase: string, samples: Float32Array) => unknown[]} pointer
+ * @property {(name: string, args?: unknown) => unknown[]} command
+ * @property {() => unknown[]} frame
+ *
+ * @typedef {(value: any) => void} Handler
+ * @typedef {"webgpu" | "webgl" | "cpu"} Renderer
+ */
+
+const RENDERERS = /** @type {Renderer[]} */ (["webgpu", "webgl", "cpu"]);
+
+export class Engine {
+  /** @type {App | undefined} */
+  #app;
+  /** @type {Record<string, Handler>} */
+  #handlers;
+  #frameAsked = false;
+
+  /** @param {Record<string, Handler>} handlers what to do with each effect; `stopped` is called after a fault */
+  constructor(handlers) {
+    this.#handlers = { ...handlers, lost: (renderer) => this.#recover(renderer) };
+    for (const kind of ["error", "unhandledrejection"]) {
+      window.addEventListener(kind, (event) => {
+        const fault = /** @type {any} */ (event).error ?? /** @type {any} */ (event).reason;
+        if (fault instanceof WebAssembly.RuntimeError) this.#stop();
+      });
+    }
+  }
+
+  /**
+   * Starts the first renderer that works; rejects where none does.
+   * @param {string} desk colour around the page, #rrggbb
+   */
+  async start(desk) {
+    let failure;
+    for (const renderer of await candidates()) {
+      try {
+        const { App } = await load(renderer);
+        const options = { renderer, desk, wake: () => this.#askFrame() };
+        this.#app = await App.create(freshCanvas(), options);
+        return;
+      } catch (error) {
+        console.warn(`${renderer}:`, error);
+        failure = error;
+      }
+    }
+    throw failure;
+  }
+
+  /**
+   * @param {string} name
+   * @param {unknown} [args]
+   */
+  command(name, args) {
+    this.#enter((app) => app.command(name, args));
+    this.#askFrame();
+  }
+
+  /**
+   * @param {"down" | "move" | "up" | "cancel"} phase
+   * @param {Float32Array} samples x and y in CSS pixels from the canvas' corner, and pressure in 0..=1, in turn
+   */
+  pointer(phase, samples) {
+    this.#enter((app) => app.pointer(phase, samples));
+    this.#askFrame();
+  }
+
+  /** @param {(app: App) => unknown[]} call */
+  #enter(call) {
+    if (!this.#app) return;
+    let effects;
+    try {
+      effects = call(this.#app);
+    } catch (fault) {
+      console.error(fault);
+      this.#stop();
+      return;
+    }
+    for (let i = 0; i < effects.length; i += 2) {
+      this.#handlers[String(effects[i])]?.(effects[i + 1]);
+    }
+  }
+
+  #askFrame() {
+    if (this.#frameAsked) return;
+    this.#frameAsked = true;
+    requestAnimationFrame(() => {
+      this.#frameAsked = false;
+      this.#enter((app) => app.frame());
+    });
+  }
+
+  /**
+   * A canvas whose device is gone serves no more: a new one goes to the renderer that is named.
+   * @param {Renderer | null} renderer
+   */
+  #recover(renderer) {
+    if (renderer) this.command("canvas", { canvas: freshCanvas(), renderer });
+    else this.#handlers["no-renderer"]?.(undefined);
+  }
+
+  #stop() {
+    if (!this.#app) return;
+    this.#app = undefined;
+    this.#handlers.stopped?.(undefined);
+  }
+}
+
+/** The renderers to try, best first; the address may name the one to use. */
+async function candidates() {
+  const forced = new URLSearchParams(location.search).get("renderer");
+  const renderer = RENDERERS.find((name) => name === forced);
+  if (renderer) return [renderer];
+  const gpu = /** @type {any} */ (navigator).gpu;
+  const adapter = await gpu?.requestAdapter().catch(() => null);
+  return adapter ? RENDERERS : RENDERERS.slice(1);
+}
+
+/** @type {Map<string, Promise<any>>} */
+const builds = new Map();
+
+/**
+ * The build that has a renderer. Both have the painter on the CPU: it takes the one that is here already.
+ * @param {Renderer} renderer
+ */
+function load(renderer) {
+  const loaded = [...builds.keys()].pop();
+  const build = renderer === "cpu" ? loaded ?? "webgpu" : renderer;
+  const module = builds.get(build) ?? fetchBuild(build);
+  builds.set(build, module);
+  return module;
+}
+
+/** @param {string} build */
+async function fetchBuild(build) {
+  const module = await import(`../pkg/${build}/scumble_web.js`);
+  await module.default();
+  return module;
+}
+
+/** Puts an untouched canvas in the place of the one in the page: a canvas takes one kind of context in its life. */
+function freshCanvas() {
+  const canvas = /** @type {HTMLCanvasElement} */ (document.getElementById("canvas"));
+  const fresh = /** @type {HTMLCanvasElement} */ (canvas.cloneNode());
+  const focused = document.activeElement === canvas;
+  canvas.replaceWith(fresh);
+  if (focused) fresh.focus();
+  return fresh;
+}

@@ -1,0 +1,70 @@
+// The keyboard: chords to actions, as `editor.md`'s table of controls names them on the buttons' tooltips.
+
+/** @type {Record<string, string>} */
+const CHORDS = {
+  "ctrl+o": "open",
+  "ctrl+shift+e": "export",
+  "ctrl+z": "undo",
+  "ctrl+shift+z": "redo",
+  "ctrl+y": "redo",
+  "ctrl+=": "zoom-in",
+  "ctrl++": "zoom-in",
+  "ctrl+shift++": "zoom-in",
+  "ctrl+-": "zoom-out",
+  "ctrl+0": "zoom-reset",
+  "shift+1": "fit",
+  "x": "swap-colors",
+  "[": "brush-smaller",
+  "]": "brush-larger",
+  "escape": "cancel",
+  "arrowleft": "pan-left",
+  "arrowright": "pan-right",
+  "arrowup": "pan-up",
+  "arrowdown": "pan-down",
+  ...Object.fromEntries([1, 2, 3, 4, 5, 6, 7, 8, 9].map((n) => [String(n), `swatch-${n}`])),
+};
+
+/**
+ * @param {(action: string) => void} act
+ * @param {(held: boolean) => void} holdSpace
+ */
+export function listen(act, holdSpace) {
+  window.addEventListener("keydown", (event) => {
+    if (event.defaultPrevented || document.querySelector("dialog[open]")) return;
+    if (event.key === " " && isCanvas(event.target)) {
+      event.preventDefault();
+      holdSpace(true);
+      return;
+    }
+    const action = CHORDS[chord(event)];
+    if (!action || (isControl(event.target) && !event.ctrlKey && !event.metaKey)) return;
+    event.preventDefault();
+    act(action);
+  });
+  window.addEventListener("keyup", (event) => {
+    if (event.key === " ") holdSpace(false);
+  });
+}
+
+/** @param {KeyboardEvent} event */
+function chord(event) {
+  const digit = /^Digit(\d)$/.exec(event.code)?.[1];
+  const key = event.shiftKey && digit ? digit : event.key.toLowerCase();
+  return `${event.ctrlKey || event.metaKey ? "ctrl+" : ""}${event.shiftKey ? "shift+" : ""}${key}`;
+}
+
+/**
+ * Where Space is the hand: on the canvas, or with nothing focused.
+ * @param {EventTarget | null} target
+ */
+function isCanvas(target) {
+  return target instanceof HTMLCanvasElement || target === document.body;
+}
+
+/**
+ * Sliders and lists use plain keys themselves.
+ * @param {EventTarget | null} target
+ */
+function isControl(target) {
+  return target instanceof HTMLSelectElement || (target instanceof HTMLInputElement && target.type !== "checkbox");
+}

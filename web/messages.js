@@ -1,0 +1,101 @@
+// Every word that the page shows: a table from keys to texts. A text that needs values is a function of them.
+
+/** @type {Record<string, string | ((values: any) => string)>} */
+const english = {
+  "app": "Scumble",
+  "group-file": "File",
+  "group-history": "History",
+  "group-settings": "Settings",
+  "group-view": "View",
+  "open": "Open",
+  "samples": "Samples",
+  "export": "Export",
+  "undo": "Undo",
+  "redo": "Redo",
+  "show-lines": "Show lines",
+  "show-scribbles": "Show scribbles",
+  "blend": "Blend",
+  "blend-oklab": "OKLab",
+  "blend-srgb": "sRGB",
+  "zoom-in": "Zoom in",
+  "zoom-out": "Zoom out",
+  "zoom": ({ percent }) => `Zoom ${percent}%`,
+  "zoom-figure": ({ percent }) => `${percent}%`,
+  "fit": "Fit",
+  "colour": "Colour",
+  "palette": "Palette",
+  "brush-size": "Brush size",
+  "canvas": "Canvas",
+  "canvas-instructions":
+    "Draw with the pointer to scribble a colour. The arrow keys move the picture; Escape drops the scribble in hand.",
+  "guide": "Wheel or Space-drag moves, Ctrl+wheel zooms, 1–9 pick a colour, [ and ] change the brush",
+  "dismiss": "Dismiss",
+  "close": "Close",
+  "samples-credit": "Drawings marked OpenMoji are by openmoji.org, licence CC BY-SA 4.0. The others are Scumble’s own.",
+
+  "red": "Red",
+  "orange": "Orange",
+  "yellow": "Yellow",
+  "green": "Green",
+  "teal": "Teal",
+  "blue": "Blue",
+  "violet": "Violet",
+  "pink": "Pink",
+  "brown": "Brown",
+  "peach": "Peach",
+  "slate": "Slate",
+  "white": "White",
+
+  "start": "Pick a colour and scribble it into the drawing",
+  "opened": ({ name }) => `Opened ${name}`,
+  "opened-in-part": ({ name, notes }) => `Opened ${name}; ${notes}`,
+  "scribble-added": ({ count }) => `Scribble added, ${count} in the drawing`,
+  "scribble-dropped": "Scribble dropped",
+  "undone": "Undone",
+  "redone": "Redone",
+  "exported": ({ name }) => `Exported ${name}`,
+  "recovered": "The graphics device was lost; the picture has been drawn again",
+
+  "failed": ({ sentence }) => `${sentence.charAt(0).toUpperCase()}${sentence.slice(1)}.`,
+  "error-read": "The file could not be read; try opening it again.",
+  "error-samples": "The samples could not be loaded; check the connection and load the page again.",
+  "error-start": "Scumble could not start in this browser; a current Chrome, Edge, Firefox or Safari will do.",
+  "error-stopped": "Scumble has run into a fault and stopped. Load the page again to go on.",
+  "error-renderer": "The graphics device was lost and could not be had again. Load the page again to go on.",
+};
+
+/**
+ * The text of a key. An unknown key is shown as it is, so that a gap in the table is seen.
+ * @param {string} key
+ * @param {Record<string, unknown>} [values]
+ */
+export function say(key, values = {}) {
+  const text = english[key] ?? key;
+  return typeof text === "function" ? text(values) : text;
+}
+
+/**
+ * Puts the words into the page: `data-text` becomes an element's text, `data-label` its accessible name and, for
+ * buttons, its tooltip with `data-keys`.
+ * @param {ParentNode} root
+ */
+export function label(root) {
+  for (const element of /** @type {NodeListOf<HTMLElement>} */ (root.querySelectorAll("[data-text]"))) {
+    element.textContent = say(element.dataset.text ?? "");
+  }
+  for (const element of /** @type {NodeListOf<HTMLElement>} */ (root.querySelectorAll("[data-label]"))) {
+    name(element, say(element.dataset.label ?? ""));
+  }
+}
+
+/**
+ * Gives an element its accessible name, and a tooltip that says its keys if it is a button.
+ * @param {HTMLElement} element
+ * @param {string} text
+ */
+export function name(element, text) {
+  element.setAttribute("aria-label", text);
+  if (element instanceof HTMLButtonElement) {
+    element.title = element.dataset.keys ? `${text} (${element.dataset.keys})` : text;
+  }
+}

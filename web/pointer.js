@@ -1,0 +1,180 @@
+// Pointers over the canvas: the pen scribbles; wheel, pinch, middle button and Space move and zoom the view.
+
+/** @typedef {import("./engine.js").Engine} Engine */
+
+/** A second finger drops a scribble that has fewer points than this, and ends a longer one. */
+const DROPPED_BELOW_POINTS = 10;
+/** Zoom by a wheel: this much of the logarithm a pixel, and at most so many pixels an event. */
+const ZOOM_PER_PX = 0.01;
+const ZOOM_LIMIT_PX = 24;
+const PX_PER_LINE = 16;
+
+/** @typedef {{ x: number, y: number }} Place */
+
+export class Pointers {
+  #stage;
+  #engine;
+  /** @type {number | null} The pointer that scribbles. */
+  #pen = null;
+  #penPoints = 0;
+  /** @type {number | null} The pointer that drags the view. */
+  #hand = null;
+  /** @type {Map<number, Place>} Fingers on the canvas. */
+  #fingers = new Map();
+  /** @type {Place} Where the hand was last. */
+  #last = { x: 0, y: 0 };
+  #space = false;
+
+  /**
+   * @param {HTMLElement} stage the element around the canvas
+   * @param {Engine} engine
+   */
+  constructor(stage, engine) {
+    this.#stage = stage;
+    this.#engine = engine;
+    const on = /** @type {(kind: string, act: (event: any) => void) => void} */ (
+      (kind, act) => stage.addEventListener(kind, act, { passive: false })
+    );
+    on("pointerdown", (event) => this.#down(event));
+    on("pointermove", (event) => this.#move(event));
+    on("pointerup", (event) => this.#up(event, "up"));
+    on("pointercancel", (event) => this.#up(event, "cancel"));
+    on("wheel", (event) => this.#wheel(event));
+    on("contextmenu", (event) => event.preventDefault());
+    window.addEventListener("blur", () => this.holdSpace(false));
+  }
+
+  /** Drops the scribble in hand. */
+  cancel() {
+    if (this.#pen === null) return;
+    this.#pen = null;
+    this.#engine.pointer("cancel", new Float32Array());
+  }
+
+  /**
+   * While Space is held the pointer drags the view.
+   * @param {boolean} held
+   */
+  holdSpace(held) {
+    this.#space = held;
+    this.#stage.classList.toggle("hand", held || this.#hand !== null);
+  }
+
+  /** @param {PointerEvent} event */
+  #down(event) {
+    if (!(event.target instanceof HTMLCanvasElement)) return;
+    event.target.focus();
+    event.preventDefault();
+    this.#stage.setPointerCapture(event.pointerId);
+    if (event.pointerType === "touch") this.#fingers.set(event.pointerId, this.#place(event));
+    if (this.#fingers.size > 1) this.#startPinch();
+    else if (event.button === 1 || (event.button === 0 && this.#space)) this.#startDrag(event);
+    else if (event.button === 0 && this.#pen === null && this.#hand === null) this.#startScribble(event);
+  }
+
+  /** @param {PointerEvent} event */
+  #move(event) {
+    if (event.pointerId === this.#hand) this.#drag(this.#place(event));
+    else if (this.#fingers.size === 2 && this.#fingers.has(event.pointerId)) this.#pinch(event);
+    else if (event.pointerId === this.#pen) this.#scribble("move", event);
+    if (this.#fingers.has(event.pointerId)) this.#fingers.set(event.pointerId, this.#place(event));
+  }
+
+  /**
+   * @param {PointerEvent} event
+   * @param {"up" | "cancel"} phase
+   */
+  #up(event, phase) {
+    this.#fingers.delete(event.pointerId);
+    if (event.pointerId === this.#hand) {
+      this.#hand = null;
+      this.holdSpace(this.#space);
+    }
+    if (event.pointerId !== this.#pen) return;
+    this.#scribble(phase, event);
+    this.#pen = null;
+  }
+
+  /** @param {PointerEvent} event */
+  #startScribble(event) {
+    this.#pen = event.pointerId;
+    this.#penPoints = 0;
+    this.#scribble("down", event);
+  }
+
+  /**
+   * @param {"down" | "move" | "up" | "cancel"} phase
+   * @param {PointerEvent} event
+   */
+  #scribble(phase, event) {
+    const coalesced = phase === "move" ? event.getCoalescedEvents?.() ?? [] : [];
+    const events = coalesced.length > 0 ? coalesced : [event];
+    this.#penPoints += events.length;
+    const samples = events.flatMap((e) => {
+      const { x, y } = this.#place(e);
+      return [x, y, e.pressure];
+    });
+    this.#engine.pointer(phase, new Float32Array(samples));
+  }
+
+  /** @param {PointerEvent} event */
+  #startDrag(event) {
+    this.cancel();
+    this.#hand = event.pointerId;
+    this.#last = this.#place(event);
+    this.holdSpace(this.#space);
+  }
+
+  /** @param {Place} to */
+  #drag(to) {
+    this.#engine.command("pan", [to.x - this.#last.x, to.y - this.#last.y]);
+    this.#last = to;
+  }
+
+  #startPinch() {
+    if (this.#pen === null) return;
+    if (this.#penPoints < DROPPED_BELOW_POINTS) this.cancel();
+    else this.#engine.pointer("up", new Float32Array());
+    this.#pen = null;
+  }
+
+  /** @param {PointerEvent} event */
+  #pinch(event) {
+    const before = span(this.#fingers);
+    this.#fingers.set(event.pointerId, this.#place(event));
+    const after = span(this.#fingers);
+    this.#engine.command("pan", [after.x - before.x, after.y - before.y]);
+    if (before.length > 0) this.#engine.command("zoom-at", [after.x, after.y, after.length / before.length]);
+  }
+
+  /** @param {WheelEvent} event */
+  #wheel(event) {
+    event.preventDefault();
+    const unit = event.deltaMode === WheelEvent.DOM_DELTA_PIXEL ? 1 : PX_PER_LINE;
+    const [dx, dy] = [event.deltaX * unit, event.deltaY * unit];
+    const { x, y } = this.#place(event);
+    if (event.ctrlKey || event.metaKey) {
+      const px = Math.max(-ZOOM_LIMIT_PX, Math.min(ZOOM_LIMIT_PX, dy));
+      this.#engine.command("zoom-at", [x, y, Math.exp(-px * ZOOM_PER_PX)]);
+    } else if (event.shiftKey && dx === 0) this.#engine.command("pan", [-dy, 0]);
+    else this.#engine.command("pan", [-dx, -dy]);
+  }
+
+  /**
+   * CSS pixels from the canvas' corner.
+   * @param {MouseEvent} event
+   */
+  #place(event) {
+    const box = this.#stage.getBoundingClientRect();
+    return { x: event.clientX - box.left, y: event.clientY - box.top };
+  }
+}
+
+/**
+ * The middle of the first two fingers, and how far apart they are.
+ * @param {Map<number, Place>} fingers
+ */
+function span(fingers) {
+  const [a, b] = [...fingers.values()];
+  return { x: (a.x + b.x) / 2, y: (a.y + b.y) / 2, length: Math.hypot(a.x - b.x, a.y - b.y) };
+}

@@ -1,0 +1,125 @@
+// The controls around the canvas. They show what the module says and ask it for changes; they keep no state.
+
+import { name, say } from "./messages.js";
+
+/** Swatches of the palette, by their key in the message table. */
+const PALETTE = Object.entries({
+  red: "#e5484d",
+  orange: "#f5803e",
+  yellow: "#f7c948",
+  green: "#46a758",
+  teal: "#12a594",
+  blue: "#3b82f6",
+  violet: "#8e4ec6",
+  pink: "#e93d82",
+  brown: "#8d5a3b",
+  peach: "#f3c9a5",
+  slate: "#60646c",
+  white: "#ffffff",
+});
+
+const control = (/** @type {string} */ id) => /** @type {HTMLElement} */ (document.getElementById(id));
+const input = (/** @type {string} */ id) => /** @type {HTMLInputElement} */ (control(id));
+const buttonOf = (/** @type {string} */ action) =>
+  /** @type {HTMLButtonElement} */ (document.querySelector(`[data-action="${action}"]`));
+const settingOf = (/** @type {string} */ setting) =>
+  /** @type {HTMLInputElement} */ (document.querySelector(`[data-setting="${setting}"]`));
+
+/**
+ * @param {(action: string) => void} act for a button
+ * @param {(command: string, args: unknown) => void} set for a value
+ */
+export function connect(act, set) {
+  fillPalette(set);
+  for (const button of /** @type {NodeListOf<HTMLElement>} */ (document.querySelectorAll("[data-action]"))) {
+    button.addEventListener("click", () => act(button.dataset.action ?? ""));
+  }
+  for (const setting of ["lines", "scribbles"]) {
+    settingOf(setting).addEventListener("change", () => set(setting, settingOf(setting).checked));
+  }
+  settingOf("blend").addEventListener("change", () => set("blend", settingOf("blend").value));
+  input("brush-size").addEventListener("input", () => set("brush-size", input("brush-size").valueAsNumber));
+  input("picker").addEventListener("input", () => set("color", input("picker").value));
+}
+
+/** @param {(command: string, args: unknown) => void} set */
+function fillPalette(set) {
+  for (const [key, color] of PALETTE) {
+    const item = document.createElement("li");
+    const swatch = document.createElement("button");
+    swatch.type = "button";
+    swatch.className = "swatch";
+    swatch.dataset.color = color;
+    swatch.style.setProperty("--swatch", color);
+    name(swatch, say(key));
+    swatch.addEventListener("click", () => set("color", color));
+    item.append(swatch);
+    control("palette").append(item);
+  }
+}
+
+/**
+ * The colour of a swatch, counted from 1.
+ * @param {number} n
+ */
+export function swatch(n) {
+  return PALETTE[n - 1]?.[1];
+}
+
+/** Opens the browser's colour picker. */
+export function pickColor() {
+  input("picker").showPicker();
+}
+
+/** What effects do to the controls. */
+export const shown = {
+  /** @param {string} color */
+  color(color) {
+    control("color").style.setProperty("--swatch", color);
+    input("picker").value = color;
+    for (const swatch of /** @type {NodeListOf<HTMLElement>} */ (control("palette").querySelectorAll(".swatch"))) {
+      swatch.setAttribute("aria-pressed", String(swatch.dataset.color === color));
+    }
+  },
+  /** @param {number} size_du */
+  "brush-size"(size_du) {
+    input("brush-size").value = String(size_du);
+  },
+  /** @param {boolean} possible */
+  undo(possible) {
+    buttonOf("undo").disabled = !possible;
+  },
+  /** @param {boolean} possible */
+  redo(possible) {
+    buttonOf("redo").disabled = !possible;
+  },
+  /** @param {boolean} on */
+  lines(on) {
+    settingOf("lines").checked = on;
+  },
+  /** @param {boolean} on */
+  scribbles(on) {
+    settingOf("scribbles").checked = on;
+  },
+  /** @param {string} blend */
+  blend(blend) {
+    settingOf("blend").value = blend;
+  },
+  /** @param {number} zoom 1 where a drawing unit is a CSS pixel */
+  zoom(zoom) {
+    const percent = Math.round(zoom * 100);
+    control("zoom").textContent = say("zoom-figure", { percent });
+    name(control("zoom"), say("zoom", { percent }));
+  },
+};
+
+/** @param {string} text what just happened */
+export function tell(text) {
+  control("status").textContent = text;
+}
+
+/** @param {string} text what went wrong; empty to put it away */
+export function warn(text) {
+  control("alert").hidden = text === "";
+  /** @type {HTMLElement} */ (control("alert").querySelector("p")).textContent = text;
+}
