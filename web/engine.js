@@ -43,7 +43,7 @@ export class Engine {
       try {
         const { App } = await load(renderer);
         const options = { renderer, desk, wake: () => this.#askFrame() };
-        this.#app = await App.create(freshCanvas(), options);
+        this.#app = await App.create(this.#freshCanvas(), options);
         return;
       } catch (error) {
         console.warn(`${renderer}:`, error);
@@ -101,8 +101,22 @@ export class Engine {
    * @param {Renderer | null} renderer
    */
   #recover(renderer) {
-    if (renderer) this.command("canvas", { canvas: freshCanvas(), renderer });
+    if (renderer) this.command("canvas", { canvas: this.#freshCanvas(), renderer });
     else this.#handlers["no-renderer"]?.(undefined);
+  }
+
+  /** Puts an untouched canvas in the place of the one in the page: a canvas takes one kind of context in its life. */
+  #freshCanvas() {
+    const canvas = /** @type {HTMLCanvasElement} */ (document.getElementById("canvas"));
+    const fresh = /** @type {HTMLCanvasElement} */ (canvas.cloneNode());
+    // WebGPU reports a lost device to the module; of a lost WebGL context only the canvas is told.
+    fresh.addEventListener("webglcontextlost", () => {
+      if (fresh.isConnected) this.command("lost");
+    });
+    const focused = document.activeElement === canvas;
+    canvas.replaceWith(fresh);
+    if (focused) fresh.focus();
+    return fresh;
   }
 
   #stop() {
@@ -142,14 +156,4 @@ async function fetchBuild(build) {
   const module = await import(`../pkg/${build}/scumble_web.js`);
   await module.default();
   return module;
-}
-
-/** Puts an untouched canvas in the place of the one in the page: a canvas takes one kind of context in its life. */
-function freshCanvas() {
-  const canvas = /** @type {HTMLCanvasElement} */ (document.getElementById("canvas"));
-  const fresh = /** @type {HTMLCanvasElement} */ (canvas.cloneNode());
-  const focused = document.activeElement === canvas;
-  canvas.replaceWith(fresh);
-  if (focused) fresh.focus();
-  return fresh;
 }

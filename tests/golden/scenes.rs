@@ -20,10 +20,10 @@ pub(crate) struct Golden {
     pub paper: Option<Srgb8>,
     /// The field.
     pub field: Field,
-    /// Fills and lines.
-    pub ink: Vec<Shape>,
-    /// What lies over the ink.
+    /// What lies over the field.
     pub scribbles: Vec<Shape>,
+    /// Fills and lines, over the scribbles.
+    pub ink: Vec<Shape>,
     /// What is shown of it.
     pub view: View,
 }
@@ -190,7 +190,7 @@ fn disk(x: f32, y: f32, radius: f32) -> Vec<[[f32; 2]; 3]> {
 impl Golden {
     /// What the painter on the CPU makes of it.
     pub(crate) fn painted(&self) -> Pixmap {
-        let shapes = [self.ink.as_slice(), &self.scribbles].concat();
+        let shapes = [self.scribbles.as_slice(), &self.ink].concat();
         paint(&Scene { paper: self.paper, field: &self.field, shapes: &shapes }, &self.view)
     }
 

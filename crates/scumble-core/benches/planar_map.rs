@@ -27,7 +27,7 @@ fn planar_map(c: &mut Criterion) {
     c.bench_function("map", |b| b.iter(|| black_box(build())));
     c.bench_function("refine", |b| b.iter(|| black_box(map.refined())));
     c.bench_function("sight of one scribble", |b| {
-        b.iter(|| black_box(Sight::default().label(&map, &scribble)))
+        b.iter(|| black_box(Sight::default().label(&map, &scribble)));
     });
 }
 

@@ -1,15 +1,18 @@
 //! Curves as polylines on a lattice: the first step to a planar map.
 //!
 //! Nodes lie at most a given distance apart along the arc, pieces at most a given distance off their curve, and
-//! corners are kept. What lies outside the frame is cut off. Every node is put on a lattice of 1/64 du, so that
+//! corners are kept. What lies outside the frame is cut off. Every node is put on a lattice of 1/1024 du, so that
 //! all later decisions about crossings are exact in integers.
 
-use kurbo::{BezPath, CubicBez, Line, ParamCurve, ParamCurveArclen, PathSeg, Point, Rect, Shape, Size};
+use kurbo::{
+    BezPath, CubicBez, Line, ParamCurve, ParamCurveArclen, ParamCurveNearest, PathSeg, Point, Rect, Shape,
+    Size,
+};
 
 use crate::planar_map::Sampling;
 
 /// Lattice units in one du.
-pub(crate) const LATTICE_PER_DU: f64 = 64.0;
+pub(crate) const LATTICE_PER_DU: f64 = 1024.0;
 
 /// A point of the lattice: du × [`LATTICE_PER_DU`].
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -148,20 +151,20 @@ impl Sampler<'_> {
     }
 
     fn push(&mut self, ends: [Point; 2]) {
-        let arc_du = [self.arc_du, self.arc_du + (ends[1] - ends[0]).hypot()];
-        self.arc_du = arc_du[1];
+        let (start_du, length_du) = (self.arc_du, (ends[1] - ends[0]).hypot());
+        self.arc_du += length_du;
         let Some(inside) = clip(ends, self.rect) else { return };
         let [a, b] = inside.map(|t| LatticePoint::nearest(clamp(ends[0].lerp(ends[1], t), self.rect)));
         if a != b {
-            self.stretches.push(Stretch { ends: [a, b], arc_du });
+            let end_du = |t: f64| if t == 1.0 { self.arc_du } else { start_du + t * length_du };
+            self.stretches.push(Stretch { ends: [a, b], arc_du: inside.map(end_du) });
         }
     }
 }
 
+/// Distance to the chord as a segment: a curve that turns back on itself goes beyond its ends.
 fn distance_to_chord(p: Point, [a, b]: [Point; 2]) -> f64 {
-    let along = b - a;
-    let length = along.hypot();
-    if length == 0.0 { (p - a).hypot() } else { (along.cross(p - a) / length).abs() }
+    Line::new(a, b).nearest(p, 1e-6).distance_sq.sqrt()
 }
 
 /// `count + 1` parameters from 0 to 1 at equal distances along the arc, by inverting a table of chords.
@@ -218,7 +221,7 @@ mod tests {
     use super::*;
     use kurbo::Circle;
 
-    const FRAME: LatticePoint = LatticePoint { x: 1024 * 64, y: 1024 * 64 };
+    const FRAME: LatticePoint = LatticePoint { x: 1024 * 1024, y: 1024 * 1024 };
 
     fn sampled(path: &BezPath) -> Vec<Stretch> {
         sample(path, FRAME, &Sampling::default(), 1_000_000).expect("below the limit")
@@ -245,14 +248,23 @@ mod tests {
     }
 
     #[test]
+    fn a_straight_curve_that_turns_back_reaches_its_tip() {
+        let mut path = BezPath::new();
+        path.move_to((100.0, 100.0));
+        path.curve_to((100.0, 200.0), (100.0, 200.0), (100.0, 101.0));
+        let lowest = sampled(&path).iter().flat_map(|s| s.ends).map(|p| p.y).max();
+        assert!((f64::from(lowest.unwrap_or_default()) / LATTICE_PER_DU - 175.125).abs() < 0.12);
+    }
+
+    #[test]
     fn what_leaves_the_frame_is_cut_on_its_border() {
         let line = BezPath::from_vec(vec![
             kurbo::PathEl::MoveTo(Point::new(-1e6, 512.0)),
             kurbo::PathEl::LineTo(Point::new(1e6, 512.0)),
         ]);
         let stretches = sampled(&line);
-        assert_eq!(stretches.first().map(|s| s.ends[0]), Some(LatticePoint { x: 0, y: 512 * 64 }));
-        assert_eq!(stretches.last().map(|s| s.ends[1]), Some(LatticePoint { x: 1024 * 64, y: 512 * 64 }));
+        assert_eq!(stretches.first().map(|s| s.ends[0]), Some(LatticePoint { x: 0, y: 512 * 1024 }));
+        assert_eq!(stretches.last().map(|s| s.ends[1]), Some(LatticePoint { x: 1024 * 1024, y: 512 * 1024 }));
         assert!(stretches.windows(2).all(|w| w[0].ends[1] == w[1].ends[0]));
     }
 

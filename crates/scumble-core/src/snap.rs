@@ -134,7 +134,7 @@ fn passes(segment: &Segment, node: LatticePoint) -> bool {
     }
 }
 
-/// A fraction with a positive denominator; both parts below 2^20, so that products are exact.
+/// A fraction with a positive denominator; both parts below 2^31, so that products are exact.
 #[derive(Clone, Copy)]
 struct Fraction {
     num: i64,
@@ -175,7 +175,7 @@ fn cross(a: (i64, i64), b: (i64, i64)) -> i64 {
 }
 
 /// Side of a grid square in lattice units, as a power of two: 4 du, a little more than the longest piece.
-const SQUARE_SHIFT: u32 = 8;
+const SQUARE_SHIFT: u32 = 12;
 
 fn square_of(coordinate: i32) -> usize {
     (coordinate.max(0) >> SQUARE_SHIFT) as usize

@@ -25,7 +25,7 @@ const SPOTS: [(&str, [u32; 2]); 7] = [
     ("an edge", [8, 28]),
     ("a translucent shape", [3, 5]),
     ("a shape that overlaps itself", [9, 5]),
-    ("a scribble over a shape", [14, 5]),
+    ("ink over a scribble", [14, 5]),
 ];
 
 /// Draws a picture with a renderer, compares it with the painter on the CPU, and leaves the renderer empty.
@@ -35,8 +35,8 @@ pub fn probe(renderer: &mut Renderer) -> impl Future<Output = Result<(), GpuErro
     let (field, shapes) = (field(), shapes());
     let view = View { px_from_du: Affine::IDENTITY, width_px: SIDE_PX, height_px: SIDE_PX };
     renderer.set_field(&field);
-    renderer.set_shapes(Layer::Ink, &shapes[..1]);
-    renderer.set_shapes(Layer::Scribbles, &shapes[1..]);
+    renderer.set_shapes(Layer::Ink, &shapes[1..]);
+    renderer.set_shapes(Layer::Scribbles, &shapes[..1]);
     let drawn = renderer.read_back(&view, Some(PAPER));
     renderer.set_field(&Field::default());
     renderer.set_shapes(Layer::Ink, &[]);
@@ -62,7 +62,7 @@ fn field() -> Field {
     Field { blend: Blend::Oklab, triangles: vec![flat, smooth] }
 }
 
-/// A band of two triangles that overlap around x = 9, and an opaque triangle over its right part.
+/// A band of two triangles that overlap around x = 9, and a triangle over its right part.
 fn shapes() -> [Shape; 2] {
     let low_left = [[1.0, 1.0], [17.0, 1.0], [1.0, 17.0]];
     let low_right = [[17.0, 1.0], [1.0, 1.0], [17.0, 17.0]];

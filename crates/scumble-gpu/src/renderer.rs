@@ -19,10 +19,10 @@ const TILE_PX: u32 = 2048;
 /// Flat shapes that are changed together. Later layers lie over earlier ones, all of them over the field.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Layer {
-    /// Fills and lines.
-    Ink,
     /// Scribbles.
     Scribbles,
+    /// Fills and lines.
+    Ink,
 }
 
 /// A scene on the GPU.
@@ -38,8 +38,8 @@ pub struct Renderer {
     view_group: wgpu::BindGroup,
     blend: Blend,
     field: Items,
-    ink: Items,
     scribbles: Items,
+    ink: Items,
     samples: Option<Samples>,
 }
 
@@ -79,8 +79,8 @@ impl Renderer {
             view_group,
             blend: Blend::default(),
             field: Items::default(),
-            ink: Items::default(),
             scribbles: Items::default(),
+            ink: Items::default(),
             samples: None,
         }
     }
@@ -94,8 +94,8 @@ impl Renderer {
     /// Replaces the shapes of a layer; later ones lie over earlier ones.
     pub fn set_shapes(&mut self, layer: Layer, shapes: &[Shape]) {
         let (layer, depth_below) = match layer {
-            Layer::Ink => (&mut self.ink, 0.0),
-            Layer::Scribbles => (&mut self.scribbles, 0.5),
+            Layer::Scribbles => (&mut self.scribbles, 0.0),
+            Layer::Ink => (&mut self.ink, 0.5),
         };
         layer.write(&self.gpu.device, &self.gpu.queue, &items::shape_items(shapes, depth_below));
     }
@@ -152,7 +152,7 @@ impl Renderer {
             pass.draw(0..3, 0..count);
         }
         pass.set_pipeline(&self.shape_pipeline);
-        for (buffer, count) in self.ink.parts().chain(self.scribbles.parts()) {
+        for (buffer, count) in self.scribbles.parts().chain(self.ink.parts()) {
             pass.set_vertex_buffer(0, buffer.slice(..));
             pass.draw(0..3 * count, 0..1);
         }

@@ -51,9 +51,9 @@ pub enum ImportError {
         "elements of the drawing refer to each other in a circle, or in a long chain; replace the <use> elements or gradients by copies"
     )]
     Circular,
-    /// Too much path data.
+    /// Too many segments.
     #[error(
-        "the drawing has more path data than the 4 MB that can be opened; simplify its paths or split it"
+        "the drawing has too many lines: more than 500,000 segments, long curves counting more; simplify it, scale it down or split it"
     )]
     TooDetailed,
     /// Attributes without end.
@@ -64,6 +64,9 @@ pub enum ImportError {
     /// A list of dashes without end.
     #[error("the drawing has a list of dashes that is too long; use a shorter one")]
     TooManyDashes,
+    /// A line as wide as a thousand pages.
+    #[error("the drawing has a line that is wider than a million units, or a mitre as long; make it smaller")]
+    TooWide,
     /// Gradients or patterns with too many parts.
     #[error("the drawing has a gradient or pattern with too many parts; replace it by a plain colour")]
     TooManyStops,
@@ -76,12 +79,6 @@ pub enum ImportError {
     /// Nothing to colour between.
     #[error("the drawing has no lines and no shapes to colour{}", but_has(.0))]
     NoCurves(ImportNotes),
-    /// More segments than fit in memory.
-    #[error("the drawing has more than {limit} line segments; simplify it or split it")]
-    TooManySegments {
-        /// The number allowed.
-        limit: usize,
-    },
 }
 
 fn but_has(notes: &ImportNotes) -> String {

@@ -7,6 +7,7 @@ use std::collections::HashMap;
 use roxmltree::{Document, Node};
 
 use crate::error::ImportError;
+use crate::geometry;
 use crate::limits::MAX_DEPTH;
 
 /// Sums over an element and all below it.
@@ -15,8 +16,8 @@ pub(crate) struct Expansion {
     pub(crate) elements: u64,
     /// Bytes of all attribute values.
     pub(crate) attribute_bytes: u64,
-    /// Bytes of path data and point lists.
-    pub(crate) geometry_bytes: u64,
+    /// Segments of shapes, longer curves counting more.
+    pub(crate) segments: u64,
     /// Bytes of class names.
     pub(crate) class_bytes: u64,
     /// Levels, a `use` counting as one more.
@@ -25,16 +26,16 @@ pub(crate) struct Expansion {
 
 impl Expansion {
     fn of_element(node: Node) -> Self {
-        let len = |name| node.attribute(name).map_or(0, |value: &str| value.len() as u64);
         let attribute_bytes = node.attributes().map(|a| a.value().len() as u64).sum();
-        let geometry_bytes = len("d") + len("points");
-        Self { elements: 1, attribute_bytes, geometry_bytes, class_bytes: len("class"), height: 1 }
+        let segments = geometry::cost(node).unwrap_or(0);
+        let class_bytes = node.attribute("class").map_or(0, |value| value.len() as u64);
+        Self { elements: 1, attribute_bytes, segments, class_bytes, height: 1 }
     }
 
     fn add_below(&mut self, other: Self) {
         self.elements = self.elements.saturating_add(other.elements);
         self.attribute_bytes = self.attribute_bytes.saturating_add(other.attribute_bytes);
-        self.geometry_bytes = self.geometry_bytes.saturating_add(other.geometry_bytes);
+        self.segments = self.segments.saturating_add(other.segments);
         self.class_bytes = self.class_bytes.saturating_add(other.class_bytes);
         self.height = self.height.max(1 + other.height);
     }

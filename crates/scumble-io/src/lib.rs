@@ -9,13 +9,14 @@
 //! | … its part that is shown, and its units | `page` |
 //! | … its paints as single colours | `paint` |
 //! | … its paths as Bézier paths | `outline` |
-//! | … what keeps a hostile file from hanging the reader | `limits`, `expansion`, `style_sheet` |
+//! | … what keeps a hostile file from hanging the reader | `limits`, `expansion`, `geometry`, `style_sheet` |
 //! | … what was left out | `survey`, `notes` |
 //! | scribbles as JSON | `scribbles` |
 //! | pictures as PNG | `picture_file` |
 
 mod error;
 mod expansion;
+mod geometry;
 mod limits;
 mod notes;
 mod outline;

@@ -22,8 +22,11 @@ const MAX_ANCESTORS: u64 = 10_000_000;
 /// Most bytes of attributes once every `use` is replaced by a copy.
 const MAX_ATTRIBUTE_BYTES: u64 = 20_000_000;
 
-/// Most bytes of path data and point lists once every `use` is replaced by a copy.
-const MAX_GEOMETRY_BYTES: u64 = 4_000_000;
+/// Most segments of shapes once every `use` is replaced by a copy, longer curves counting more.
+const MAX_SEGMENTS: u64 = 500_000;
+
+/// Widest line, in its own units, and longest mitre; `usvg` takes ever longer for wider ones.
+const MAX_WIDTH: f64 = 1e6;
 
 /// Deepest nesting once every `use` is replaced by a copy. `usvg` needs about 2.3 kB of stack for each level.
 pub(crate) const MAX_DEPTH: u32 = 200;
@@ -35,7 +38,7 @@ const MAX_ENTITIES: usize = 100;
 const MAX_ENTITY_BYTES: usize = 4096;
 
 /// Most steps in the parts of the XML parser that compare all pairs: attributes of one element, name spaces.
-const MAX_PAIRS: usize = 200_000_000;
+const MAX_PAIRS: u64 = 200_000_000;
 
 /// Most stops or tiles to be copied: (children of the largest gradient or pattern) × elements.
 const MAX_PAINT_COPIES: u64 = 2_000_000;
@@ -66,7 +69,7 @@ pub(crate) fn readable_text(bytes: &[u8]) -> Result<&str, ImportError> {
     }
     check_pairs(text)?;
     check_entities(text)?;
-    check_dashes(text)?;
+    check_lines(text)?;
     Ok(text)
 }
 
@@ -89,8 +92,7 @@ pub(crate) const SVG: &str = "http://www.w3.org/2000/svg";
 /// Checks what `usvg` would make of a tree.
 pub(crate) fn check_tree(xml: &Document) -> Result<(), ImportError> {
     let ids = expansion::ids(xml);
-    let Expansion { elements, attribute_bytes, geometry_bytes, class_bytes, height } =
-        expansion::of(xml, &ids)?;
+    let Expansion { elements, attribute_bytes, segments, class_bytes, height } = expansion::of(xml, &ids)?;
     if height > MAX_DEPTH {
         return Err(ImportError::TooDeep { limit: MAX_DEPTH });
     }
@@ -100,7 +102,7 @@ pub(crate) fn check_tree(xml: &Document) -> Result<(), ImportError> {
     if u64::from(height) * elements > MAX_ANCESTORS {
         return Err(ImportError::TooDeep { limit: MAX_DEPTH });
     }
-    if attribute_bytes > MAX_ATTRIBUTE_BYTES || geometry_bytes > MAX_GEOMETRY_BYTES {
+    if attribute_bytes > MAX_ATTRIBUTE_BYTES || segments > MAX_SEGMENTS {
         return Err(ImportError::TooDetailed);
     }
     if expansion::largest_paint_server(xml, &ids)?.saturating_mul(elements) > MAX_PAINT_COPIES {
@@ -112,10 +114,10 @@ pub(crate) fn check_tree(xml: &Document) -> Result<(), ImportError> {
 
 /// The XML parser compares each attribute with all others of its element, and name spaces with those of the parent.
 fn check_pairs(text: &str) -> Result<(), ImportError> {
-    let square = |count: usize| count * count;
+    let square = |count: usize| (count as u64).saturating_mul(count as u64);
     let attributes = text.split('<').map(|tag| square(tag.bytes().filter(|&b| b == b'=').count()));
     let name_spaces = square(text.matches("xmlns:").count());
-    let too_many = attributes.sum::<usize>() + name_spaces > MAX_PAIRS;
+    let too_many = attributes.sum::<u64>() + name_spaces > MAX_PAIRS;
     if too_many { Err(ImportError::TooManyAttributes) } else { Ok(()) }
 }
 
@@ -130,7 +132,11 @@ fn check_entities(text: &str) -> Result<(), ImportError> {
         longest = longest.max(value.len());
     }
     let references = text.bytes().filter(|&b| b == b'&').count();
-    if references * longest > MAX_FILE_BYTES { Err(ImportError::Entities) } else { Ok(()) }
+    if references as u64 * longest as u64 > MAX_FILE_BYTES as u64 {
+        Err(ImportError::Entities)
+    } else {
+        Ok(())
+    }
 }
 
 /// The text between the quotes of an entity's declaration, where it is short.
@@ -142,14 +148,27 @@ fn entity_value(declaration: &[u8]) -> Option<&[u8]> {
     value.get(..close)
 }
 
-/// Lists of dashes, in attributes and in style sheets alike.
-fn check_dashes(text: &str) -> Result<(), ImportError> {
-    let too_long = text.split("stroke-dasharray").skip(1).any(|after| {
-        let list =
+/// Widths and lists of dashes, in attributes and in style sheets alike.
+fn check_lines(text: &str) -> Result<(), ImportError> {
+    if values(text, "stroke-dasharray").any(|list| list.len() > MAX_DASHES_BYTES) {
+        return Err(ImportError::TooManyDashes);
+    }
+    let widths = values(text, "stroke-width").chain(values(text, "stroke-miterlimit"));
+    if widths.filter_map(number).any(|width| width > MAX_WIDTH) { Err(ImportError::TooWide) } else { Ok(()) }
+}
+
+/// A number, whatever its unit.
+fn number(text: &str) -> Option<f64> {
+    text.trim().trim_end_matches(|c: char| c.is_ascii_alphabetic() || c == '%').parse().ok()
+}
+
+/// What follows each mention of a property.
+fn values<'a>(text: &'a str, property: &'a str) -> impl Iterator<Item = &'a str> {
+    text.split(property).skip(1).map(|after| {
+        let value =
             after.trim_start_matches(|c: char| matches!(c, '=' | ':' | '"' | '\'') || c.is_whitespace());
-        list.find(['"', '\'', ';', '}', '<']).unwrap_or(list.len()) > MAX_DASHES_BYTES
-    });
-    if too_long { Err(ImportError::TooManyDashes) } else { Ok(()) }
+        value.split(['"', '\'', ';', '}', '<']).next().unwrap_or_default()
+    })
 }
 
 /// The start of a text, for a message.

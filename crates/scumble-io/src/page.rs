@@ -17,7 +17,7 @@ pub(crate) struct Page {
 }
 
 /// Pages smaller or larger than this, in page units, leave `usvg` no digits to work with.
-const SIDE_RANGE: std::ops::RangeInclusive<f64> = 1e-6..=1e9;
+const SIDE_RANGE: std::ops::RangeInclusive<f64> = 1e-6..=1e8;
 
 /// The page of a tree whose `usvg` picture has a given size in pixels.
 ///

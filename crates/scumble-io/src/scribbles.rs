@@ -26,7 +26,7 @@ pub struct ReadScribbles {
 const REACH_DU: f64 = LONGER_SIDE_DU;
 
 /// Longest way of all scribbles together, in longer sides of the page.
-const MAX_PAGES: u32 = 4000;
+const MAX_PAGES: u32 = 500;
 
 #[derive(Deserialize)]
 struct FileText {

@@ -4,13 +4,15 @@
 //! units here. Clip paths, masks, filters and markers are ignored, text and images left out; all are counted.
 
 use kurbo::{Affine, BezPath, Cap, Join, Stroke};
+use roxmltree::Document;
 use scumble_core::{Curve, Drawing, Fill, Line, Rgba8};
 use usvg::{FillRule, LineCap, LineJoin, Node, Options};
 
 use crate::error::ImportError;
 use crate::notes::ImportNotes;
 use crate::page::{self, Page};
-use crate::{limits, outline, paint, survey};
+use crate::survey::{self, Survey};
+use crate::{limits, outline, paint};
 
 /// A drawing, and what was left out of its file.
 #[derive(Clone, Debug)]
@@ -20,9 +22,6 @@ pub struct Import {
     /// What was left out or ignored.
     pub notes: ImportNotes,
 }
-
-/// Most segments of all curves.
-const MAX_SEGMENTS: usize = 500_000;
 
 /// Width of the line drawn around a light area that has no stroke of its own, in du.
 const OUTLINE_WIDTH_DU: f64 = 1.0;
@@ -41,13 +40,24 @@ const IGNORED: &str = "* { clip-path: none !important; mask: none !important; fi
 /// # Errors
 /// When the bytes are no SVG drawing, or one without anything to colour, or beyond the limits.
 pub fn import_svg(bytes: &[u8]) -> Result<Import, ImportError> {
-    let xml = limits::parse_xml(limits::readable_text(bytes)?)?;
-    limits::check_tree(&xml)?;
+    let text = limits::readable_text(bytes)?;
+    let xml = limits::parse_xml(text)?;
+    let Survey { notes, broken } = survey::of(&xml);
+    if broken.is_empty() {
+        return import_tree(&xml, notes);
+    }
+    let sound = survey::without(text, &broken);
+    import_tree(&limits::parse_xml(&sound)?, notes)
+}
+
+/// Imports a tree of which every shape has usable coordinates.
+fn import_tree(xml: &Document, notes: ImportNotes) -> Result<Import, ImportError> {
+    limits::check_tree(xml)?;
     let options = Options { style_sheet: Some(IGNORED.to_owned()), ..Options::default() };
-    let tree = usvg::Tree::from_xmltree(&xml, &options).map_err(import_error)?;
+    let tree = usvg::Tree::from_xmltree(xml, &options).map_err(import_error)?;
     let size_px = [tree.size().width(), tree.size().height()].map(f64::from);
-    let mut importer = Importer::new(page::of(&xml, size_px)?, survey::of(&xml));
-    importer.group(tree.root(), 1.0)?;
+    let mut importer = Importer::new(page::of(xml, size_px)?, notes);
+    importer.group(tree.root(), 1.0);
     importer.finish()
 }
 
@@ -63,30 +73,28 @@ struct Importer {
     drawing: Drawing,
     notes: ImportNotes,
     du_from_px: Affine,
-    segments: usize,
 }
 
 impl Importer {
     fn new(page: Page, notes: ImportNotes) -> Self {
         let drawing = Drawing::new(page.rect);
         let du_from_px = drawing.drawing_from_page() * page.page_from_px;
-        Self { drawing, notes, du_from_px, segments: 0 }
+        Self { drawing, notes, du_from_px }
     }
 
-    fn group(&mut self, group: &usvg::Group, opacity: f32) -> Result<(), ImportError> {
+    fn group(&mut self, group: &usvg::Group, opacity: f32) {
         for child in group.children() {
             match child {
-                Node::Group(group) => self.group(group, opacity * group.opacity().get())?,
-                Node::Path(path) if path.is_visible() => self.path(path, opacity)?,
+                Node::Group(group) => self.group(group, opacity * group.opacity().get()),
+                Node::Path(path) if path.is_visible() => self.path(path, opacity),
                 Node::Path(_) | Node::Image(_) | Node::Text(_) => {}
             }
         }
-        Ok(())
     }
 
-    fn path(&mut self, path: &usvg::Path, opacity: f32) -> Result<(), ImportError> {
+    fn path(&mut self, path: &usvg::Path, opacity: f32) {
         let du_from_path = self.du_from_px * affine(path.abs_transform());
-        let subpaths = self.usable(outline::subpaths(path.data(), du_from_path))?;
+        let subpaths = self.usable(outline::subpaths(path.data(), du_from_path));
         let stroke = path.stroke().and_then(|stroke| line(stroke, opacity, du_from_path));
         let shown_fill = path.fill().filter(|_| subpaths.iter().any(outline::has_area));
         let fill = shown_fill.and_then(|fill| {
@@ -106,19 +114,14 @@ impl Importer {
             (None, Some(_)) => self.outlines(subpaths, ink.is_some()),
             (None, None) => {}
         }
-        Ok(())
     }
 
     /// The subpaths whose coordinates are within reach.
-    fn usable(&mut self, mut subpaths: Vec<BezPath>) -> Result<Vec<BezPath>, ImportError> {
-        self.segments += subpaths.iter().map(|path| path.elements().len()).sum::<usize>();
-        if self.segments > MAX_SEGMENTS {
-            return Err(ImportError::TooManySegments { limit: MAX_SEGMENTS });
-        }
+    fn usable(&mut self, mut subpaths: Vec<BezPath>) -> Vec<BezPath> {
         let all = subpaths.len();
         subpaths.retain(outline::is_within_reach);
         self.notes.broken += all - subpaths.len();
-        Ok(subpaths)
+        subpaths
     }
 
     fn curves(&mut self, subpaths: Vec<BezPath>, line: Option<Line>) {

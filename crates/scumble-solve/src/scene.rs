@@ -12,7 +12,7 @@ pub struct Scene<'a> {
     pub paper: Option<Srgb8>,
     /// The coloured regions.
     pub field: &'a Field,
-    /// Fills, lines, scribbles: later ones over earlier ones.
+    /// Scribbles, fills, lines: later ones over earlier ones.
     pub shapes: &'a [Shape],
 }
 

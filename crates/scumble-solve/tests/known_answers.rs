@@ -2,7 +2,8 @@
 //! real curves.
 //!
 //! Values run from 0 to 1; errors are in levels, of which there are 255. Nodes on curves lie on the lattice of the
-//! planar map, which moves them by up to 0.011 du: some hundredths of a level, whatever the mesh.
+//! planar map. That alone moves values by up to some hundredths of a level, whatever the mesh, so the fall of errors
+//! with the mesh width is looked at where they are larger.
 
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
@@ -135,7 +136,7 @@ fn annulus_is_the_logarithm_of_the_radius() {
     for (r, big) in [(100.0, 400.0), (200.0, 400.0), (30.0, 400.0)] {
         annulus(r, big, |problem| assert_level(problem.largest_error(DEFAULT_DU), 0.3));
     }
-    annulus(100.0, 400.0, |problem| problem.assert_falls(&[12.0, 6.0, 3.0], 0.25));
+    annulus(100.0, 400.0, |problem| problem.assert_falls(&[6.0, 3.0], 0.3));
 }
 
 /// A circle with the colour of a wave with `k` crests along it.
@@ -154,6 +155,8 @@ fn waves_along_a_circle_fade_inwards_as_powers_of_the_radius() {
         for radius in [200.0, 300.0, 450.0] {
             disk(radius, k, |problem| assert_level(problem.largest_error(DEFAULT_DU), 0.3));
         }
+    }
+    for k in 4..=5 {
         disk(450.0, k, |problem| problem.assert_falls(&[12.0, 6.0, 3.0], 0.25));
     }
 }
@@ -190,14 +193,14 @@ fn eccentric_annulus_is_a_mobius_image_of_a_concentric_one() {
 }
 
 #[test]
-fn errors_fall_as_the_third_power_of_the_mesh_width_where_sides_are_straight() {
+fn errors_fall_faster_where_sides_are_straight() {
     let exact = |p: Point| 0.5 + 0.5 * ((p.y - 1000.0) / 150.0).exp() * (p.x / 150.0).cos();
     let problem = Problem {
         curves: vec![Rect::new(100.0, 100.0, 900.0, 900.0).to_path(1e-6)],
         side: &|_, p, beside| Rect::new(100.0, 100.0, 900.0, 900.0).contains(beside).then(|| exact(p)),
         exact: &|p, _| exact(p),
     };
-    problem.assert_falls(&[12.0, 6.0, 3.0, 1.5], 0.16);
+    problem.assert_falls(&[6.0, 3.0, 1.5], 0.2);
 }
 
 /// A sector of the disk with edges of value 0. At an angle above π the slope at the apex is infinite.
@@ -224,7 +227,7 @@ fn wedge_is_a_power_of_the_radius() {
 
 /// The angle of a point in `−π..=π`; on the cut, of the side that is meant.
 fn angle_beside(p: Point, beside: Point) -> f64 {
-    polar(p).1.abs().copysign(beside.y - CENTRE.y)
+    polar(p).1.abs().copysign(if p.y == CENTRE.y { beside.y - CENTRE.y } else { p.y - CENTRE.y })
 }
 
 /// A disk cut from its centre to the left. The slope at the tip of the cut is infinite: the error falls slowly.
@@ -239,44 +242,45 @@ fn slit(exact: impl Fn(f64, f64) -> f64, colored_slit: bool, check: impl Fn(&Pro
     });
 }
 
-fn assert_good_but_at_the_tip(problem: &Problem<'_>) {
-    assert_level(problem.largest_error(DEFAULT_DU), 10.0);
-    assert_level(problem.largest_error_where(DEFAULT_DU, |p| p.distance(CENTRE) > 60.0), 1.0);
+/// Checks the errors at a tip, and more than 60 du from it.
+fn assert_levels_at_tip(problem: &Problem<'_>, tip: Point, at_levels: f64, beyond_levels: f64) {
+    assert_level(problem.largest_error(DEFAULT_DU), at_levels);
+    assert_level(problem.largest_error_where(DEFAULT_DU, |p| p.distance(tip) > 60.0), beyond_levels);
 }
 
 #[test]
 fn tip_of_a_coloured_slit_is_the_real_part_of_a_root() {
-    slit(|root, angle| root * (0.5 * angle).cos().max(0.0), true, assert_good_but_at_the_tip);
+    let exact = |root: f64, angle: f64| root * (0.5 * angle).cos().max(0.0);
+    slit(exact, true, |problem| assert_levels_at_tip(problem, CENTRE, 8.0, 1.0));
 }
 
 #[test]
 fn tip_of_a_barrier_is_the_imaginary_part_of_a_root() {
-    slit(|root, angle| 0.5 + 0.5 * root * (0.5 * angle).sin(), false, assert_good_but_at_the_tip);
+    let exact = |root: f64, angle: f64| 0.5 + 0.5 * root * (0.5 * angle).sin();
+    slit(exact, false, |problem| assert_levels_at_tip(problem, CENTRE, 4.0, 0.5));
 }
 
 /// Flow along a wall, over a barrier of height h that stands on it: the real part of √(z² + h²).
 #[test]
 fn half_plane_with_a_barrier_is_a_root() {
     let (foot, h) = (Point::new(512.0, 900.0), 300.0);
-    let (top, bottom) = (Rect::new(112.0, 100.0, 912.0, 900.0), foot.y);
+    let half_plane = Rect::new(112.0, 100.0, 912.0, foot.y);
     let exact = |p: Point, beside: Point| {
         let (x, y) = (p.x - foot.x, p.y - foot.y);
         let (re, im) = (x * x - y * y + h * h, 2.0 * x * y);
         let root = (0.5 * (re.hypot(im) + re)).max(0.0).sqrt();
-        0.5 + root.copysign(beside.x - foot.x) / 1800.0
+        0.5 + root.copysign(if x == 0.0 { beside.x - foot.x } else { x }) / 1800.0
     };
     let problem = Problem {
         curves: vec![
-            line((top.x0, bottom), (top.x1, bottom)),
+            line((half_plane.x0, foot.y), (half_plane.x1, foot.y)),
             line(foot.into(), (foot.x, foot.y - h)),
             BezPath::from_svg("M112 900V100H912V900").expect("a path"),
         ],
-        side: &|curve, p, beside| (curve == 2 && top.contains(beside)).then(|| exact(p, beside)),
+        side: &|curve, p, beside| (curve == 2 && half_plane.contains(beside)).then(|| exact(p, beside)),
         exact: &exact,
     };
-    let tip = Point::new(foot.x, foot.y - h);
-    assert_level(problem.largest_error(DEFAULT_DU), 10.0);
-    assert_level(problem.largest_error_where(DEFAULT_DU, |p| p.distance(tip) > 60.0), 1.0);
+    assert_levels_at_tip(&problem, Point::new(foot.x, foot.y - h), 2.0, 0.25);
 }
 
 #[test]
@@ -297,5 +301,4 @@ fn a_diagonal_with_two_colours_leaks_nothing_at_all() {
 #[track_caller]
 fn assert_level(error: f64, bound: f64) {
     assert!(error <= bound, "{error} levels, {bound} allowed");
-    println!("{error:.4} <= {bound}");
 }

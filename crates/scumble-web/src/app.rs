@@ -71,8 +71,8 @@ impl App {
         Ok(shared.effects())
     }
 
-    /// Does what a control asks for; see `boundary.rs` for names and arguments. "export" and "canvas" (`canvas`,
-    /// `renderer`) take longer than the call.
+    /// Does what a control asks for; see `boundary.rs` for names and arguments. "lost" says that the canvas has lost
+    /// its context. "export" and "canvas" (`canvas`, `renderer`: the next ones) take longer than the call.
     ///
     /// # Errors
     /// For a command that does not exist with these arguments.
@@ -80,6 +80,7 @@ impl App {
         match name {
             "export" => self.export(),
             "canvas" => self.reopen(args)?,
+            "lost" => self.shared.borrow_mut().lose(),
             _ => {
                 let command = command_from_js(name, args).ok_or_else(|| missing(name))?;
                 self.shared.borrow_mut().session.command(command);

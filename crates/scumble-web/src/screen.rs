@@ -149,10 +149,10 @@ impl GpuScreen {
             self.renderer.set_field(painting.field);
         }
         if changed.scribbles {
-            self.renderer.set_shapes(Layer::Ink, painting.layers.scribbles());
+            self.renderer.set_shapes(Layer::Scribbles, painting.layers.scribbles());
         }
         if changed.ink {
-            self.renderer.set_shapes(Layer::Scribbles, painting.layers.ink());
+            self.renderer.set_shapes(Layer::Ink, painting.layers.ink());
         }
     }
 }
@@ -191,7 +191,8 @@ impl CpuScreen {
             set_size(&self.canvas, &view);
         }
         let pixels = paint(&painting.scene(), &view).rgba;
-        let image = ImageData::new_with_u8_clamped_array_and_sh(Clamped(&pixels), view.width_px, view.height_px);
+        let image =
+            ImageData::new_with_u8_clamped_array_and_sh(Clamped(&pixels), view.width_px, view.height_px);
         if let Ok(image) = image {
             // Fails for a detached buffer only, which a fresh one is not.
             let _ = self.context.put_image_data(&image, 0.0, 0.0);

@@ -38,7 +38,7 @@ struct Page {
 
 impl Page {
     fn open(svg: &[u8]) -> Self {
-        let mut page = Self { session: Session::new(DESK).unwrap(), canvas: Canvas::default() };
+        let mut page = Self { session: Session::new(DESK).expect("a blank page"), canvas: Canvas::default() };
         page.view(ViewChange::Resize([1200, 900], 1.0));
         page.session.command(Command::Open { name: "square.svg".into(), bytes: svg.to_vec() });
         page.view(ViewChange::ZoomReset);
@@ -67,7 +67,7 @@ impl Page {
     fn color_at(&mut self, point_du: (f64, f64)) -> Srgb8 {
         self.session.frame(&mut self.canvas);
         let place_px = self.session.css_from_du() * Point::from(point_du);
-        pixel(self.canvas.shown.as_ref().unwrap(), place_px)
+        pixel(self.canvas.shown.as_ref().expect("a painting"), place_px)
     }
 }
 
@@ -194,7 +194,9 @@ fn a_file_that_cannot_be_opened_leaves_the_drawing_as_it_was() {
     let mut page = Page::open(SQUARE);
     page.stroke(RED, &ACROSS);
     page.session.take_effects();
-    for bytes in [&b""[..], b"\x89PNG\r\n\x1a\n", b"<svg", b"<html/>", b"<svg xmlns='http://www.w3.org/2000/svg'/>"] {
+    for bytes in
+        [&b""[..], b"\x89PNG\r\n\x1a\n", b"<svg", b"<html/>", b"<svg xmlns='http://www.w3.org/2000/svg'/>"]
+    {
         page.session.command(Command::Open { name: "bad".into(), bytes: bytes.to_vec() });
         let effects = page.session.take_effects();
         assert!(matches!(effects[..], [Effect::Failed(_)]), "{effects:?}");

@@ -77,7 +77,9 @@ fn inner_pixels(picture: &Pixmap) -> impl Iterator<Item = usize> {
     let at = |i: usize| &picture.rgba[i..i + 4];
     let around = [row + 4, row, row - 4, 4];
     let is_inner = move |i: &usize| {
-        around.iter().all(|step| difference(at(*i), at(i - step)).max(difference(at(*i), at(i + step))) <= EDGE_LEVELS)
+        around
+            .iter()
+            .all(|step| difference(at(*i), at(i - step)).max(difference(at(*i), at(i + step))) <= EDGE_LEVELS)
     };
     (row + 4..picture.rgba.len() - row - 4).step_by(4).filter(is_inner)
 }
@@ -93,7 +95,9 @@ async fn javascript_sees_effects_by_name_and_errors_for_what_does_not_exist() {
     let bytes = Uint8Array::from(DRAWING);
     let open = object(&[("name", "circle.svg".into()), ("bytes", bytes.into())]);
     let effects = names(&app.command("open", &open).ok().unwrap());
-    for name in ["undo", "redo", "zoom", "view", "color", "brush-size", "lines", "scribbles", "blend", "opened"] {
+    for name in
+        ["undo", "redo", "zoom", "view", "color", "brush-size", "lines", "scribbles", "blend", "opened"]
+    {
         assert!(effects.contains(&name.to_owned()), "{name} is missing in {effects:?}");
     }
     app.pointer("down", &[100.0, 100.0, 0.5]).ok().unwrap();

@@ -93,7 +93,7 @@ fn wasm_tests() -> Result<()> {
     tools::wasm_pack()?;
     tools::browsers()?;
     let test = ["test", "--headless", "--chrome", "crates/scumble-web"];
-    let features = ["--", "--no-default-features", "--features", "webgpu"];
+    let features = ["--no-default-features", "--features", "webgpu"];
     let driver = find("chromedriver").unwrap_or_default();
     run(command("wasm-pack").args(test).args(features).env("CHROMEDRIVER", driver))
 }

@@ -47,7 +47,7 @@ pub(crate) fn npm_packages() -> Result<()> {
     if fs::read(&installed).is_ok_and(|installed| installed == lock) {
         return Ok(());
     }
-    run(command(if cfg!(windows) { "npm.cmd" } else { "npm" }).args(["ci", "--no-audit", "--no-fund"]))?;
+    run(command(if cfg!(windows) { "npm.cmd" } else { "npm" }).arg("ci"))?;
     Ok(fs::write(installed, lock)?)
 }
 

@@ -1,5 +1,7 @@
 //! The program as a user meets it: run as a process of its own, in a folder of its own.
 
+#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
+
 mod bad_input;
 mod color;
 mod corpus;

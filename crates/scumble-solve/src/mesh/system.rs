@@ -17,6 +17,10 @@ use super::element;
 /// Row of an unknown that is fixed.
 const FIXED: u32 = u32::MAX;
 
+/// Where a part of the region hangs on the rest by triangles without area alone, the last pivot of that part is zero
+/// but for rounding. Pivots up to this are taken as one, so that the part gets some value within the range.
+const LEAST_PIVOT: f64 = 1e-12;
+
 /// Largest number of entries of a factor: what signed 32-bit indices reach.
 const MAX_ENTRIES: u64 = i32::MAX as u64;
 
@@ -146,7 +150,10 @@ impl Upper {
         simplicial::factorize_simplicial_numeric_llt(
             &mut factor,
             SparseColMatRef::new(self.pattern(), &self.entries),
-            LltRegularization::default(),
+            LltRegularization {
+                dynamic_regularization_delta: 1.0,
+                dynamic_regularization_epsilon: LEAST_PIVOT,
+            },
             symbolic,
             MemStack::new(&mut memory),
         )
