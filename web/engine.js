@@ -148,6 +148,7 @@ function load(renderer) {
   const build = renderer === "cpu" ? loaded ?? "webgpu" : renderer;
   const module = builds.get(build) ?? fetchBuild(build);
   builds.set(build, module);
+  module.catch(() => builds.delete(build));
   return module;
 }
 

@@ -1,4 +1,4 @@
-// The keyboard: chords to actions, as `editor.md`'s table of controls names them on the buttons' tooltips.
+// The keyboard: chords to actions. The buttons name their chords in their tooltips.
 
 /** @type {Record<string, string>} */
 const CHORDS = {

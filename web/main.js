@@ -62,6 +62,12 @@ const open = (/** @type {string} */ name, /** @type {Uint8Array} */ bytes) => en
 const samples = new Samples(open, () => warn(say("error-samples")));
 const pointers = new Pointers(stage, engine);
 
+/** Opens a person's own file, whatever sample is still on its way. @type {import("./files.js").Open} */
+function openOwn(name, bytes) {
+  samples.overtake();
+  open(name, bytes);
+}
+
 /** What the page does by itself; all other actions are commands of the module. @type {Record<string, () => void>} */
 const actions = {
   open: choose,
@@ -113,7 +119,7 @@ async function start() {
   followSize();
   matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => engine.command("desk", desk()));
   listen(act, (held) => pointers.holdSpace(held));
-  receive(open, () => warn(say("error-read")));
+  receive(openOwn, () => warn(say("error-read")));
   await samples.start();
   tell(say("start"));
 }

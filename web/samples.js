@@ -8,6 +8,8 @@ export class Samples {
   #dialog = /** @type {HTMLDialogElement} */ (document.getElementById("samples"));
   #open;
   #failed;
+  /** Counts what has been asked for: an answer that comes after a later question is dropped. */
+  #choices = 0;
 
   /**
    * @param {import("./files.js").Open} open
@@ -23,11 +25,15 @@ export class Samples {
 
   /** Fetches the list and opens its first drawing. */
   async start() {
-    const response = await fetch(new URL("index.json", FOLDER)).catch(() => null);
-    if (!response?.ok) return this.#failed();
-    const samples = /** @type {Sample[]} */ (await response.json());
+    const samples = /** @type {Sample[] | null} */ (await fetched("index.json", (response) => response.json()));
+    if (!samples) return this.#failed();
     this.#dialog.querySelector("ul")?.replaceChildren(...samples.map((sample) => this.#item(sample)));
-    if (samples[0]) await this.#choose(samples[0]);
+    if (samples[0] && this.#choices === 0) await this.#choose(samples[0]);
+  }
+
+  /** Something else is opened: what is still on its way comes too late. */
+  overtake() {
+    this.#choices++;
   }
 
   show() {
@@ -59,8 +65,25 @@ export class Samples {
   /** @param {Sample} sample */
   async #choose(sample) {
     this.#dialog.close();
-    const response = await fetch(new URL(sample.file, FOLDER)).catch(() => null);
-    if (!response?.ok) return this.#failed();
-    this.#open(sample.name, new Uint8Array(await response.arrayBuffer()));
+    const choice = ++this.#choices;
+    const bytes = await fetched(sample.file, (response) => response.arrayBuffer());
+    if (choice !== this.#choices) return;
+    if (bytes) this.#open(sample.name, new Uint8Array(bytes));
+    else this.#failed();
+  }
+}
+
+/**
+ * A file of the samples' folder, or null where it cannot be had.
+ * @template T
+ * @param {string} file
+ * @param {(response: Response) => Promise<T>} read
+ */
+async function fetched(file, read) {
+  try {
+    const response = await fetch(new URL(file, FOLDER));
+    return response.ok ? await read(response) : null;
+  } catch {
+    return null;
   }
 }

@@ -78,7 +78,7 @@ pub(crate) fn scribbles_on(drawing: &Drawing) -> Vec<Scribble> {
 }
 
 /// Spacing of the lattice of the planar map, in du: what is smaller than a few of these may vanish.
-const LATTICE_DU: f64 = 1.0 / 64.0;
+const LATTICE_DU: f64 = 1.0 / 1024.0;
 
 /// Distance between the places at which a curve is looked for, in du.
 const PROBE_SPACING_DU: f64 = 3.0;

@@ -42,7 +42,7 @@ scumble corpus DIR [--take N]
     tries all drawings of a folder, or N of them evenly spaced;
     exit code 1 where one panics, fails, or loses a curve
 
-scumble bench [SETDIR]
+scumble bench SETDIR
     times each stage on a quality set (SETDIR/ID/drawing.svg, SETDIR/ID/dense.json)
 
 Exit code 2: bad input; nothing was written.

@@ -7,9 +7,6 @@ use anyhow::{Context, anyhow, bail};
 use pico_args::Arguments;
 use scumble_core::Blend;
 
-/// Where the quality set lies if the user names no folder.
-const DEFAULT_SET: &str = "../shared/quality/dev";
-
 /// Picture sizes that are made, in pixels of the longer side.
 const SIZES_PX: std::ops::RangeInclusive<u32> = 1..=16384;
 
@@ -53,9 +50,8 @@ pub(crate) fn parse(mut arguments: Arguments) -> anyhow::Result<Command> {
             Ok(Command::Corpus { folder: folder.into(), take })
         }
         Some("bench") => {
-            let set = arguments.opt_free_from_str::<PathBuf>().map_err(advise)?;
-            let set = set.unwrap_or_else(|| DEFAULT_SET.into());
-            rest(arguments, []).map(|[]| Command::Bench { set })
+            let [set] = rest(arguments, ["SETDIR"])?;
+            Ok(Command::Bench { set: set.into() })
         }
         Some(other) => bail!("there is no command “{other}”; use color, corpus or bench, or --help"),
     }

@@ -196,7 +196,7 @@ fn polylines(drawing: &Drawing, frame: LatticePoint, sampling: &Sampling) -> Opt
         .chain([(&frame_path, &frame_sampling)])
         .map(|(path, sampling)| {
             let polyline = sample::sample(path, frame, sampling, left)?;
-            left -= polyline.len();
+            left = left.checked_sub(polyline.len())?;
             Some(polyline)
         })
         .collect()

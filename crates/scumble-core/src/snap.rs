@@ -22,13 +22,14 @@ pub(crate) struct Snapped {
 }
 
 /// Pairs of segments, or of a segment and a node, that are looked at before giving up: about a second's work.
-const MAX_TESTS: usize = 400_000_000;
+const MAX_TESTS: u64 = 400_000_000;
 
 /// Rounds segments with coordinates in `0..=frame`; gives up (`None`) above `limit` nodes, or where so much lies
 /// on one spot that it would take longer than about a second.
 pub(crate) fn snap(segments: &[Segment], frame: LatticePoint, limit: usize) -> Option<Snapped> {
     let grid = segment_grid(segments, frame);
-    if grid.squares().map(|square| square.len() * square.len() / 2).sum::<usize>() > MAX_TESTS {
+    let pairs = |square: &[u32]| (square.len() as u64).pow(2) / 2;
+    if grid.squares().map(pairs).sum::<u64>() > MAX_TESTS {
         return None;
     }
     let mut nodes: Vec<_> = segments.iter().flatten().copied().collect();
@@ -43,8 +44,9 @@ pub(crate) fn snap(segments: &[Segment], frame: LatticePoint, limit: usize) -> O
     }
     sort_unique(&mut nodes);
     let node_grid = node_grid(&nodes, frame);
-    let tests = grid.squares().zip(node_grid.squares()).map(|(segments, nodes)| segments.len() * nodes.len());
-    if nodes.len() > limit || tests.sum::<usize>() > MAX_TESTS {
+    let tests = |(segments, nodes): (&[u32], &[u32])| segments.len() as u64 * nodes.len() as u64;
+    let tests = grid.squares().zip(node_grid.squares()).map(tests);
+    if nodes.len() > limit || tests.sum::<u64>() > MAX_TESTS {
         return None;
     }
     let chains = segments.iter().map(|s| chain(s, &nodes, &node_grid)).collect();
@@ -174,7 +176,7 @@ fn cross(a: (i64, i64), b: (i64, i64)) -> i64 {
     a.0 * b.1 - a.1 * b.0
 }
 
-/// Side of a grid square in lattice units, as a power of two: 4 du, a little more than the longest piece.
+/// Side of a grid square in lattice units, as a power of two: 4 du, a little more than the longest piece of a curve.
 const SQUARE_SHIFT: u32 = 12;
 
 fn square_of(coordinate: i32) -> usize {

@@ -69,7 +69,6 @@ pub(crate) fn readable_text(bytes: &[u8]) -> Result<&str, ImportError> {
     }
     check_pairs(text)?;
     check_entities(text)?;
-    check_lines(text)?;
     Ok(text)
 }
 
@@ -91,6 +90,7 @@ pub(crate) const SVG: &str = "http://www.w3.org/2000/svg";
 
 /// Checks what `usvg` would make of a tree.
 pub(crate) fn check_tree(xml: &Document) -> Result<(), ImportError> {
+    check_lines(xml)?;
     let ids = expansion::ids(xml);
     let Expansion { elements, attribute_bytes, segments, class_bytes, height } = expansion::of(xml, &ids)?;
     if height > MAX_DEPTH {
@@ -148,13 +148,33 @@ fn entity_value(declaration: &[u8]) -> Option<&[u8]> {
     value.get(..close)
 }
 
-/// Widths and lists of dashes, in attributes and in style sheets alike.
-fn check_lines(text: &str) -> Result<(), ImportError> {
-    if values(text, "stroke-dasharray").any(|list| list.len() > MAX_DASHES_BYTES) {
-        return Err(ImportError::TooManyDashes);
+/// Widths and lists of dashes, in attributes and in style sheets alike, with all entities in their places.
+fn check_lines(xml: &Document) -> Result<(), ImportError> {
+    for attribute in xml.descendants().flat_map(|node| node.attributes()) {
+        match attribute.name() {
+            "style" => check_style(attribute.value())?,
+            name => check_property(name, attribute.value())?,
+        }
     }
-    let widths = values(text, "stroke-width").chain(values(text, "stroke-miterlimit"));
-    if widths.filter_map(number).any(|width| width > MAX_WIDTH) { Err(ImportError::TooWide) } else { Ok(()) }
+    style_sheet::texts(xml).try_for_each(check_style)
+}
+
+fn check_style(css: &str) -> Result<(), ImportError> {
+    let css = style_sheet::without_comments(css);
+    for property in ["stroke-dasharray", "stroke-width", "stroke-miterlimit"] {
+        values(&css, property).try_for_each(|value| check_property(property, value))?;
+    }
+    Ok(())
+}
+
+fn check_property(name: &str, value: &str) -> Result<(), ImportError> {
+    match name {
+        "stroke-dasharray" if value.len() > MAX_DASHES_BYTES => Err(ImportError::TooManyDashes),
+        "stroke-width" | "stroke-miterlimit" if number(value).is_some_and(|width| width > MAX_WIDTH) => {
+            Err(ImportError::TooWide)
+        }
+        _ => Ok(()),
+    }
 }
 
 /// A number, whatever its unit.

@@ -7,12 +7,16 @@ use roxmltree::{Document, Node};
 
 /// Tests of one element against all style sheets of a tree of a given height, and declarations applied to it.
 pub(crate) fn tests_per_element(xml: &Document, height: u32) -> f64 {
-    let sheets = xml.descendants().filter(|node| node.tag_name().name() == "style");
-    let texts = sheets.flat_map(|sheet| sheet.children().filter(Node::is_text));
-    texts.filter_map(|node| node.text()).map(|css| tests(&without_comments(css), f64::from(height))).sum()
+    texts(xml).map(|css| tests(&without_comments(css), f64::from(height))).sum()
 }
 
-fn without_comments(css: &str) -> String {
+/// The texts of a tree's style sheets.
+pub(crate) fn texts<'a>(xml: &'a Document) -> impl Iterator<Item = &'a str> {
+    let sheets = xml.descendants().filter(|node| node.tag_name().name() == "style");
+    sheets.flat_map(|sheet| sheet.children().filter(Node::is_text)).filter_map(|node| node.text())
+}
+
+pub(crate) fn without_comments(css: &str) -> String {
     let mut parts = css.split("/*");
     let first = parts.next().unwrap_or_default();
     let rest = parts.map(|part| part.split_once("*/").map_or("", |(_, after)| after));

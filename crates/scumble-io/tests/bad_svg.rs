@@ -207,11 +207,16 @@ fn dashes_without_end_are_refused() {
     ] {
         assert_eq!(error(svg(&dashed)), ImportError::TooManyDashes);
     }
+    let entity = format!(r#"<!DOCTYPE svg [<!ENTITY w "{dashes}">]>"#);
+    let dashed = svg(&format!(r#"<g stroke-dasharray="&w;">{LINE}</g>"#));
+    assert_eq!(error(format!("{entity}{dashed}")), ImportError::TooManyDashes);
 }
 
 #[test]
 fn lines_as_wide_as_a_thousand_pages_are_refused() {
     assert_eq!(error(svg(r#"<path d="M1 1h6" style="stroke-miterlimit:1e40"/>"#)), ImportError::TooWide);
+    assert_eq!(error(svg(r#"<path d="M1 1h6" style="stroke-width:/**/1e40"/>"#)), ImportError::TooWide);
+    assert_eq!(error(svg(r#"<path d="M1 1h6" stroke-width="&#49;e40"/>"#)), ImportError::TooWide);
     assert_eq!(
         error(svg(r#"<g stroke-width="1e7"><path d="M1 1h6" stroke="black"/></g>"#)),
         ImportError::TooWide

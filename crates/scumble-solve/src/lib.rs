@@ -6,6 +6,7 @@
 //! | lines, fills and scribbles as flat shapes | [`ink`] |
 //! | the mesh solver | [`mesh`] |
 //! | the painter on the CPU | [`mod@paint`] |
+//! | all that is derived from a document | [`picture`] |
 //! | what a painter paints | [`scene`] |
 
 pub mod field;
@@ -19,5 +20,5 @@ pub use field::{Field, FieldTriangle};
 pub use ink::{line_shapes, scribble_shape};
 pub use mesh::{MeshSolver, SolveError};
 pub use paint::{Pixmap, paint};
-pub use picture::{Picture, PictureError};
+pub use picture::Picture;
 pub use scene::{Scene, Shape, View};

@@ -5,21 +5,9 @@ use scumble_core::{
     Blend, Document, Drawing, Engine, MapError, PlanarMap, Sampling, Scribble, SideColors, Sight,
     color_spans, side_colors,
 };
-use thiserror::Error;
 
 use crate::field::Field;
 use crate::mesh::{MeshSolver, SolveError};
-
-/// Why there is no picture.
-#[derive(Debug, Error)]
-pub enum PictureError {
-    /// The lines have no planar map.
-    #[error(transparent)]
-    Map(#[from] MapError),
-    /// The colours could not be spread.
-    #[error(transparent)]
-    Solve(#[from] SolveError),
-}
 
 /// The picture of one drawing under changing scribbles.
 ///

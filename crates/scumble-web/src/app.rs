@@ -128,7 +128,7 @@ impl App {
 
 impl Shared {
     fn paint(&mut self) {
-        if DEVICE_LOST.take() {
+        if DEVICE_LOST.take() && matches!(self.screen, Some(Screen::Gpu(_))) {
             self.lose();
         }
         if let Some(screen) = &mut self.screen {

@@ -5,6 +5,7 @@
 use js_sys::{Array, Float64Array, Object, Reflect, Uint8Array};
 use kurbo::{Point, Vec2};
 use scumble_core::{Blend, Srgb8};
+use scumble_io::MAX_FILE_BYTES;
 use scumble_solve::Pixmap;
 use wasm_bindgen::{JsCast, JsValue};
 
@@ -16,7 +17,7 @@ pub(crate) fn command_from_js(name: &str, args: &JsValue) -> Option<Command> {
     Some(match name {
         "open" => Command::Open {
             name: field(args, "name").as_string()?,
-            bytes: field(args, "bytes").dyn_into::<Uint8Array>().ok()?.to_vec(),
+            bytes: file(&field(args, "bytes").dyn_into().ok()?),
         },
         "color" => Command::Color(color(args)?),
         "swap-colors" => Command::SwapColors,
@@ -63,6 +64,11 @@ pub(crate) fn field(object: &JsValue, name: &str) -> JsValue {
 /// A colour written as #rrggbb.
 pub(crate) fn color(value: &JsValue) -> Option<Srgb8> {
     value.as_string()?.parse().ok()
+}
+
+/// The bytes of a file, or so many of them that it is plain that there are too many.
+fn file(bytes: &Uint8Array) -> Vec<u8> {
+    bytes.subarray(0, MAX_FILE_BYTES as u32 + 1).to_vec()
 }
 
 fn numbers<const N: usize>(value: &JsValue) -> Option<[f64; N]> {

@@ -18,11 +18,17 @@ const DESK_REACH_DU: f64 = 262_144.0;
 pub struct Layers {
     /// Scribbles, then ink, then the desk.
     shapes: Vec<Shape>,
-    scribble_count: usize,
+    /// What the first shapes are of: a long scribbling draws only what is new.
+    scribbles: Vec<Scribble>,
     tolerance_du: f64,
 }
 
 impl Layers {
+    /// No shapes; those to come will look right at this many device pixels a du.
+    pub(crate) fn at_scale(px_per_du: f64) -> Self {
+        Self { tolerance_du: tolerance_du(px_per_du), ..Self::default() }
+    }
+
     /// All shapes, back to front.
     pub fn shapes(&self) -> &[Shape] {
         &self.shapes
@@ -30,38 +36,37 @@ impl Layers {
 
     /// The layer of scribbles.
     pub fn scribbles(&self) -> &[Shape] {
-        self.shapes.get(..self.scribble_count).unwrap_or_default()
+        self.shapes.get(..self.scribbles.len()).unwrap_or_default()
     }
 
     /// The layer of ink, with the desk.
     pub fn ink(&self) -> &[Shape] {
-        self.shapes.get(self.scribble_count..).unwrap_or_default()
+        self.shapes.get(self.scribbles.len()..).unwrap_or_default()
     }
 
-    /// Whether shapes would be drawn with another tolerance at this many device pixels a du.
-    pub(crate) fn is_too_coarse_or_fine(&self, px_per_du: f64) -> bool {
-        self.tolerance_du != tolerance_du(px_per_du)
+    /// Whether shapes would be drawn with the same tolerance at this many device pixels a du.
+    pub(crate) fn suit_scale(&self, px_per_du: f64) -> bool {
+        self.tolerance_du == tolerance_du(px_per_du)
     }
 
-    pub(crate) fn set_scribbles(&mut self, scribbles: &[Scribble], px_per_du: f64) {
-        self.tolerance_du = tolerance_du(px_per_du);
-        let shapes = scribbles.iter().map(|s| scribble_shape(s, SCRIBBLE_OPACITY, self.tolerance_du));
-        self.shapes.splice(..self.scribble_count, shapes);
-        self.scribble_count = scribbles.len();
+    pub(crate) fn set_scribbles(&mut self, scribbles: &[Scribble]) {
+        let kept = self.scribbles.iter().zip(scribbles).take_while(|(old, new)| old == new).count();
+        let fresh = scribbles.get(kept..).unwrap_or_default();
+        let shapes = fresh.iter().map(|s| scribble_shape(s, SCRIBBLE_OPACITY, self.tolerance_du));
+        self.shapes.splice(kept..self.scribbles.len(), shapes);
+        self.scribbles.splice(kept.., fresh.iter().cloned());
     }
 
-    pub(crate) fn clear_lines(&mut self) {
-        self.shapes.truncate(self.scribble_count);
+    pub(crate) fn clear_ink(&mut self) {
+        self.shapes.truncate(self.scribbles.len());
     }
 
-    pub(crate) fn set_lines(&mut self, drawing: &Drawing, map: &PlanarMap, px_per_du: f64) {
-        self.tolerance_du = tolerance_du(px_per_du);
-        self.clear_lines();
+    pub(crate) fn add_lines(&mut self, drawing: &Drawing, map: &PlanarMap) {
         self.shapes.extend(line_shapes(drawing, map, self.tolerance_du));
     }
 
     /// Covers everything but the page.
-    pub(crate) fn set_desk(&mut self, page: Rect, color: Srgb8) {
+    pub(crate) fn add_desk(&mut self, page: Rect, color: Srgb8) {
         let far = page.inflate(DESK_REACH_DU, DESK_REACH_DU);
         let around = [
             Rect::new(far.x0, far.y0, far.x1, page.y0),

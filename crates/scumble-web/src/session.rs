@@ -220,9 +220,9 @@ impl Session {
         self.refresh();
         let drawing = &self.editor.document().drawing;
         let size = drawing.size_du();
-        let mut layers = Layers::default();
+        let mut layers = Layers::at_scale(1.0);
         if self.lines_shown {
-            layers.set_lines(drawing, self.picture.map(), 1.0);
+            layers.add_lines(drawing, self.picture.map());
         }
         Export {
             name: format!("{}.png", stem(&self.name)),
@@ -342,14 +342,15 @@ impl Session {
             self.solve();
         }
         let px_per_du = self.viewport.view().px_from_du.as_coeffs()[0];
-        if self.layers.is_too_coarse_or_fine(px_per_du) {
+        if !self.layers.suit_scale(px_per_du) {
+            self.layers = Layers::at_scale(px_per_du);
             (self.stale.lines, self.stale.scribbles) = (true, true);
         }
         if take(&mut self.stale.lines) {
-            self.draw_lines(px_per_du);
+            self.draw_ink();
         }
         if take(&mut self.stale.scribbles) {
-            self.draw_scribbles(px_per_du);
+            self.draw_scribbles();
         }
     }
 
@@ -362,20 +363,20 @@ impl Session {
         self.stale.view = true;
     }
 
-    fn draw_lines(&mut self, px_per_du: f64) {
+    fn draw_ink(&mut self) {
         let drawing = &self.editor.document().drawing;
-        self.layers.clear_lines();
+        self.layers.clear_ink();
         if self.lines_shown {
-            self.layers.set_lines(drawing, self.picture.map(), px_per_du);
+            self.layers.add_lines(drawing, self.picture.map());
         }
-        self.layers.set_desk(drawing.frame(), self.desk);
+        self.layers.add_desk(drawing.frame(), self.desk);
         self.changed.ink = true;
         self.stale.view = true;
     }
 
-    fn draw_scribbles(&mut self, px_per_du: f64) {
+    fn draw_scribbles(&mut self) {
         let scribbles = if self.scribbles_shown { &*self.editor.document().scribbles } else { &[] };
-        self.layers.set_scribbles(scribbles, px_per_du);
+        self.layers.set_scribbles(scribbles);
         self.changed.scribbles = true;
         self.stale.view = true;
     }

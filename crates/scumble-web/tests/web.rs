@@ -1,7 +1,7 @@
 //! The page's module in a browser: what JavaScript sees of it, and that each renderer paints the same picture.
 #![cfg(target_arch = "wasm32")]
 
-use js_sys::{Array, Function, Object, Reflect, Uint8Array};
+use js_sys::{Array, Function, Object, Promise, Reflect, Uint8Array};
 use kurbo::Point;
 use scumble_core::Srgb8;
 use scumble_solve::Pixmap;
@@ -10,6 +10,7 @@ use scumble_web::command::{Command, Phase, ViewChange};
 use scumble_web::screen::{CPU, GPU, Screen};
 use scumble_web::session::Session;
 use wasm_bindgen::{JsCast, JsValue};
+use wasm_bindgen_futures::JsFuture;
 use wasm_bindgen_test::{wasm_bindgen_test, wasm_bindgen_test_configure};
 use web_sys::HtmlCanvasElement;
 
@@ -24,12 +25,12 @@ const DRAWING: &[u8] = br#"<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 
 const EDGE_LEVELS: u8 = 8;
 
 fn canvas() -> HtmlCanvasElement {
-    let document = web_sys::window().and_then(|window| window.document()).unwrap();
-    document.create_element("canvas").unwrap().unchecked_into()
+    let document = web_sys::window().and_then(|window| window.document()).expect("a page");
+    document.create_element("canvas").expect("a canvas").unchecked_into()
 }
 
 fn scribbled() -> Session {
-    let mut session = Session::new(Srgb8([90; 3])).unwrap();
+    let mut session = Session::new(Srgb8([90; 3])).expect("a blank page");
     session.command(Command::View(ViewChange::Resize([640, 480], 1.0)));
     session.command(Command::Open { name: "circle.svg".into(), bytes: DRAWING.to_vec() });
     for (color, from, to) in [
@@ -50,10 +51,10 @@ fn sample(session: &Session, place_du: (f64, f64)) -> [f32; 3] {
 
 async fn picture(session: &mut Session, renderer: &str) -> Pixmap {
     let lost = |error| wasm_bindgen_test::console_log!("{error}");
-    let mut screen = Screen::open(canvas(), renderer, lost).await.unwrap();
+    let mut screen = Screen::open(canvas(), renderer, lost).await.expect("a screen");
     session.frame(&mut screen);
     let export = session.export();
-    screen.picture(&export.painting()).await.unwrap()
+    screen.picture(&export.painting()).await.expect("a picture")
 }
 
 #[wasm_bindgen_test]
@@ -91,21 +92,40 @@ fn difference(a: &[u8], b: &[u8]) -> u8 {
 #[wasm_bindgen_test]
 async fn javascript_sees_effects_by_name_and_errors_for_what_does_not_exist() {
     let options = object(&[("renderer", CPU.into()), ("desk", "#808080".into()), ("wake", wake().into())]);
-    let app = App::create(canvas(), options).await.ok().unwrap();
+    let app = App::create(canvas(), options).await.expect("an app");
     let bytes = Uint8Array::from(DRAWING);
     let open = object(&[("name", "circle.svg".into()), ("bytes", bytes.into())]);
-    let effects = names(&app.command("open", &open).ok().unwrap());
+    let effects = names(&app.command("open", &open).expect("effects"));
     for name in
         ["undo", "redo", "zoom", "view", "color", "brush-size", "lines", "scribbles", "blend", "opened"]
     {
         assert!(effects.contains(&name.to_owned()), "{name} is missing in {effects:?}");
     }
-    app.pointer("down", &[100.0, 100.0, 0.5]).ok().unwrap();
-    assert_eq!(names(&app.pointer("up", &[]).ok().unwrap()), ["scribble-added"]);
+    app.pointer("down", &[100.0, 100.0, 0.5]).expect("effects");
+    assert_eq!(names(&app.pointer("up", &[]).expect("effects")), ["scribble-added"]);
     assert_eq!(names(&app.frame()), Vec::<String>::new());
     assert!(app.command("no such command", &JsValue::NULL).is_err());
     assert!(app.command("color", &"red".into()).is_err());
     assert!(app.pointer("sideways", &[]).is_err());
+}
+
+#[wasm_bindgen_test]
+async fn a_lost_canvas_is_replaced_and_painted_from_the_document() {
+    let options = object(&[("renderer", CPU.into()), ("desk", "#808080".into()), ("wake", wake().into())]);
+    let app = App::create(canvas(), options).await.expect("an app");
+    app.command("resize", &numbers(&[64.0, 48.0, 1.0])).expect("effects");
+    app.frame();
+    assert!(names(&app.command("lost", &JsValue::NULL).expect("effects")).contains(&"lost".to_owned()));
+    let fresh = canvas();
+    let next = object(&[("canvas", fresh.clone().into()), ("renderer", CPU.into())]);
+    app.command("canvas", &next).expect("effects");
+    JsFuture::from(Promise::resolve(&JsValue::NULL)).await.expect("a turn of the event loop");
+    assert_eq!(names(&app.frame()), ["renderer"]);
+    assert_eq!((fresh.width(), fresh.height()), (64, 48));
+}
+
+fn numbers(values: &[f64]) -> JsValue {
+    values.iter().copied().map(JsValue::from).collect::<Array>().into()
 }
 
 #[wasm_bindgen_test]
@@ -122,7 +142,7 @@ fn wake() -> Function {
 fn object(fields: &[(&str, JsValue)]) -> JsValue {
     let object = Object::new();
     for (name, value) in fields {
-        Reflect::set(&object, &(*name).into(), value).unwrap();
+        Reflect::set(&object, &(*name).into(), value).expect("a plain object takes any field");
     }
     object.into()
 }

@@ -53,6 +53,7 @@ fn serve(port: &[&str]) -> Result<()> {
 fn picture() -> Result<()> {
     tools::browsers()?;
     dist::build()?;
+    std::fs::create_dir_all(root().join("docs"))?;
     run(node().args(["--test", "tests/e2e/readme.test.mjs"]).env("PICTURE", root().join("docs/editor.png")))
 }
 
