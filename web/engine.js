@@ -154,7 +154,7 @@ function load(renderer) {
 
 /** @param {string} build */
 async function fetchBuild(build) {
-  const module = await import(`../pkg/${build}/scumble_web.js`);
+  const module = await import(new URL(`../pkg/${build}/scumble_web.js`, import.meta.url).href);
   await module.default();
   return module;
 }

@@ -136,7 +136,8 @@ fn annulus_is_the_logarithm_of_the_radius() {
     for (r, big) in [(100.0, 400.0), (200.0, 400.0), (30.0, 400.0)] {
         annulus(r, big, |problem| assert_level(problem.largest_error(DEFAULT_DU), 0.3));
     }
-    annulus(100.0, 400.0, |problem| problem.assert_falls(&[6.0, 3.0], 0.3));
+    annulus(100.0, 400.0, |problem| problem.assert_falls(&[3.0, 1.5], 0.25));
+    annulus(100.0, 400.0, |problem| problem.assert_falls(&[3.0, 0.75], 1.0 / 16.0));
 }
 
 /// A circle with the colour of a wave with `k` crests along it.

@@ -2,7 +2,8 @@
 //!
 //! | path | what |
 //! |---|---|
-//! | `index.html`, `web/` | as in the repository, scripts and styles minified |
+//! | `index.html` | as in the repository |
+//! | `web/` | icon, style sheet, and all scripts as one, minified |
 //! | `pkg/webgpu/`, `pkg/webgl/` | the two wasm builds, each with its JavaScript |
 //! | `samples/` | the drawings that the page offers, with `index.json` and licences |
 
@@ -43,7 +44,7 @@ pub(crate) fn build() -> Result<PathBuf> {
     if dist.exists() {
         fs::remove_dir_all(&dist)?;
     }
-    copy_web(&root().join("web"), &dist.join("web"))?;
+    write_web(&root().join("web"), &dist.join("web"))?;
     fs::copy(root().join("index.html"), dist.join("index.html"))?;
     for package in packages {
         let (flavour, folder) = package?;
@@ -110,22 +111,18 @@ pub(crate) fn files_in(folder: &Path) -> Result<Vec<PathBuf>> {
     Ok(paths)
 }
 
-/// Copies the page's own files, scripts and styles minified; settings of tools stay behind.
-fn copy_web(from: &Path, to: &Path) -> Result<()> {
-    let has = |path: &Path, extensions: &[&str]| {
-        path.extension().and_then(|it| it.to_str()).is_some_and(|it| extensions.contains(&it))
-    };
-    let (code, rest): (Vec<_>, Vec<_>) =
-        files_in(from)?.into_iter().partition(|path| has(path, &["js", "css"]));
-    copy_files(rest.into_iter().filter(|path| !has(path, &["json"])), to)?;
-    minify(to, &code)
+/// Writes the page's own files, scripts and styles minified.
+fn write_web(from: &Path, to: &Path) -> Result<()> {
+    copy_files([from.join("icon.svg")], to)?;
+    minify(to, &[from.join("main.js"), from.join("style.css")])
 }
 
-/// Writes scripts and styles into a folder, without what only people read. They may lie in it already.
+/// Writes scripts, with those that they import, and styles into a folder, without what only people read. They may lie
+/// in it already.
 fn minify(folder: &Path, files: &[PathBuf]) -> Result<()> {
-    let esbuild =
-        ["node_modules/esbuild/bin/esbuild", "--minify", "--allow-overwrite", "--log-level=warning"];
-    run(node().args(esbuild).arg(format!("--outdir={}", folder.display())).args(files))
+    let esbuild = ["node_modules/esbuild/bin/esbuild", "--bundle", "--format=esm", "--minify"];
+    let options = ["--allow-overwrite", "--log-level=warning"];
+    run(node().args(esbuild).args(options).arg(format!("--outdir={}", folder.display())).args(files))
 }
 
 fn copy_files(files: impl IntoIterator<Item = PathBuf>, to: &Path) -> Result<()> {
