@@ -15,12 +15,16 @@ const STEP_PX = 48;
 
 const stage = /** @type {HTMLElement} */ (document.getElementById("stage"));
 
+/** Whether there is work that would be lost with the page. */
+let hasWork = false;
+
 /** The canvas of the moment: a lost one is replaced. */
 const canvas = () => /** @type {HTMLCanvasElement} */ (document.getElementById("canvas"));
 
 /** @type {Record<string, import("./engine.js").Handler>} */
 const handlers = {
   ...shown,
+  undo: both(shown.undo, (possible) => (hasWork = possible)),
   color: both(shown.color, followed.color),
   "brush-size": both(shown["brush-size"], followed["brush-size"]),
   zoom: both(shown.zoom, followed.zoom),
@@ -31,20 +35,25 @@ const handlers = {
     canvas().dataset.renderer = name;
   },
   opened: (values) => {
-    warn("");
-    tell(say(values.notes === "" ? "opened" : "opened-in-part", values));
+    done(say(values.notes === "" ? "opened" : "opened-in-part", values));
   },
   ...Object.fromEntries(
-    ["scribble-added", "scribble-dropped", "undone", "redone"].map((key) => [key, (values) => tell(say(key, values))]),
+    ["scribble-added", "scribble-dropped", "undone", "redone"].map((key) => [key, (values) => done(say(key, values))]),
   ),
   failed: (values) => warn(say("failed", values)),
   "no-renderer": () => warn(say("error-renderer")),
   exported: async ({ name, width, height, rgba }) => {
     download(name, await png(width, height, rgba));
-    tell(say("exported", { name }));
+    done(say("exported", { name }));
   },
   stopped: () => warn(say("error-stopped")),
 };
+
+/** Says what was done; a warning about something before it has had its time. @param {string} text */
+function done(text) {
+  warn("");
+  tell(text);
+}
 
 /**
  * @param {(value: any) => void} first
@@ -120,6 +129,9 @@ async function start() {
   matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => engine.command("desk", desk()));
   listen(act, (held) => pointers.holdSpace(held));
   receive(openOwn, () => warn(say("error-read")));
+  window.addEventListener("beforeunload", (event) => {
+    if (hasWork) event.preventDefault();
+  });
   await samples.start();
   tell(say("start"));
 }

@@ -1,5 +1,6 @@
 //! `scumble color`: one picture from a drawing and scribbles.
 
+use anyhow::ensure;
 use scumble_core::drawing::LONGER_SIDE_DU;
 use scumble_core::{Drawing, Scribble, SideColors};
 use scumble_io::{ReadScribbles, read_scribbles, write_png};
@@ -47,6 +48,10 @@ struct Milliseconds {
 /// # Errors
 /// When the input is bad or the picture cannot be written; then there is no file.
 pub(crate) fn run(options: &ColorOptions) -> anyhow::Result<()> {
+    for input in [&options.drawing, &options.scribbles] {
+        let is_same = files::is_same(input, &options.output);
+        ensure!(!is_same, "{} is read; name another file for the picture", input.display());
+    }
     let mut opened = stages::open(&files::read(&options.drawing)?)?;
     let ReadScribbles { scribbles, notes } =
         read_scribbles(&files::read(&options.scribbles)?, drawing(&opened))?;

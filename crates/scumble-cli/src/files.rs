@@ -19,18 +19,34 @@ pub(crate) fn read(path: &Path) -> anyhow::Result<Vec<u8>> {
     Ok(bytes)
 }
 
-/// Writes a file under another name beside it and renames it then, so that it is never there in part.
+/// Writes a file under another name beside it and renames it then, so that it is never there in part. A link is
+/// followed; what is no file, such as a pipe or a device, is written to as it is.
 ///
 /// # Errors
 /// When the file cannot be written; then nothing is left behind.
 pub(crate) fn write(path: &Path, bytes: &[u8]) -> anyhow::Result<()> {
+    let is_special = fs::metadata(path).is_ok_and(|data| !data.is_file());
+    let written = if is_special {
+        fs::OpenOptions::new().write(true).open(path).and_then(|mut file| file.write_all(bytes))
+    } else {
+        replace(&fs::canonicalize(path).unwrap_or_else(|_| path.into()), bytes)
+    };
+    written.with_context(|| format!("{} cannot be written", path.display()))
+}
+
+/// Whether two paths name one file that is there.
+pub(crate) fn is_same(a: &Path, b: &Path) -> bool {
+    matches!((fs::canonicalize(a), fs::canonicalize(b)), (Ok(a), Ok(b)) if a == b)
+}
+
+fn replace(path: &Path, bytes: &[u8]) -> std::io::Result<()> {
     let unfinished = unfinished(path);
     let written = write_all(&unfinished, bytes).and_then(|()| fs::rename(&unfinished, path));
     if written.is_err() {
         // It may not be there at all; the first error is the one to tell.
         let _ = fs::remove_file(&unfinished);
     }
-    written.with_context(|| format!("{} cannot be written", path.display()))
+    written
 }
 
 fn write_all(path: &Path, bytes: &[u8]) -> std::io::Result<()> {

@@ -57,6 +57,7 @@ pub fn read_scribbles(json: &[u8], drawing: &Drawing) -> Result<ReadScribbles, S
     if json.len() > MAX_FILE_BYTES {
         return Err(ScribblesError::TooLarge);
     }
+    let json = json.strip_prefix(b"\xef\xbb\xbf").unwrap_or(json);
     let file: FileText =
         serde_json::from_slice(json).map_err(|error| ScribblesError::NotScribbles(error.to_string()))?;
     let given = file.scribbles.len();

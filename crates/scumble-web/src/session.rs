@@ -5,7 +5,7 @@
 
 use std::mem::take;
 
-use kurbo::{Affine, Point};
+use kurbo::{Affine, Point, Rect};
 use scumble_core::{Blend, Document, Drawing, Editor, MapError, Scribble, Srgb8};
 use scumble_io::import_svg;
 use scumble_solve::{Field, Picture, Scene, View};
@@ -24,8 +24,11 @@ const BRUSH_DU: [f64; 2] = [2.0, 96.0];
 /// The brush grows and shrinks by this factor, and by one du at least.
 const BRUSH_STEP: f64 = 1.25;
 
+/// Drawings that undo can come back to.
+const SHELF_SIZE: usize = 8;
+
 /// The page that is there before a drawing is opened, in du.
-const BLANK: kurbo::Rect = kurbo::Rect::new(0.0, 0.0, 1024.0, 768.0);
+const BLANK: Rect = Rect::new(0.0, 0.0, 1024.0, 768.0);
 
 /// A picture to show or to keep.
 #[derive(Debug)]
@@ -87,9 +90,9 @@ impl Export<'_> {
 /// A document in work.
 #[derive(Debug)]
 pub struct Session {
-    name: String,
-    editor: Editor,
-    picture: Picture,
+    sheet: Sheet,
+    /// Coloured drawings that others were opened over, for undo to come back to.
+    shelf: Vec<Sheet>,
     field: Field,
     layers: Layers,
     viewport: Viewport,
@@ -103,6 +106,14 @@ pub struct Session {
     changed: Changed,
     known: State,
     effects: Vec<Effect>,
+}
+
+/// A drawing in work, and what is derived from it.
+#[derive(Debug)]
+struct Sheet {
+    name: String,
+    editor: Editor,
+    picture: Picture,
 }
 
 /// What must be derived anew before the next frame is painted.
@@ -126,10 +137,9 @@ impl Session {
     pub fn new(desk: Srgb8) -> Result<Self, MapError> {
         let drawing = Drawing::new(BLANK);
         Ok(Self {
-            name: String::new(),
-            picture: Picture::new(&drawing)?,
             viewport: Viewport::new(drawing.frame()),
-            editor: Editor::new(Document::new(drawing)),
+            sheet: Sheet::new(String::new(), drawing)?,
+            shelf: Vec::new(),
             field: Field::default(),
             layers: Layers::default(),
             color: Srgb8([0xe5, 0x48, 0x4d]),
@@ -147,7 +157,7 @@ impl Session {
 
     /// The document, with the scribble in hand.
     pub fn document(&self) -> &Document {
-        self.editor.document()
+        self.sheet.editor.document()
     }
 
     /// Takes du to CSS pixels of the canvas.
@@ -171,7 +181,7 @@ impl Session {
         let points = self.points_du(samples);
         match phase {
             Phase::Down => self.begin_scribble(&points),
-            Phase::Move => self.editor.extend_scribble(&points),
+            Phase::Move => self.sheet.editor.extend_scribble(&points),
             Phase::Up => self.end_scribble(&points),
             Phase::Cancel => self.drop_scribble(),
         }
@@ -218,14 +228,14 @@ impl Session {
     /// The picture for a file: the whole page, one pixel a du, with lines if they are shown and without scribbles.
     pub fn export(&mut self) -> Export<'_> {
         self.refresh();
-        let drawing = &self.editor.document().drawing;
+        let drawing = &self.sheet.editor.document().drawing;
         let size = drawing.size_du();
         let mut layers = Layers::at_scale(1.0);
         if self.lines_shown {
-            layers.add_lines(drawing, self.picture.map());
+            layers.add_lines(drawing, self.sheet.picture.map());
         }
         Export {
-            name: format!("{}.png", stem(&self.name)),
+            name: format!("{}.png", stem(&self.sheet.name)),
             layers,
             field: &self.field,
             view: View {
@@ -246,55 +256,80 @@ impl Session {
             Ok(import) => import,
             Err(error) => return self.tell(Effect::Failed(error.to_string())),
         };
-        match Picture::new(&import.drawing) {
-            Ok(picture) => self.picture = picture,
+        match Sheet::new(name.clone(), import.drawing) {
+            Ok(sheet) => self.lay_over(sheet),
             Err(error) => return self.tell(Effect::Failed(error.to_string())),
         }
-        self.viewport.show_page(import.drawing.frame());
-        self.editor = Editor::new(Document::new(import.drawing));
-        self.name.clone_from(&name);
-        self.stale = Stale::ALL;
         self.tell(Effect::Opened { name, notes: import.notes });
+    }
+
+    /// Shows another drawing. The one that was there is kept if somebody worked on it.
+    fn lay_over(&mut self, sheet: Sheet) {
+        let under = self.show(sheet);
+        if !under.editor.document().scribbles.is_empty() {
+            self.shelf.push(under);
+            self.shelf.drain(..self.shelf.len().saturating_sub(SHELF_SIZE));
+        }
+    }
+
+    fn show(&mut self, sheet: Sheet) -> Sheet {
+        self.viewport.show_page(sheet.editor.document().drawing.frame());
+        self.stale = Stale::ALL;
+        std::mem::replace(&mut self.sheet, sheet)
     }
 
     fn begin_scribble(&mut self, points: &[Point]) {
         if !points.is_empty() {
             let points = points.to_vec();
-            self.editor.begin_scribble(Scribble { color: self.color, width_du: self.brush_du, points });
+            self.sheet.editor.begin_scribble(Scribble { color: self.color, width_du: self.brush_du, points });
         }
     }
 
     fn end_scribble(&mut self, points: &[Point]) {
-        if self.editor.is_scribbling() {
-            self.editor.extend_scribble(points);
-            self.editor.commit();
+        if self.sheet.editor.is_scribbling() {
+            self.sheet.editor.extend_scribble(points);
+            if !self.is_on_page() {
+                return self.drop_scribble();
+            }
+            self.sheet.editor.commit();
             self.tell(Effect::ScribbleAdded { count: self.document().scribbles.len() });
         }
     }
 
+    /// Whether the last scribble may touch the page: it colours nothing where it does not.
+    fn is_on_page(&self) -> bool {
+        let points = self.document().scribbles.last().into_iter().flat_map(|scribble| &scribble.points);
+        let bounds = points.map(|p| Rect::from_points(*p, *p)).reduce(|a, b| a.union(b));
+        bounds.is_some_and(|bounds| bounds.overlaps(self.document().drawing.frame()))
+    }
+
     fn drop_scribble(&mut self) {
-        if self.editor.is_scribbling() {
-            self.editor.abort();
+        if self.sheet.editor.is_scribbling() {
+            self.sheet.editor.abort();
             self.tell(Effect::ScribbleDropped);
         }
     }
 
     fn undo(&mut self) {
-        if self.editor.undo() {
-            self.tell(Effect::Undone);
+        if self.sheet.editor.undo() {
             self.scribbles_changed();
+        } else if let Some(sheet) = self.shelf.pop() {
+            self.show(sheet);
+        } else {
+            return;
         }
+        self.tell(Effect::Undone);
     }
 
     fn redo(&mut self) {
-        if self.editor.redo() {
+        if self.sheet.editor.redo() {
             self.tell(Effect::Redone);
             self.scribbles_changed();
         }
     }
 
     fn set_blend(&mut self, blend: Blend) {
-        self.editor.set_blend(blend);
+        self.sheet.editor.set_blend(blend);
         self.scribbles_changed();
     }
 
@@ -355,7 +390,7 @@ impl Session {
     }
 
     fn solve(&mut self) {
-        match self.picture.update(self.editor.document()) {
+        match self.sheet.picture.update(self.sheet.editor.document()) {
             Ok(field) => self.field.clone_from(field),
             Err(error) => self.effects.push(Effect::Failed(error.to_string())),
         }
@@ -364,10 +399,10 @@ impl Session {
     }
 
     fn draw_ink(&mut self) {
-        let drawing = &self.editor.document().drawing;
+        let drawing = &self.sheet.editor.document().drawing;
         self.layers.clear_ink();
         if self.lines_shown {
-            self.layers.add_lines(drawing, self.picture.map());
+            self.layers.add_lines(drawing, self.sheet.picture.map());
         }
         self.layers.add_desk(drawing.frame(), self.desk);
         self.changed.ink = true;
@@ -375,7 +410,7 @@ impl Session {
     }
 
     fn draw_scribbles(&mut self) {
-        let scribbles = if self.scribbles_shown { &*self.editor.document().scribbles } else { &[] };
+        let scribbles = if self.scribbles_shown { &*self.sheet.editor.document().scribbles } else { &[] };
         self.layers.set_scribbles(scribbles);
         self.changed.scribbles = true;
         self.stale.view = true;
@@ -383,8 +418,8 @@ impl Session {
 
     fn state(&self) -> State {
         State {
-            undo: Some(self.editor.can_undo()),
-            redo: Some(self.editor.can_redo()),
+            undo: Some(self.sheet.editor.can_undo() || !self.shelf.is_empty()),
+            redo: Some(self.sheet.editor.can_redo()),
             zoom: Some(self.viewport.zoom()),
             view: Some(self.viewport.css_from_du()),
             color: Some(self.color),
@@ -393,6 +428,13 @@ impl Session {
             scribbles: Some(self.scribbles_shown),
             blend: Some(self.document().blend),
         }
+    }
+}
+
+impl Sheet {
+    fn new(name: String, drawing: Drawing) -> Result<Self, MapError> {
+        let picture = Picture::new(&drawing)?;
+        Ok(Self { name, editor: Editor::new(Document::new(drawing)), picture })
     }
 }
 

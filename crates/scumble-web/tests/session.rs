@@ -259,3 +259,29 @@ fn edges_are_sharp_at_800_percent() {
     assert!(blurred <= 4, "two edges of a line, at most two pixels each; {blurred}");
     assert_eq!(page.session.css_from_du().as_coeffs()[0], 8.0);
 }
+
+#[test]
+fn undo_brings_back_the_drawing_that_another_was_opened_over() {
+    let mut page = Page::open(SQUARE);
+    page.stroke(RED, &ACROSS);
+    let blank = br#"<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 9 9"><path d="M1 1h6" stroke="black"/></svg>"#;
+    page.session.command(Command::Open { name: "other.svg".into(), bytes: blank.to_vec() });
+    assert!(page.session.document().scribbles.is_empty());
+    page.session.command(Command::Undo);
+    page.view(ViewChange::ZoomReset);
+    assert_eq!(page.session.document().scribbles.len(), 1);
+    assert_eq!(page.color_at((440.0, 200.0)), RED);
+    page.session.command(Command::Undo);
+    page.session.command(Command::Undo);
+    assert!(page.session.document().scribbles.is_empty());
+}
+
+#[test]
+fn a_stroke_off_the_page_is_no_scribble() {
+    let mut page = Page::open(SQUARE);
+    page.stroke(RED, &[(-40.0, 100.0), (-30.0, 300.0)]);
+    assert!(page.session.document().scribbles.is_empty());
+    page.session.take_effects();
+    page.session.command(Command::Undo);
+    assert!(page.session.take_effects().is_empty(), "there is nothing to undo");
+}

@@ -70,7 +70,7 @@ fn licences() -> Result<()> {
 }
 
 fn native_tests() -> Result<()> {
-    run(cargo().args(["test", "--workspace"]))
+    run(cargo().args(["test", "--workspace", "--no-fail-fast"]))
 }
 
 fn corpus() -> Result<()> {

@@ -37,6 +37,19 @@ fn drawings_that_are_none() {
 }
 
 #[test]
+fn a_picture_never_takes_the_place_of_its_drawing() {
+    let folder = Folder::new("over-input").with("d.svg", CIRCLE).with("s.json", INSIDE);
+    for output in ["d.svg", "./s.json"] {
+        refused_call(
+            &folder,
+            &["color", "d.svg", "--scribbles", "s.json", "-o", output],
+            "name another file",
+        );
+    }
+    assert_eq!(folder.read("d.svg"), CIRCLE.as_bytes());
+}
+
+#[test]
 fn drawings_without_a_page() {
     refused("zero-view-box", CIRCLE.replace("10 20 64 64", "0 0 0 64"), INSIDE, "no area");
     refused("nan-view-box", CIRCLE.replace("10 20 64 64", "0 0 NaN 64"), INSIDE, "no area");

@@ -34,6 +34,17 @@ fn colored(folder: &Folder, options: &[&str]) -> Picture {
     Picture { width: info.width as usize, height: info.height as usize, rgba }
 }
 
+#[cfg(unix)]
+#[test]
+fn a_link_is_followed_and_stays_a_link() {
+    let folder = folder("link").with("target.png", "");
+    std::os::unix::fs::symlink("target.png", folder.path().join("link.png")).unwrap();
+    let output = folder.run(&["color", "d.svg", "--scribbles", "s.json", "-o", "link.png"]);
+    assert!(output.status.success(), "{}", stderr(&output));
+    assert!(folder.path().join("link.png").is_symlink());
+    assert!(folder.read("target.png").starts_with(b"\x89PNG"));
+}
+
 fn folder(name: &str) -> Folder {
     Folder::new(name).with("d.svg", CIRCLE).with("s.json", INSIDE)
 }
