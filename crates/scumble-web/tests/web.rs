@@ -101,8 +101,11 @@ async fn javascript_sees_effects_by_name_and_errors_for_what_does_not_exist() {
     {
         assert!(effects.contains(&name.to_owned()), "{name} is missing in {effects:?}");
     }
-    app.pointer("down", &[100.0, 100.0, 0.5]).expect("effects");
+    app.command("resize", &numbers(&[800.0, 600.0, 1.0])).expect("effects");
+    app.pointer("down", &[400.0, 300.0, 0.5]).expect("effects");
     assert_eq!(names(&app.pointer("up", &[]).expect("effects")), ["scribble-added"]);
+    app.pointer("down", &[0.0, 0.0, 0.5]).expect("effects");
+    assert_eq!(names(&app.pointer("up", &[]).expect("effects")), ["scribble-dropped"], "off the page");
     assert_eq!(names(&app.frame()), Vec::<String>::new());
     assert!(app.command("no such command", &JsValue::NULL).is_err());
     assert!(app.command("color", &"red".into()).is_err());

@@ -92,10 +92,12 @@ fn wasm_tests() -> Result<()> {
     tools::wasm_bindgen()?;
     tools::wasm_pack()?;
     tools::browsers()?;
-    let test = ["test", "--headless", "--chrome", "crates/scumble-web"];
-    let features = ["--no-default-features", "--features", "webgpu"];
     let driver = find("chromedriver").unwrap_or_default();
-    run(command("wasm-pack").args(test).args(features).env("CHROMEDRIVER", driver))
+    for flavour in dist::FLAVOURS {
+        let test = ["test", "--headless", "--chrome", "crates/scumble-web", "--no-default-features"];
+        run(command("wasm-pack").args(test).args(["--features", flavour]).env("CHROMEDRIVER", &driver))?;
+    }
+    Ok(())
 }
 
 fn page_tests() -> Result<()> {
