@@ -32,7 +32,7 @@ pub use color_points::{ColorPoint, ColorSpan, SideColors, color_spans, side_colo
 pub use drawing::{Curve, Drawing, Fill, Line};
 pub use edit::{Document, Editor};
 pub use engine::{Engine, Labels};
-pub use planar_map::{MapError, Piece, PlanarMap, Sampling, Step};
+pub use planar_map::{Gap, MapError, Piece, PlanarMap, Sampling, Step};
 pub use scribble::Scribble;
 pub use sight::Sight;
 pub use triangulation::{HalfEdge, SideId, Triangulation};

@@ -46,6 +46,15 @@ pub struct Step {
     pub arc_du: [f64; 2],
 }
 
+/// A narrow passage between two curves, or between two places of one: an edge of the triangulation across it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Gap {
+    /// The nodes on either side of the passage.
+    pub nodes: [u32; 2],
+    /// What the drawn lines leave free of the way between them, in du; negative where they overlap.
+    pub width_du: f64,
+}
+
 /// Why a drawing has no planar map.
 #[derive(Clone, Debug, Error, PartialEq, Eq)]
 pub enum MapError {
@@ -90,6 +99,7 @@ pub struct PlanarMap {
     triangulation: Triangulation,
     pieces: Vec<Piece>,
     steps: Vec<Vec<Step>>,
+    gaps: Vec<Gap>,
     spacing_du: f64,
 }
 
@@ -114,6 +124,7 @@ impl PlanarMap {
             triangulation,
             pieces,
             steps,
+            gaps: Vec::new(),
             spacing_du: sampling.spacing_du,
         })
     }
@@ -146,6 +157,11 @@ impl PlanarMap {
     /// The way of one curve along the map, in its direction; empty where it is a point or off the page.
     pub fn steps(&self, curve: usize) -> &[Step] {
         &self.steps[curve]
+    }
+
+    /// The passages that may be closed to colours, in a fixed order.
+    pub fn gaps(&self) -> &[Gap] {
+        &self.gaps
     }
 
     /// Whether a curve ends where it starts, without a gap where it leaves the page.

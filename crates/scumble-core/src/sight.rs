@@ -24,11 +24,11 @@ pub struct Sight {
 impl Engine for Sight {
     fn label(&mut self, map: &PlanarMap, scribbles: &[Scribble]) -> Labels {
         self.reaches.resize_with(scribbles.len(), Reach::default);
-        let mut labels = vec![None; map.side_count()];
+        let mut labels = Labels::none(map);
         for (i, (scribble, reach)) in scribbles.iter().zip(&mut self.reaches).enumerate() {
             reach.follow(map, &scribble.points);
             for side in &reach.sides {
-                labels[side.index()] = Some(i as u32);
+                labels.sides[side.index()] = Some(i as u32);
             }
         }
         labels

@@ -24,8 +24,8 @@ fn a_scribble_inside_a_closed_shape_claims_all_of_its_inside_and_nothing_outside
     let labels = Sight::default().label(&map, &[scribble(&[(250.0, 400.0), (350.0, 420.0)])]);
     for curve in 0..2 {
         for step in map.steps(curve) {
-            assert_eq!(labels[step.left.index()], (curve == 0).then_some(0));
-            assert_eq!(labels[step.left.opposite().index()], None);
+            assert_eq!(labels.sides[step.left.index()], (curve == 0).then_some(0));
+            assert_eq!(labels.sides[step.left.opposite().index()], None);
         }
     }
 }
@@ -35,14 +35,14 @@ fn the_latest_scribble_wins() {
     let map = two_circles();
     let both = [scribble(&[(250.0, 400.0)]), scribble(&[(260.0, 400.0)])];
     let labels = Sight::default().label(&map, &both);
-    assert!(map.steps(0).iter().all(|step| labels[step.left.index()] == Some(1)));
+    assert!(map.steps(0).iter().all(|step| labels.sides[step.left.index()] == Some(1)));
 }
 
 #[test]
 fn a_scribble_off_the_page_claims_nothing() {
     let map = two_circles();
     let far = scribble(&[(-1e9, 5.0), (-1e9, 1e9)]);
-    assert!(Sight::default().label(&map, &[far]).iter().all(Option::is_none));
+    assert!(Sight::default().label(&map, &[far]).sides.iter().all(Option::is_none));
 }
 
 fn strokes() -> impl Strategy<Value = Vec<Vec<Point>>> {

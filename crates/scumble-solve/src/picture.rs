@@ -45,7 +45,7 @@ impl Picture {
     pub fn color(&mut self, scribbles: &[Scribble], blend: Blend) -> SideColors {
         let labels = self.engine.label(&self.map, scribbles);
         let color_of = |side: scumble_core::SideId| {
-            let label = labels.get(side.index()).copied().flatten()?;
+            let label = labels.sides.get(side.index()).copied().flatten()?;
             scribbles.get(label as usize).map(|scribble| scribble.color)
         };
         side_colors(&self.map, &color_spans(&self.map, color_of), blend)
