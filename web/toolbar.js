@@ -31,6 +31,7 @@ const settingOf = (/** @type {string} */ setting) =>
  */
 export function connect(act, set) {
   fillPalette(set);
+  document.addEventListener("mousedown", keepFocus);
   for (const button of /** @type {NodeListOf<HTMLElement>} */ (document.querySelectorAll("[data-action]"))) {
     button.addEventListener("click", () => act(button.dataset.action ?? ""));
   }
@@ -40,6 +41,14 @@ export function connect(act, set) {
   settingOf("blend").addEventListener("change", () => set("blend", settingOf("blend").value));
   input("brush-size").addEventListener("input", () => set("brush-size", input("brush-size").valueAsNumber));
   input("picker").addEventListener("input", () => set("color", input("picker").value));
+}
+
+/**
+ * A button pressed with the mouse leaves the focus where it is: on the canvas, where Space is the hand.
+ * @param {MouseEvent} event
+ */
+function keepFocus(event) {
+  if (event.target instanceof Element && event.target.closest("button")) event.preventDefault();
 }
 
 /** @param {(command: string, args: unknown) => void} set */

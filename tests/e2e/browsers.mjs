@@ -33,7 +33,8 @@ const VIEWPORT = { width: 1200, height: 800 };
  * @property {(role: string, name: string) => Promise<void>} click a control by its role and accessible name
  * @property {{move(x: number, y: number): Promise<void>, down(): Promise<void>, up(): Promise<void>}} mouse
  * @property {(x_px: number, y_px: number) => Promise<void>} wheel
- * @property {(keys: string) => Promise<void>} press one key
+ * @property {(key: string) => Promise<void>} press
+ * @property {(key: string, act: () => Promise<void>) => Promise<void>} hold a key down during an act
  * @property {(files: string[]) => Promise<void>} chooseFiles what the user picks in the file dialog of "Open"
  * @property {(clip?: {x: number, y: number, width: number, height: number}) => Promise<Uint8Array>} screenshot PNG
  * @property {(act: () => Promise<void>) => Promise<string>} download the path of the file that an act downloads
@@ -81,7 +82,12 @@ function chromiumTab(page) {
     click: (role, name) => page.getByRole(/** @type {any} */ (role), { name, exact: true }).click(),
     mouse: page.mouse,
     wheel: (x_px, y_px) => page.mouse.wheel(x_px, y_px),
-    press: (keys) => page.keyboard.press(keys),
+    press: (key) => page.keyboard.press(key),
+    hold: async (key, act) => {
+      await page.keyboard.down(key);
+      await act();
+      await page.keyboard.up(key);
+    },
     chooseFiles: async (files) => {
       const chooser = page.waitForEvent("filechooser");
       await page.getByRole("button", { name: "Open", exact: true }).click();
@@ -128,7 +134,12 @@ function firefoxTab(page) {
     click: (role, name) => page.locator(`::-p-aria([role="${role}"][name="${name}"])`).click(),
     mouse: page.mouse,
     wheel: (x_px, y_px) => page.mouse.wheel({ deltaX: x_px, deltaY: y_px }),
-    press: (keys) => page.keyboard.press(/** @type {any} */ (keys)),
+    press: (key) => page.keyboard.press(/** @type {any} */ (key)),
+    hold: async (key, act) => {
+      await page.keyboard.down(/** @type {any} */ (key));
+      await act();
+      await page.keyboard.up(/** @type {any} */ (key));
+    },
     chooseFiles: async (files) => {
       const input = await page.$('input[type="file"]');
       await /** @type {import("puppeteer-core").ElementHandle<HTMLInputElement>} */ (input).uploadFile(...files);

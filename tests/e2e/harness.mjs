@@ -61,7 +61,8 @@ export class Editor {
    */
   static async open(tab, url, renderer) {
     await tab.goto(url);
-    await tab.waitFor(`document.getElementById("status").textContent !== "" || !document.getElementById("alert").hidden`);
+    await tab.waitFor(`
+      document.getElementById("status").textContent !== "" || !document.getElementById("alert").hidden`);
     const editor = new Editor(tab);
     assert.equal(await editor.message(), "");
     assert.equal(await tab.evaluate(`document.getElementById("canvas").dataset.renderer`), renderer);

@@ -91,7 +91,7 @@ export class Picture {
 }
 
 /**
- * Asserts that two pictures differ by at most two levels in each pixel that is on an edge of neither, and that most are.
+ * Asserts that two pictures differ by at most two levels in each pixel that is on an edge of neither, as most are.
  * @param {Picture} actual
  * @param {Picture} expected
  */

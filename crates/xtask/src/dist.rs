@@ -39,16 +39,15 @@ pub(crate) fn build() -> Result<PathBuf> {
     lock.lock()?;
     tools::wasm_target()?;
     tools::npm_packages()?;
-    let packages = FLAVOURS.map(|flavour| package(flavour).map(|folder| (flavour, folder)));
+    let packages = FLAVOURS.into_iter().map(package).collect::<Result<Vec<_>>>()?;
     let dist = root().join("dist");
     if dist.exists() {
         fs::remove_dir_all(&dist)?;
     }
     write_web(&root().join("web"), &dist.join("web"))?;
     fs::copy(root().join("index.html"), dist.join("index.html"))?;
-    for package in packages {
-        let (flavour, folder) = package?;
-        copy_files(files_in(&folder)?, &dist.join("pkg").join(flavour))?;
+    for (flavour, package) in FLAVOURS.into_iter().zip(packages) {
+        copy_files(files_in(&package)?, &dist.join("pkg").join(flavour))?;
     }
     samples::collect(&dist.join("samples"))?;
     Ok(dist)
@@ -61,8 +60,8 @@ fn package(flavour: &str) -> Result<PathBuf> {
     let work = root().join("target/page").join(flavour);
     let (seen, package) = (work.join("seen"), work.join("package"));
     // The tools and their settings are part of it, so that a change of them runs the steps again.
-    let input =
-        [fs::read(&wasm)?, fs::read(root().join("package-lock.json"))?, WASM_OPT.concat().into()].concat();
+    let tools = fs::read(root().join("package-lock.json"))?;
+    let input = [fs::read(&wasm)?, tools, WASM_OPT.concat().into()].concat();
     if fs::read(&seen).is_ok_and(|seen| seen == input) {
         return Ok(package);
     }
@@ -94,11 +93,8 @@ fn bind(wasm: &Path, package: &Path) -> Result<()> {
 
 fn optimise(wasm: &Path) -> Result<()> {
     let optimised = wasm.with_extension("optimised");
-    run(node().arg("node_modules/binaryen/bin/wasm-opt").args(WASM_OPT).args([
-        wasm,
-        "-o".as_ref(),
-        &optimised,
-    ]))?;
+    let wasm_opt = "node_modules/binaryen/bin/wasm-opt";
+    run(node().arg(wasm_opt).args(WASM_OPT).arg(wasm).arg("-o").arg(&optimised))?;
     Ok(fs::rename(optimised, wasm)?)
 }
 
