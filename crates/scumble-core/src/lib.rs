@@ -7,6 +7,7 @@
 //! | a stroke of colour | [`scribble`] |
 //! | the document, gestures, undo | [`edit`] |
 //! | triangles, half-edges, sides | [`triangulation`] |
+//! | Delaunay triangulation and refinement | `delaunay` |
 //! | curves sampled on a lattice | `sample` |
 //! | crossings found and rounded | `snap` |
 //! | curves as pieces that meet only at nodes | [`planar_map`] |
@@ -16,6 +17,7 @@
 
 pub mod color;
 pub mod color_points;
+mod delaunay;
 pub mod drawing;
 pub mod edit;
 pub mod engine;
@@ -28,7 +30,7 @@ pub mod triangulation;
 pub mod visibility;
 
 pub use color::{Blend, BlendColor, ColorError, Rgba8, Srgb8};
-pub use color_points::{ColorPoint, ColorSpan, SideColors, color_spans, side_colors};
+pub use color_points::{Boundary, ColorPoint, ColorSpan, SideColors, color_spans, side_colors};
 pub use drawing::{Curve, Drawing, Fill, Line};
 pub use edit::{Document, Editor};
 pub use engine::{Engine, Labels};

@@ -2,8 +2,8 @@
 //! changed.
 
 use scumble_core::{
-    Blend, Document, Drawing, Engine, MapError, PlanarMap, Sampling, Scribble, SideColors, Sight,
-    color_spans, side_colors,
+    Blend, Boundary, Document, Drawing, Engine, MapError, PlanarMap, Sampling, Scribble, Sight, color_spans,
+    side_colors,
 };
 
 use crate::field::Field;
@@ -41,14 +41,15 @@ impl Picture {
         self.solver.get_or_insert_with(|| MeshSolver::new(map.refined()))
     }
 
-    /// The colours that scribbles give the sides.
-    pub fn color(&mut self, scribbles: &[Scribble], blend: Blend) -> SideColors {
+    /// The colours that scribbles give the sides, and the gaps that they leave closed.
+    pub fn color(&mut self, scribbles: &[Scribble], blend: Blend) -> Boundary {
         let labels = self.engine.label(&self.map, scribbles);
         let color_of = |side: scumble_core::SideId| {
             let label = labels.sides.get(side.index()).copied().flatten()?;
             scribbles.get(label as usize).map(|scribble| scribble.color)
         };
-        side_colors(&self.map, &color_spans(&self.map, color_of), blend)
+        let sides = side_colors(&self.map, &color_spans(&self.map, color_of), blend);
+        Boundary { sides, closed_gaps: labels.closed_gaps }
     }
 
     /// The colour field of a document with the drawing that this picture was made for.
@@ -56,7 +57,7 @@ impl Picture {
     /// # Errors
     /// When the solver fails.
     pub fn update(&mut self, document: &Document) -> Result<&Field, SolveError> {
-        let colors = self.color(&document.scribbles, document.blend);
-        self.mesh().solve(&colors, document.blend)
+        let boundary = self.color(&document.scribbles, document.blend);
+        self.mesh().solve(&boundary, document.blend)
     }
 }
