@@ -6,7 +6,7 @@
 use std::mem::take;
 
 use kurbo::{Affine, Point, Rect};
-use scumble_core::{Blend, Document, Drawing, Editor, MapError, Scribble, Srgb8};
+use scumble_core::{Blend, Document, Drawing, Editor, MapError, Scribble, Settings, Srgb8};
 use scumble_io::import_svg;
 use scumble_solve::{Field, Picture, Scene, View};
 
@@ -329,7 +329,8 @@ impl Session {
     }
 
     fn set_blend(&mut self, blend: Blend) {
-        self.sheet.editor.set_blend(blend);
+        let settings = Settings { blend, ..self.document().settings };
+        self.sheet.editor.set_settings(settings);
         self.scribbles_changed();
     }
 
@@ -426,7 +427,7 @@ impl Session {
             brush_du: Some(self.brush_du),
             lines: Some(self.lines_shown),
             scribbles: Some(self.scribbles_shown),
-            blend: Some(self.document().blend),
+            blend: Some(self.document().settings.blend),
         }
     }
 }
