@@ -94,6 +94,11 @@ impl Editor {
         self.in_hand = Some(Gesture::Changes(Vec::new()));
     }
 
+    /// Whether a gesture of any changes is in hand.
+    pub fn is_changing(&self) -> bool {
+        matches!(self.in_hand, Some(Gesture::Changes(_)))
+    }
+
     /// Ends the gesture and keeps what it did.
     pub fn commit(&mut self) {
         match self.in_hand.take() {
@@ -158,8 +163,9 @@ impl Editor {
 
     /// Takes the last gesture back, or drops the one in hand; `false` where there is none.
     pub fn undo(&mut self) -> bool {
-        if self.in_hand.is_some() {
-            self.abort();
+        let has_done = self.has_done();
+        self.abort();
+        if has_done {
             return true;
         }
         let Some(back) = self.undo.pop() else { return false };
@@ -181,12 +187,21 @@ impl Editor {
 
     /// Whether [`Editor::undo`] has something to take back.
     pub fn can_undo(&self) -> bool {
-        self.in_hand.is_some() || !self.undo.is_empty()
+        self.has_done() || !self.undo.is_empty()
     }
 
     /// Whether [`Editor::redo`] has something to do again.
     pub fn can_redo(&self) -> bool {
         self.in_hand.is_none() && !self.redo.is_empty()
+    }
+
+    /// Whether there is a gesture in hand that has left its mark.
+    fn has_done(&self) -> bool {
+        match &self.in_hand {
+            None => false,
+            Some(Gesture::Scribble) => true,
+            Some(Gesture::Changes(back)) => back.iter().any(|change| !self.are_settings(change)),
+        }
     }
 
     fn commit_scribble(&mut self) {

@@ -165,8 +165,11 @@ fn a_slider_that_is_dragged_is_one_gesture() {
 fn a_slider_that_comes_back_to_where_it_was_has_done_nothing() {
     let mut editor = editor();
     editor.begin();
+    assert!(!editor.can_undo());
     editor.set_settings(gap(0.7));
+    assert!(editor.can_undo());
     editor.set_settings(gap(0.5));
+    assert!(!editor.can_undo());
     editor.commit();
     assert!(!editor.can_undo());
 }
