@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 
 use anyhow::Context;
 use scumble_core::drawing::LONGER_SIDE_DU;
-use scumble_core::{Blend, Boundary, Scribble};
+use scumble_core::{Blend, Boundary, Scribble, Settings};
 use scumble_io::read_scribbles;
 use serde::Deserialize;
 
@@ -84,7 +84,7 @@ impl Report {
     }
 
     fn first_scribble(&mut self, opened: &mut Opened, first: &[Scribble]) -> anyhow::Result<f64> {
-        let (_, times) = stages::spread(&mut opened.picture, first, Blend::Oklab)?;
+        let (_, times) = stages::spread(&mut opened.picture, first, &Settings::default())?;
         self.color.push(times.color_ms);
         self.analyse.push(times.analyse_ms);
         self.factor.push(times.factor_ms);
@@ -95,11 +95,11 @@ impl Report {
     /// Adds one scribble at a time; gives the colours with all of them.
     fn more_scribbles(&mut self, opened: &mut Opened, scribbles: &[Scribble]) -> anyhow::Result<Boundary> {
         for count in 2..=scribbles.len() {
-            let (_, times) = stages::spread(&mut opened.picture, &scribbles[..count], Blend::Oklab)?;
+            let (_, times) = stages::spread(&mut opened.picture, &scribbles[..count], &Settings::default())?;
             self.new_scribble.push(times.total_ms());
         }
         self.repaint.push(paint_ms(opened, scribbles)?);
-        Ok(opened.picture.color(scribbles, Blend::Oklab))
+        Ok(opened.picture.color(scribbles, &Settings::default()))
     }
 
     /// Gives the last scribble another colour.
@@ -108,7 +108,7 @@ impl Report {
         if let Some(last) = recolored.last_mut() {
             last.color.0[1] ^= 0x40;
         }
-        let (_, times) = stages::spread(&mut opened.picture, &recolored, Blend::Oklab)?;
+        let (_, times) = stages::spread(&mut opened.picture, &recolored, &Settings::default())?;
         self.recolor.push(times.total_ms());
         Ok(())
     }
@@ -173,7 +173,7 @@ fn scribbles(path: PathBuf, opened: &Opened) -> anyhow::Result<Vec<Scribble>> {
 }
 
 fn paint_ms(opened: &mut Opened, scribbles: &[Scribble]) -> anyhow::Result<f64> {
-    let boundary = opened.picture.color(scribbles, Blend::Oklab);
+    let boundary = opened.picture.color(scribbles, &Settings::default());
     let view = stages::page_view(&opened.import.drawing, SIZE_PX);
     let field = opened.picture.mesh().solve(&boundary, Blend::Oklab)?;
     let (_, paint_ms) = timed(|| stages::paint_page(field, &[], &view, Some(PAPER)));

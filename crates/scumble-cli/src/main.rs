@@ -33,6 +33,10 @@ scumble color DRAWING.svg --scribbles S.json -o OUT.png
     [--lines]               draw the lines over the colours
     [--transparent]         no white paper where nothing is coloured
     [--blend oklab|srgb]    how colours mix
+    [--engine global|progressive]
+                            all scribbles at once, or one after the other
+    [--gap-closing 0.5]     how readily gaps between lines count as closed, 0 to 1 (global only)
+    [--spread]              colour also what nobody scribbled (global only)
     [--timings]             print counts and milliseconds of each stage as JSON
 
     S.json: {\"scribbles\":[{\"color\":\"#rrggbb\",\"width\":1.5,\"points\":[[x,y],…]},…]}

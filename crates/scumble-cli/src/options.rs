@@ -5,7 +5,7 @@ use std::path::PathBuf;
 
 use anyhow::{Context, anyhow, bail};
 use pico_args::Arguments;
-use scumble_core::Blend;
+use scumble_core::{Blend, EngineKind, Settings};
 
 /// Picture sizes that are made, in pixels of the longer side.
 const SIZES_PX: std::ops::RangeInclusive<u32> = 1..=16384;
@@ -29,7 +29,7 @@ pub(crate) struct ColorOptions {
     pub(crate) size_px: u32,
     pub(crate) lines: bool,
     pub(crate) transparent: bool,
-    pub(crate) blend: Blend,
+    pub(crate) settings: Settings,
     pub(crate) timings: bool,
 }
 
@@ -62,7 +62,7 @@ fn color(mut arguments: Arguments) -> anyhow::Result<ColorOptions> {
     let scribbles = arguments.opt_value_from_os_str("--scribbles", path).map_err(advise)?;
     let output = arguments.opt_value_from_os_str("-o", path).map_err(advise)?;
     let size_px = arguments.opt_value_from_fn("--size", size).map_err(advise)?;
-    let blend = arguments.opt_value_from_fn("--blend", blend).map_err(advise)?;
+    let settings = settings(&mut arguments)?;
     let lines = arguments.contains("--lines");
     let transparent = arguments.contains("--transparent");
     let timings = arguments.contains("--timings");
@@ -74,8 +74,22 @@ fn color(mut arguments: Arguments) -> anyhow::Result<ColorOptions> {
         size_px: size_px.unwrap_or(1024),
         lines,
         transparent,
-        blend: blend.unwrap_or_default(),
+        settings,
         timings,
+    })
+}
+
+/// How the drawing is to be coloured, where the options say otherwise than the defaults do.
+fn settings(arguments: &mut Arguments) -> anyhow::Result<Settings> {
+    let default = Settings::default();
+    let blend = arguments.opt_value_from_fn("--blend", blend).map_err(advise)?;
+    let engine = arguments.opt_value_from_fn("--engine", engine).map_err(advise)?;
+    let gap_closing = arguments.opt_value_from_fn("--gap-closing", share).map_err(advise)?;
+    Ok(Settings {
+        blend: blend.unwrap_or(default.blend),
+        engine: engine.unwrap_or(default.engine),
+        gap_closing: gap_closing.unwrap_or(default.gap_closing),
+        spread: arguments.contains("--spread"),
     })
 }
 
@@ -107,6 +121,19 @@ fn blend(text: &str) -> Result<Blend, String> {
         "srgb" => Ok(Blend::Srgb),
         _ => Err("give oklab or srgb".into()),
     }
+}
+
+fn engine(text: &str) -> Result<EngineKind, String> {
+    match text {
+        "global" => Ok(EngineKind::Global),
+        "progressive" => Ok(EngineKind::Progressive),
+        _ => Err("give global or progressive".into()),
+    }
+}
+
+fn share(text: &str) -> Result<f64, String> {
+    let share = text.parse().ok().filter(|share| (0.0..=1.0).contains(share));
+    share.ok_or_else(|| "give a number from 0 to 1".into())
 }
 
 fn advise(error: pico_args::Error) -> anyhow::Error {

@@ -13,6 +13,7 @@
 //! | curves as pieces that meet only at nodes | [`planar_map`] |
 //! | what a point sees | [`visibility`] |
 //! | which scribble colours which side | [`engine`], [`sight`] |
+//! | how a drawing is coloured | [`settings`] |
 //! | colours along the sides of curves | [`color_points`] |
 
 pub mod color;
@@ -24,6 +25,7 @@ pub mod engine;
 pub mod planar_map;
 mod sample;
 pub mod scribble;
+pub mod settings;
 pub mod sight;
 mod snap;
 pub mod triangulation;
@@ -36,6 +38,7 @@ pub use edit::{Document, Editor};
 pub use engine::{Engine, Labels};
 pub use planar_map::{Gap, MapError, Piece, PlanarMap, Sampling, Step};
 pub use scribble::Scribble;
+pub use settings::{EngineKind, Settings};
 pub use sight::Sight;
 pub use triangulation::{HalfEdge, SideId, Triangulation};
 pub use visibility::{Visible, visibility_polygon};

@@ -2,7 +2,7 @@
 //! changed.
 
 use scumble_core::{
-    Blend, Boundary, Document, Drawing, Engine, MapError, PlanarMap, Sampling, Scribble, Sight, color_spans,
+    Boundary, Document, Drawing, Engine, MapError, PlanarMap, Sampling, Scribble, Settings, color_spans,
     side_colors,
 };
 
@@ -16,7 +16,9 @@ use crate::mesh::{MeshSolver, SolveError};
 #[derive(Debug)]
 pub struct Picture {
     map: PlanarMap,
-    engine: Sight,
+    /// The engine and the settings that it was made for.
+    engine: Box<dyn Engine>,
+    settings: Settings,
     solver: Option<MeshSolver>,
 }
 
@@ -27,7 +29,8 @@ impl Picture {
     /// When the drawing has too many pieces.
     pub fn new(drawing: &Drawing) -> Result<Self, MapError> {
         let map = PlanarMap::build(drawing, &Sampling::default())?;
-        Ok(Self { map, engine: Sight::default(), solver: None })
+        let settings = Settings::default();
+        Ok(Self { map, engine: settings.engine(), settings, solver: None })
     }
 
     /// The planar map of the drawing.
@@ -42,13 +45,17 @@ impl Picture {
     }
 
     /// The colours that scribbles give the sides, and the gaps that they leave closed.
-    pub fn color(&mut self, scribbles: &[Scribble], blend: Blend) -> Boundary {
+    pub fn color(&mut self, scribbles: &[Scribble], settings: &Settings) -> Boundary {
+        if !self.settings.share_engine(settings) {
+            self.engine = settings.engine();
+        }
+        self.settings = *settings;
         let labels = self.engine.label(&self.map, scribbles);
         let color_of = |side: scumble_core::SideId| {
             let label = labels.sides.get(side.index()).copied().flatten()?;
             scribbles.get(label as usize).map(|scribble| scribble.color)
         };
-        let sides = side_colors(&self.map, &color_spans(&self.map, color_of), blend);
+        let sides = side_colors(&self.map, &color_spans(&self.map, color_of), settings.blend);
         Boundary { sides, closed_gaps: labels.closed_gaps }
     }
 
@@ -57,7 +64,7 @@ impl Picture {
     /// # Errors
     /// When the solver fails.
     pub fn update(&mut self, document: &Document) -> Result<&Field, SolveError> {
-        let boundary = self.color(&document.scribbles, document.blend);
-        self.mesh().solve(&boundary, document.blend)
+        let boundary = self.color(&document.scribbles, &document.settings);
+        self.mesh().solve(&boundary, document.settings.blend)
     }
 }
