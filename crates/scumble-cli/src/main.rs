@@ -8,6 +8,7 @@
 //! | `scumble bench`: how long each stage takes | `bench` |
 //! | … beside a plain solver on pixels | `baseline` |
 //! | `scumble eval`: how well engines colour | `eval` |
+//! | … beside other people's methods on pixels | `rivals` |
 //! | folders of drawings with scribbles and truth | `set` |
 //! | from a file to a picture, stage by stage | `stages` |
 //! | times and their percentiles | `clock` |
@@ -21,6 +22,7 @@ mod corpus;
 mod eval;
 mod files;
 mod options;
+mod rivals;
 mod set;
 mod stages;
 

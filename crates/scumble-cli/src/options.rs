@@ -92,13 +92,17 @@ fn eval(mut arguments: Arguments) -> anyhow::Result<EvalOptions> {
     let method = arguments.opt_value_from_fn("--engine", Method::parse).map_err(advise)?;
     let gap_closing = arguments.opt_value_from_fn("--gap-closing", unit).map_err(advise)?;
     let spread = arguments.contains("--spread");
+    let single = arguments.contains("--single");
+    let sheet = arguments.opt_value_from_os_str("--sheet", path).map_err(advise)?;
     let pictures = arguments.opt_value_from_os_str("--pictures", path).map_err(advise)?;
     let [set] = rest(arguments, ["SETDIR"])?;
     Ok(EvalOptions {
         set: set.into(),
         kind: kind.unwrap_or_default(),
-        method: method.unwrap_or(Method::Global),
+        method: method.unwrap_or_default(),
         manner: Manner { gap_closing: gap_closing.unwrap_or(0.5), spread },
+        single,
+        sheet,
         pictures,
     })
 }

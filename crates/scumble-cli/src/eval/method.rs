@@ -1,50 +1,8 @@
-//! The ways to colour that are compared: engines by name, each as it serves one drawing.
+//! The ways to colour that are compared: engines and, on pixels, other people's methods; each by its name.
 
-use anyhow::bail;
-use scumble_core::{Blend, Engine, PlanarMap, Scribble, Sight, color_spans, side_colors};
-use scumble_solve::{MeshSolver, Pixmap};
+use scumble_core::{Engine, Sight};
 
-use crate::clock::{Times, timed};
-use crate::stages::{self, Opened};
-
-/// A way to colour.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Method {
-    /// All scribbles at once.
-    Global,
-    /// One scribble after the other.
-    Progressive,
-    /// What a scribble sees is its own.
-    Sight,
-}
-
-/// All methods, by the names that the user writes.
-const METHODS: [(&str, Method); 3] =
-    [("global", Method::Global), ("progressive", Method::Progressive), ("sight", Method::Sight)];
-
-impl Method {
-    /// Reads a name.
-    ///
-    /// # Errors
-    /// When there is no such method; the message names all.
-    pub(crate) fn parse(name: &str) -> Result<Self, String> {
-        let found = METHODS.iter().find(|(known, _)| *known == name);
-        let names = || METHODS.map(|(name, _)| name).join(", ");
-        found.map(|(_, method)| *method).ok_or_else(|| format!("give one of {}", names()))
-    }
-
-    /// As the user writes it.
-    pub(crate) fn name(self) -> &'static str {
-        METHODS.iter().find(|(_, method)| *method == self).map_or("", |(name, _)| name)
-    }
-
-    /// A new engine.
-    fn engine(self, _manner: Manner) -> Box<dyn Engine> {
-        match self {
-            Self::Global | Self::Progressive | Self::Sight => Box::new(Sight::default()),
-        }
-    }
-}
+use crate::rivals::{self, Sketch, SketchPixel};
 
 /// How far colours go.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -55,57 +13,57 @@ pub(crate) struct Manner {
     pub(crate) spread: bool,
 }
 
-/// How long labelling took.
-#[derive(Debug, Default)]
-pub(crate) struct Latency {
-    /// All scribbles of a drawing at once, by an engine that knows nothing of the drawing yet.
-    pub(crate) at_once: Times,
-    /// One more scribble, from the second on.
-    pub(crate) one_more: Times,
-    /// The last scribble of a drawing, all others being there.
-    pub(crate) last: Times,
+/// A way to colour.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Method {
+    /// As the user writes it.
+    pub(crate) name: &'static str,
+    pub(crate) way: Way,
 }
 
-impl Latency {
-    /// Times the labelling of one drawing.
-    pub(crate) fn take(&mut self, method: Method, manner: Manner, map: &PlanarMap, scribbles: &[Scribble]) {
-        let mut engine = method.engine(manner);
-        self.at_once.push(timed(|| engine.label(map, scribbles)).1);
-        let mut engine = method.engine(manner);
-        for count in 1..=scribbles.len() {
-            let (_, ms) = timed(|| engine.label(map, &scribbles[..count]));
-            if count > 1 {
-                self.one_more.push(ms);
-            }
-            if count == scribbles.len() {
-                self.last.push(ms);
-            }
-        }
+/// What a method works on.
+#[derive(Clone, Copy, Debug)]
+pub(crate) enum Way {
+    /// The planar map: makes an engine that knows nothing of any drawing yet.
+    Engine(fn(Manner) -> Box<dyn Engine>),
+    /// Pixels: labels all pixels of a sketch.
+    Pixels(fn(&Sketch, Manner) -> Vec<SketchPixel>),
+}
+
+/// All scribbles at once.
+const GLOBAL: Method = Method { name: "global", way: Way::Engine(|_| Box::new(Sight::default())) };
+
+/// What a scribble sees is its own.
+pub(crate) const SIGHT: Method = Method { name: "sight", way: Way::Engine(|_| Box::new(Sight::default())) };
+
+/// Flood fill without gap closing.
+pub(crate) const FLOOD: Method =
+    Method { name: "flood", way: Way::Pixels(|sketch, manner| rivals::flood(sketch, manner.spread)) };
+
+/// All methods. The last two spread colours in either manner: they leave no pixel out.
+const METHODS: [Method; 6] = [
+    GLOBAL,
+    Method { name: "progressive", way: Way::Engine(|_| Box::new(Sight::default())) },
+    SIGHT,
+    FLOOD,
+    Method { name: "lazybrush", way: Way::Pixels(|sketch, _| rivals::lazybrush(sketch)) },
+    Method { name: "nearest", way: Way::Pixels(|sketch, _| rivals::nearest(sketch)) },
+];
+
+impl Default for Method {
+    fn default() -> Self {
+        GLOBAL
     }
 }
 
-/// The picture of some scribbles, transparent where nothing is coloured.
-///
-/// # Errors
-/// When the solver fails.
-pub(crate) fn paint(
-    method: Method,
-    manner: Manner,
-    opened: &mut Opened,
-    scribbles: &[Scribble],
-    size_px: u32,
-) -> anyhow::Result<Pixmap> {
-    let view = stages::page_view(&opened.import.drawing, size_px);
-    let map = opened.picture.map();
-    let labels = method.engine(manner).label(map, scribbles);
-    if labels.sides.len() != map.side_count() {
-        bail!("the engine {} labels {} of {} sides", method.name(), labels.sides.len(), map.side_count());
+impl Method {
+    /// Reads a name.
+    ///
+    /// # Errors
+    /// When there is no such method; the message names all.
+    pub(crate) fn parse(name: &str) -> Result<Self, String> {
+        let names = || METHODS.map(|method| method.name).join(", ");
+        let found = METHODS.into_iter().find(|method| method.name == name);
+        found.ok_or_else(|| format!("give one of {}", names()))
     }
-    let color_of = |side: scumble_core::SideId| {
-        let label = labels.sides[side.index()]?;
-        scribbles.get(label as usize).map(|scribble| scribble.color)
-    };
-    let colors = side_colors(map, &color_spans(map, color_of), Blend::Oklab);
-    let mut solver = MeshSolver::new(map.refined());
-    Ok(stages::paint_page(solver.solve(&colors, Blend::Oklab)?, &[], &view, None))
 }

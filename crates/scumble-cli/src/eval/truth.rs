@@ -6,6 +6,8 @@ use anyhow::{Context, ensure};
 use png::{BitDepth, ColorType, Decoder};
 use scumble_core::{Scribble, Srgb8};
 
+use crate::rivals::neighbors;
+
 /// The colours of a quality set's scribbles; the red of a truth picture is an index into it.
 pub(crate) const PALETTE: [Srgb8; 12] = [
     Srgb8([0xe6, 0x19, 0x4b]),
@@ -67,6 +69,11 @@ impl Truth {
         let colors = pixels.iter().map(|[red, _, _]| *red).collect();
         let marks = pixels.iter().map(|[_, green, _]| mark(*green)).collect();
         Ok(Self { width_px, height_px, colors, marks })
+    }
+
+    /// The pixels that share an edge with a pixel.
+    pub(crate) fn neighbors(&self, pixel: usize) -> impl Iterator<Item = usize> + use<> {
+        neighbors(pixel, self.width_px as usize, self.height_px as usize)
     }
 
     /// The larger of width and height.
