@@ -11,6 +11,7 @@
 //! | curves sampled on a lattice | `sample` |
 //! | crossings found and rounded | `snap` |
 //! | curves as pieces that meet only at nodes | [`planar_map`] |
+//! | samples along a stroke | `stroke` |
 //! | what a point sees | [`visibility`] |
 //! | which scribble colours which side | [`engine`], [`sight`] |
 //! | how a drawing is coloured | [`settings`] |
@@ -28,6 +29,7 @@ pub mod scribble;
 pub mod settings;
 pub mod sight;
 mod snap;
+mod stroke;
 pub mod triangulation;
 pub mod visibility;
 
