@@ -3,7 +3,7 @@
 use std::ffi::OsString;
 use std::path::PathBuf;
 
-use anyhow::{Context, anyhow, bail};
+use anyhow::{Context, anyhow, bail, ensure};
 use pico_args::Arguments;
 use scumble_core::Blend;
 
@@ -96,6 +96,8 @@ fn eval(mut arguments: Arguments) -> anyhow::Result<EvalOptions> {
     let sheet = arguments.opt_value_from_os_str("--sheet", path).map_err(advise)?;
     let pictures = arguments.opt_value_from_os_str("--pictures", path).map_err(advise)?;
     let [set] = rest(arguments, ["SETDIR"])?;
+    let is_together = sheet.is_none() && pictures.is_none();
+    ensure!(!single || is_together, "--single makes no pictures; leave out --sheet and --pictures");
     Ok(EvalOptions {
         set: set.into(),
         kind: kind.unwrap_or_default(),

@@ -40,13 +40,22 @@ pub(crate) const SIGHT: Method = Method { name: "sight", way: Way::Engine(|_| Bo
 pub(crate) const FLOOD: Method =
     Method { name: "flood", way: Way::Pixels(|sketch, manner| rivals::flood(sketch, manner.spread)) };
 
-/// All methods. The last two spread colours in either manner: they leave no pixel out.
-const METHODS: [Method; 6] = [
+/// LazyBrush with hard scribbles: on thin scribbles the better one for it.
+const LAZYBRUSH: Method =
+    Method { name: "lazybrush", way: Way::Pixels(|sketch, _| rivals::lazybrush(sketch, rivals::HARD)) };
+
+/// LazyBrush with scribbles as soft as the paper's.
+const SOFT_LAZYBRUSH: Method =
+    Method { name: "lazybrush-soft", way: Way::Pixels(|sketch, _| rivals::lazybrush(sketch, rivals::SOFT)) };
+
+/// All methods. The last three spread colours in either manner: they leave no pixel out.
+const METHODS: [Method; 7] = [
     GLOBAL,
     Method { name: "progressive", way: Way::Engine(|_| Box::new(Sight::default())) },
     SIGHT,
     FLOOD,
-    Method { name: "lazybrush", way: Way::Pixels(|sketch, _| rivals::lazybrush(sketch)) },
+    LAZYBRUSH,
+    SOFT_LAZYBRUSH,
     Method { name: "nearest", way: Way::Pixels(|sketch, _| rivals::nearest(sketch)) },
 ];
 
@@ -65,5 +74,19 @@ impl Method {
         let names = || METHODS.map(|method| method.name).join(", ");
         let found = METHODS.into_iter().find(|method| method.name == name);
         found.ok_or_else(|| format!("give one of {}", names()))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn methods_are_found_by_their_names() {
+        for method in METHODS {
+            assert_eq!(Method::parse(method.name).unwrap().name, method.name);
+        }
+        let message = Method::parse("crayon").unwrap_err();
+        assert!(METHODS.iter().all(|method| message.contains(method.name)), "{message}");
     }
 }
