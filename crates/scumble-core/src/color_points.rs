@@ -11,6 +11,22 @@ use crate::triangulation::SideId;
 /// the side has no colour and is a no-flux barrier. Indexed by [`SideId`].
 pub type SideColors = Vec<Option<[BlendColor; 3]>>;
 
+/// What bounds the spreading of colours: the input of the solver.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Boundary {
+    /// The colours of the sides of curves; sides beyond its end have none.
+    pub sides: SideColors,
+    /// For each gap of the map whether it lets no colour through; gaps beyond its end are open.
+    pub closed_gaps: Vec<bool>,
+}
+
+impl From<SideColors> for Boundary {
+    /// With all gaps open.
+    fn from(sides: SideColors) -> Self {
+        Self { sides, closed_gaps: Vec::new() }
+    }
+}
+
 /// Length of the transition between two runs, in du; shorter where a run is shorter.
 pub const TRANSITION_DU: f64 = 24.0;
 

@@ -7,33 +7,38 @@
 //! | a stroke of colour | [`scribble`] |
 //! | the document, gestures, undo | [`edit`] |
 //! | triangles, half-edges, sides | [`triangulation`] |
+//! | Delaunay triangulation and refinement | `delaunay` |
 //! | curves sampled on a lattice | `sample` |
 //! | crossings found and rounded | `snap` |
 //! | curves as pieces that meet only at nodes | [`planar_map`] |
 //! | what a point sees | [`visibility`] |
 //! | which scribble colours which side | [`engine`], [`sight`] |
+//! | how a drawing is coloured | [`settings`] |
 //! | colours along the sides of curves | [`color_points`] |
 
 pub mod color;
 pub mod color_points;
+mod delaunay;
 pub mod drawing;
 pub mod edit;
 pub mod engine;
 pub mod planar_map;
 mod sample;
 pub mod scribble;
+pub mod settings;
 pub mod sight;
 mod snap;
 pub mod triangulation;
 pub mod visibility;
 
 pub use color::{Blend, BlendColor, ColorError, Rgba8, Srgb8};
-pub use color_points::{ColorPoint, ColorSpan, SideColors, color_spans, side_colors};
+pub use color_points::{Boundary, ColorPoint, ColorSpan, SideColors, color_spans, side_colors};
 pub use drawing::{Curve, Drawing, Fill, Line};
 pub use edit::{Document, Editor};
 pub use engine::{Engine, Labels};
 pub use planar_map::{Gap, MapError, Piece, PlanarMap, Sampling, Step};
 pub use scribble::Scribble;
+pub use settings::{EngineKind, Settings};
 pub use sight::Sight;
 pub use triangulation::{HalfEdge, SideId, Triangulation};
 pub use visibility::{Visible, visibility_polygon};

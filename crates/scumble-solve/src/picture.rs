@@ -2,8 +2,8 @@
 //! changed.
 
 use scumble_core::{
-    Blend, Document, Drawing, Engine, MapError, PlanarMap, Sampling, Scribble, SideColors, Sight,
-    color_spans, side_colors,
+    Boundary, Document, Drawing, Engine, MapError, PlanarMap, Sampling, Scribble, Settings, color_spans,
+    side_colors,
 };
 
 use crate::field::Field;
@@ -16,7 +16,9 @@ use crate::mesh::{MeshSolver, SolveError};
 #[derive(Debug)]
 pub struct Picture {
     map: PlanarMap,
-    engine: Sight,
+    /// The engine and the settings that it was made for.
+    engine: Box<dyn Engine>,
+    settings: Settings,
     solver: Option<MeshSolver>,
 }
 
@@ -27,7 +29,8 @@ impl Picture {
     /// When the drawing has too many pieces.
     pub fn new(drawing: &Drawing) -> Result<Self, MapError> {
         let map = PlanarMap::build(drawing, &Sampling::default())?;
-        Ok(Self { map, engine: Sight::default(), solver: None })
+        let settings = Settings::default();
+        Ok(Self { map, engine: settings.engine(), settings, solver: None })
     }
 
     /// The planar map of the drawing.
@@ -41,14 +44,19 @@ impl Picture {
         self.solver.get_or_insert_with(|| MeshSolver::new(map.refined()))
     }
 
-    /// The colours that scribbles give the sides.
-    pub fn color(&mut self, scribbles: &[Scribble], blend: Blend) -> SideColors {
+    /// The colours that scribbles give the sides, and the gaps that they leave closed.
+    pub fn color(&mut self, scribbles: &[Scribble], settings: &Settings) -> Boundary {
+        if !self.settings.share_engine(settings) {
+            self.engine = settings.engine();
+        }
+        self.settings = *settings;
         let labels = self.engine.label(&self.map, scribbles);
         let color_of = |side: scumble_core::SideId| {
             let label = labels.sides.get(side.index()).copied().flatten()?;
             scribbles.get(label as usize).map(|scribble| scribble.color)
         };
-        side_colors(&self.map, &color_spans(&self.map, color_of), blend)
+        let sides = side_colors(&self.map, &color_spans(&self.map, color_of), settings.blend);
+        Boundary { sides, closed_gaps: labels.closed_gaps }
     }
 
     /// The colour field of a document with the drawing that this picture was made for.
@@ -56,7 +64,7 @@ impl Picture {
     /// # Errors
     /// When the solver fails.
     pub fn update(&mut self, document: &Document) -> Result<&Field, SolveError> {
-        let colors = self.color(&document.scribbles, document.blend);
-        self.mesh().solve(&colors, document.blend)
+        let boundary = self.color(&document.scribbles, &document.settings);
+        self.mesh().solve(&boundary, document.settings.blend)
     }
 }

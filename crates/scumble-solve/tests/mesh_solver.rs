@@ -3,7 +3,7 @@
 use kurbo::{BezPath, Circle, Line, Point, Rect, Shape};
 use proptest::prelude::*;
 use scumble_core::{
-    Blend, BlendColor, Curve, Drawing, PlanarMap, Sampling, SideColors, SideId, Triangulation,
+    Blend, BlendColor, Boundary, Curve, Drawing, PlanarMap, Sampling, SideColors, SideId, Triangulation,
 };
 use scumble_solve::{Field, FieldTriangle, MeshSolver, SolveError};
 
@@ -16,7 +16,7 @@ fn map(curves: impl IntoIterator<Item = BezPath>) -> PlanarMap {
 }
 
 fn solved(map: &PlanarMap, colors: &SideColors) -> Field {
-    MeshSolver::new(map.refined()).solve(colors, Blend::Srgb).expect("a field").clone()
+    MeshSolver::new(map.refined()).solve(&colors.clone().into(), Blend::Srgb).expect("a field").clone()
 }
 
 fn centre(triangle: &FieldTriangle) -> Point {
@@ -130,7 +130,7 @@ fn the_counts_are_those_of_the_mesh() {
 
 /// A strip of triangles whose lower nodes are at the given heights below its upper edge. Its left end is black, its
 /// right end white.
-fn strip(depths: &[f64]) -> (Triangulation, SideColors) {
+fn strip(depths: &[f64]) -> (Triangulation, Boundary) {
     let columns = depths.len() as u32;
     let upper = (0..columns).map(|i| Point::new(f64::from(i), 1.0));
     let lower = depths.iter().enumerate().map(|(i, depth)| Point::new(i as f64, 1.0 - depth));
@@ -144,15 +144,15 @@ fn strip(depths: &[f64]) -> (Triangulation, SideColors) {
         _ => None,
     };
     let mesh = Triangulation::new(upper.chain(lower).collect(), &cells.collect::<Vec<_>>(), side);
-    (mesh, vec![Some([[0.0; 3]; 3]), Some([[1.0; 3]; 3])])
+    (mesh, vec![Some([[0.0; 3]; 3]), Some([[1.0; 3]; 3])].into())
 }
 
 #[test]
 fn triangles_without_area_do_no_harm() {
     for least in [0.0, 1e-300, 1e-18, 1e-9, 1e-4] {
-        let (mesh, colors) = strip(&[1.0, least, 1.0, 1e-5, least, least, 2.0]);
+        let (mesh, boundary) = strip(&[1.0, least, 1.0, 1e-5, least, least, 2.0]);
         let mut solver = MeshSolver::new(mesh);
-        let field = solver.solve(&colors, Blend::Srgb).expect("a field");
+        let field = solver.solve(&boundary, Blend::Srgb).expect("a field");
         assert_eq!(field.triangles.len(), 12);
         assert!(all_colors(field).flatten().all(|c| (0.0..=1.0).contains(&c)));
     }
@@ -161,8 +161,8 @@ fn triangles_without_area_do_no_harm() {
 #[test]
 fn corners_that_are_not_finite_are_an_error() {
     for bad in [f64::NAN, f64::INFINITY, 1e200] {
-        let (mesh, colors) = strip(&[1.0, bad, 1.0]);
-        assert_eq!(MeshSolver::new(mesh).solve(&colors, Blend::Srgb), Err(SolveError::NotPositive));
+        let (mesh, boundary) = strip(&[1.0, bad, 1.0]);
+        assert_eq!(MeshSolver::new(mesh).solve(&boundary, Blend::Srgb), Err(SolveError::NotPositive));
     }
 }
 
@@ -171,7 +171,7 @@ fn a_triangle_with_three_colours_has_nothing_to_solve() {
     let corners = [(0.0, 0.0), (1.0, 0.0), (0.0, 1.0)].map(Point::from);
     let mesh = Triangulation::new(corners.to_vec(), &[[0, 1, 2]], |a, _| Some(SideId(a)));
     let colors = [0.0, 0.5, 1.0].map(|value| Some([[value; 3]; 3])).to_vec();
-    let field = MeshSolver::new(mesh).solve(&colors, Blend::Srgb).expect("a field").clone();
+    let field = MeshSolver::new(mesh).solve(&colors.into(), Blend::Srgb).expect("a field").clone();
     let values = field.triangles[0].colors.map(|color| color[0]);
     assert_eq!(values, [0.5, 0.25, 0.75, 0.0, 0.5, 1.0]);
 }
@@ -255,10 +255,11 @@ proptest! {
     fn stages_make_no_difference(curves in curves(), coloring in colorings()) {
         let map = map(curves);
         let colors = repeated(&coloring, &map);
+        let boundary = colors.clone().into();
         let mut staged = MeshSolver::new(map.refined());
-        staged.analyse(&colors);
-        prop_assert_eq!(staged.factor(&colors), Ok(()));
-        prop_assert_eq!(staged.solve(&colors, Blend::Srgb), Ok(&solved(&map, &colors)));
+        staged.analyse(&boundary);
+        prop_assert_eq!(staged.factor(&boundary), Ok(()));
+        prop_assert_eq!(staged.solve(&boundary, Blend::Srgb), Ok(&solved(&map, &colors)));
     }
 
     #[test]
@@ -267,7 +268,7 @@ proptest! {
         let mut solver = MeshSolver::new(map.refined());
         for coloring in colorings.iter().chain(&colorings) {
             let colors = repeated(coloring, &map);
-            prop_assert_eq!(solver.solve(&colors, Blend::Srgb), Ok(&solved(&map, &colors)));
+            prop_assert_eq!(solver.solve(&colors.clone().into(), Blend::Srgb), Ok(&solved(&map, &colors)));
         }
     }
 

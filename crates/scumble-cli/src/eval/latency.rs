@@ -1,8 +1,8 @@
 //! How long labelling takes.
 
-use scumble_core::{Engine, PlanarMap, Scribble};
+use scumble_core::{Engine, PlanarMap, Scribble, Settings};
 
-use super::method::{Manner, Method, Way};
+use super::method::{Method, Way};
 use super::subject::Subject;
 use crate::clock::{Times, print_head, print_row, timed};
 
@@ -19,17 +19,17 @@ pub(crate) struct Latency {
 
 impl Latency {
     /// Times the labelling of one drawing. On pixels every scribble means to begin anew.
-    pub(crate) fn take(&mut self, subject: &Subject, method: Method, manner: Manner) {
+    pub(crate) fn take(&mut self, subject: &Subject, method: Method, settings: Settings) {
         let map = subject.opened.picture.map();
         match method.way {
             Way::Engine(engine) => {
-                let mut fresh = engine(manner);
+                let mut fresh = engine(settings);
                 self.at_once.push(timed(|| fresh.label(map, &subject.scribbles)).1);
-                self.take_one_by_one(engine(manner), map, &subject.scribbles);
+                self.take_one_by_one(engine(settings), map, &subject.scribbles);
             }
             Way::Pixels(label) => {
                 let sketch = subject.sketch(&subject.scribbles);
-                self.at_once.push(timed(|| label(&sketch, manner)).1);
+                self.at_once.push(timed(|| label(&sketch, settings)).1);
             }
         }
     }

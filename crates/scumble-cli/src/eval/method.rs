@@ -1,17 +1,8 @@
 //! The ways to colour that are compared: engines and, on pixels, other people's methods; each by its name.
 
-use scumble_core::{Engine, Sight};
+use scumble_core::{Engine, EngineKind, Settings, Sight};
 
 use crate::rivals::{self, Sketch, SketchPixel};
-
-/// How far colours go.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Manner {
-    /// How eagerly gaps between lines are closed, from 0 to 1.
-    pub(crate) gap_closing: f64,
-    /// Whether colours go on into areas without scribbles.
-    pub(crate) spread: bool,
-}
 
 /// A way to colour.
 #[derive(Clone, Copy, Debug)]
@@ -24,21 +15,30 @@ pub(crate) struct Method {
 /// What a method works on.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Way {
-    /// The planar map: makes an engine that knows nothing of any drawing yet.
-    Engine(fn(Manner) -> Box<dyn Engine>),
+    /// The planar map: makes an engine that knows nothing of any drawing yet. It minds gap closing and spreading.
+    Engine(fn(Settings) -> Box<dyn Engine>),
     /// Pixels: labels all pixels of a sketch.
-    Pixels(fn(&Sketch, Manner) -> Vec<SketchPixel>),
+    Pixels(fn(&Sketch, Settings) -> Vec<SketchPixel>),
 }
 
 /// All scribbles at once.
-const GLOBAL: Method = Method { name: "global", way: Way::Engine(|_| Box::new(Sight::default())) };
+const GLOBAL: Method = Method {
+    name: "global",
+    way: Way::Engine(|settings| Settings { engine: EngineKind::Global, ..settings }.engine()),
+};
+
+/// One scribble after the other.
+const PROGRESSIVE: Method = Method {
+    name: "progressive",
+    way: Way::Engine(|settings| Settings { engine: EngineKind::Progressive, ..settings }.engine()),
+};
 
 /// What a scribble sees is its own.
 pub(crate) const SIGHT: Method = Method { name: "sight", way: Way::Engine(|_| Box::new(Sight::default())) };
 
 /// Flood fill without gap closing.
 pub(crate) const FLOOD: Method =
-    Method { name: "flood", way: Way::Pixels(|sketch, manner| rivals::flood(sketch, manner.spread)) };
+    Method { name: "flood", way: Way::Pixels(|sketch, settings| rivals::flood(sketch, settings.spread)) };
 
 /// LazyBrush with hard scribbles: on thin scribbles the better one for it.
 const LAZYBRUSH: Method =
@@ -48,10 +48,10 @@ const LAZYBRUSH: Method =
 const SOFT_LAZYBRUSH: Method =
     Method { name: "lazybrush-soft", way: Way::Pixels(|sketch, _| rivals::lazybrush(sketch, rivals::SOFT)) };
 
-/// All methods. The last three spread colours in either manner: they leave no pixel out.
+/// All methods. The last three spread colours with any settings: they leave no pixel out.
 const METHODS: [Method; 7] = [
     GLOBAL,
-    Method { name: "progressive", way: Way::Engine(|_| Box::new(Sight::default())) },
+    PROGRESSIVE,
     SIGHT,
     FLOOD,
     LAZYBRUSH,

@@ -4,10 +4,12 @@
 //! with it by the edges of pixels. Unscored pixels count for that: truth pictures have colours under the lines
 //! too, so that an area stays one where lines cross it.
 
+use scumble_core::Settings;
+
+use super::Method;
 use super::score::{self, Class};
 use super::subject::Subject;
 use super::truth::{Mark, Truth, palette_index};
-use super::{Manner, Method};
 use crate::rivals::SketchPixel;
 
 /// How one scribble did; parts from 0 to 1.
@@ -35,12 +37,12 @@ impl Singles {
     ///
     /// # Errors
     /// When the solver fails.
-    pub(crate) fn add(&mut self, subject: &mut Subject, gap_closing: f64) -> anyhow::Result<()> {
-        let manner = Manner { gap_closing, spread: false };
+    pub(crate) fn add(&mut self, subject: &mut Subject, settings: Settings) -> anyhow::Result<()> {
+        let settings = Settings { spread: false, ..settings };
         for i in 0..subject.scribbles.len() {
             let alone = [subject.scribbles[i].clone()];
             let color = palette_index(&alone[0])?;
-            let picture = subject.paint(self.method, manner, &alone)?;
+            let picture = subject.paint(self.method, settings, &alone)?;
             let classes = score::classes(&picture, &[color]);
             let meant = meant_area(&subject.truth, &subject.sketch(&alone).seeds);
             self.scores.push(SingleScore::new(&subject.truth, color, &classes, &meant));

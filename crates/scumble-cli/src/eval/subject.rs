@@ -3,10 +3,10 @@
 use anyhow::{Context, ensure};
 use kurbo::Affine;
 use scumble_core::drawing::LONGER_SIDE_DU;
-use scumble_core::{Blend, Engine, Scribble, SideId, Srgb8, color_spans, side_colors};
+use scumble_core::{Boundary, Engine, Scribble, Settings, SideId, Srgb8, color_spans, side_colors};
 use scumble_solve::{Field, Pixmap, Scene, Shape, View, line_shapes, paint, scribble_shape};
 
-use super::method::{Manner, Method, Way};
+use super::method::{Method, Way};
 use super::truth::{PALETTE, Truth, palette_index};
 use crate::files;
 use crate::rivals::{Sketch, SketchPixel};
@@ -58,25 +58,31 @@ impl Subject {
     pub(crate) fn paint(
         &mut self,
         method: Method,
-        manner: Manner,
+        settings: Settings,
         scribbles: &[Scribble],
     ) -> anyhow::Result<Pixmap> {
         match method.way {
-            Way::Engine(engine) => self.paint_sides(engine(manner), scribbles),
-            Way::Pixels(label) => Ok(self.paint_pixels(&label(&self.sketch(scribbles), manner))),
+            Way::Engine(engine) => self.paint_sides(engine(settings), settings, scribbles),
+            Way::Pixels(label) => Ok(self.paint_pixels(&label(&self.sketch(scribbles), settings))),
         }
     }
 
-    fn paint_sides(&mut self, mut engine: Box<dyn Engine>, scribbles: &[Scribble]) -> anyhow::Result<Pixmap> {
+    fn paint_sides(
+        &mut self,
+        mut engine: Box<dyn Engine>,
+        settings: Settings,
+        scribbles: &[Scribble],
+    ) -> anyhow::Result<Pixmap> {
         let map = self.opened.picture.map();
         let labels = engine.label(map, scribbles);
         let color_of = |side: SideId| {
             let label = labels.sides.get(side.index()).copied().flatten()?;
             scribbles.get(label as usize).map(|scribble| scribble.color)
         };
-        let colors = side_colors(map, &color_spans(map, color_of), Blend::Oklab);
+        let sides = side_colors(map, &color_spans(map, color_of), settings.blend);
+        let boundary = Boundary { sides, closed_gaps: labels.closed_gaps };
         let view = self.view(self.truth.longer_side_px());
-        let field = self.opened.picture.mesh().solve(&colors, Blend::Oklab)?;
+        let field = self.opened.picture.mesh().solve(&boundary, settings.blend)?;
         Ok(stages::paint_page(field, &[], &view, None))
     }
 

@@ -3,6 +3,7 @@
 use scumble_core::{BlendColor, HalfEdge, SideColors, Triangulation};
 
 use super::SolveError;
+use super::barriers::Barriers;
 use super::dofs::Dofs;
 use super::order::elimination_rank;
 use super::system::System;
@@ -45,12 +46,27 @@ impl Region {
             coloring: Coloring::Paper,
             system: None,
             values: Vec::new(),
-            is_solved: true,
+            is_solved: false,
         }
+    }
+
+    /// Its triangles, in ascending order; one at least.
+    pub(super) fn triangles(&self) -> &[u32] {
+        &self.dofs.triangles
+    }
+
+    /// Whether it has a part in one of the gaps that are marked.
+    pub(super) fn touches(&self, is_marked: &[bool]) -> bool {
+        self.dofs.gaps.iter().any(|&gap| is_marked.get(gap as usize).copied().unwrap_or(false))
     }
 
     pub(super) fn unknown_count(&self) -> usize {
         self.dofs.count
+    }
+
+    #[cfg(test)]
+    pub(super) fn is_factored(&self) -> bool {
+        self.system.as_ref().is_some_and(|(_, system)| system.is_factored())
     }
 
     /// Takes in the colours; sets up the system if it is needed and the set of coloured sides is another one.
@@ -95,7 +111,7 @@ impl Region {
     }
 
     /// Adds the triangles of a coloured region.
-    pub(super) fn emit(&self, mesh: &Triangulation, triangles: &mut Vec<FieldTriangle>) {
+    pub(super) fn emit(&self, barriers: Barriers<'_>, triangles: &mut Vec<FieldTriangle>) {
         let color = |dof: u32| self.values[dof as usize];
         let colors = |dofs: &[u32; 6]| match self.coloring {
             Coloring::Flat(color) => [color.map(|c| c as f32); 6],
@@ -103,7 +119,7 @@ impl Region {
         };
         if self.coloring != Coloring::Paper {
             let pairs = self.dofs.triangles.iter().zip(&self.dofs.of_triangle);
-            triangles.extend(pairs.map(|(&t, dofs)| field_triangle(mesh, t as usize, colors(dofs))));
+            triangles.extend(pairs.map(|(&t, dofs)| field_triangle(barriers, t as usize, colors(dofs))));
         }
     }
 
@@ -160,10 +176,10 @@ fn mean(a: BlendColor, b: BlendColor) -> BlendColor {
     [0, 1, 2].map(|i| 0.5 * (a[i] + b[i]))
 }
 
-fn field_triangle(mesh: &Triangulation, t: usize, colors: [[f32; 3]; 6]) -> FieldTriangle {
-    let side_bit = |i: usize| u32::from(mesh.side(HalfEdge::of(t, i)).is_some()) << i;
+fn field_triangle(barriers: Barriers<'_>, t: usize, colors: [[f32; 3]; 6]) -> FieldTriangle {
+    let side_bit = |i: usize| u32::from(barriers.is_barrier(HalfEdge::of(t, i))) << i;
     FieldTriangle {
-        corners: mesh.corners(t).map(|p| [p.x as f32, p.y as f32]),
+        corners: barriers.mesh.corners(t).map(|p| [p.x as f32, p.y as f32]),
         colors,
         side_edges: (0..3).map(side_bit).sum(),
     }

@@ -47,6 +47,11 @@ impl System {
         Ok(Self { row_of, matrix, couplings, symbolic, factor: Vec::new() })
     }
 
+    #[cfg(test)]
+    pub(super) fn is_factored(&self) -> bool {
+        !self.factor.is_empty()
+    }
+
     /// Computes the factor if that is not done yet.
     pub(super) fn factor(&mut self) -> Result<(), SolveError> {
         if self.factor.is_empty() {
