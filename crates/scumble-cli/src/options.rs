@@ -91,7 +91,7 @@ fn eval(mut arguments: Arguments) -> anyhow::Result<EvalOptions> {
     let default = Settings::default();
     let kind = arguments.opt_value_from_fn("--kind", kind).map_err(advise)?;
     let method = arguments.opt_value_from_fn("--engine", Method::parse).map_err(advise)?;
-    let gap_closing = arguments.opt_value_from_fn("--gap-closing", share).map_err(advise)?;
+    let gap_closing = arguments.opt_value_from_fn("--gap-closing", unit).map_err(advise)?;
     let spread = arguments.contains("--spread");
     let single = arguments.contains("--single");
     let sheet = arguments.opt_value_from_os_str("--sheet", path).map_err(advise)?;
@@ -115,7 +115,7 @@ fn settings(arguments: &mut Arguments) -> anyhow::Result<Settings> {
     let default = Settings::default();
     let blend = arguments.opt_value_from_fn("--blend", blend).map_err(advise)?;
     let engine = arguments.opt_value_from_fn("--engine", engine).map_err(advise)?;
-    let gap_closing = arguments.opt_value_from_fn("--gap-closing", share).map_err(advise)?;
+    let gap_closing = arguments.opt_value_from_fn("--gap-closing", unit).map_err(advise)?;
     Ok(Settings {
         blend: blend.unwrap_or(default.blend),
         engine: engine.unwrap_or(default.engine),
@@ -146,6 +146,11 @@ fn positive(text: &str) -> Result<usize, String> {
     text.parse().ok().filter(|n| *n > 0).ok_or_else(|| "give a whole number above zero".into())
 }
 
+fn unit(text: &str) -> Result<f64, String> {
+    let part = text.parse().ok().filter(|part| (0.0..=1.0).contains(part));
+    part.ok_or_else(|| "give a number from 0 to 1".into())
+}
+
 fn kind(text: &str) -> Result<Kind, String> {
     let kind = [Kind::Sparse, Kind::Dense].into_iter().find(|kind| kind.name() == text);
     kind.ok_or_else(|| "give sparse or dense".into())
@@ -165,11 +170,6 @@ fn engine(text: &str) -> Result<EngineKind, String> {
         "progressive" => Ok(EngineKind::Progressive),
         _ => Err("give global or progressive".into()),
     }
-}
-
-fn share(text: &str) -> Result<f64, String> {
-    let share = text.parse().ok().filter(|share| (0.0..=1.0).contains(share));
-    share.ok_or_else(|| "give a number from 0 to 1".into())
 }
 
 fn advise(error: pico_args::Error) -> anyhow::Error {

@@ -11,6 +11,7 @@
 //! | curves sampled on a lattice | `sample` |
 //! | crossings found and rounded | `snap` |
 //! | curves as pieces that meet only at nodes | [`planar_map`] |
+//! | samples along a stroke | `stroke` |
 //! | what a point sees | [`visibility`] |
 //! | which scribble colours which side | [`engine`], [`sight`] |
 //! | how a drawing is coloured | [`settings`] |
@@ -28,11 +29,12 @@ pub mod scribble;
 pub mod settings;
 pub mod sight;
 mod snap;
+mod stroke;
 pub mod triangulation;
 pub mod visibility;
 
 pub use color::{Blend, BlendColor, ColorError, Rgba8, Srgb8};
-pub use color_points::{Boundary, ColorPoint, ColorSpan, SideColors, color_spans, side_colors};
+pub use color_points::{Boundary, ColorPoint, ColorSpan, SideColors, boundary, color_spans, side_colors};
 pub use drawing::{Curve, Drawing, Fill, Line};
 pub use edit::{Document, Editor};
 pub use engine::{Engine, Labels};

@@ -2,8 +2,7 @@
 //! changed.
 
 use scumble_core::{
-    Boundary, Document, Drawing, Engine, MapError, PlanarMap, Sampling, Scribble, Settings, color_spans,
-    side_colors,
+    Boundary, Document, Drawing, Engine, Labels, MapError, PlanarMap, Sampling, Scribble, Settings, boundary,
 };
 
 use crate::field::Field;
@@ -44,19 +43,19 @@ impl Picture {
         self.solver.get_or_insert_with(|| MeshSolver::new(map.refined()))
     }
 
-    /// The colours that scribbles give the sides, and the gaps that they leave closed.
-    pub fn color(&mut self, scribbles: &[Scribble], settings: &Settings) -> Boundary {
+    /// The labels of the sides and gaps.
+    pub fn label(&mut self, scribbles: &[Scribble], settings: &Settings) -> Labels {
         if !self.settings.share_engine(settings) {
             self.engine = settings.engine();
         }
         self.settings = *settings;
-        let labels = self.engine.label(&self.map, scribbles);
-        let color_of = |side: scumble_core::SideId| {
-            let label = labels.sides.get(side.index()).copied().flatten()?;
-            scribbles.get(label as usize).map(|scribble| scribble.color)
-        };
-        let sides = side_colors(&self.map, &color_spans(&self.map, color_of), settings.blend);
-        Boundary { sides, closed_gaps: labels.closed_gaps }
+        self.engine.label(&self.map, scribbles)
+    }
+
+    /// The colours that scribbles give the sides, and the gaps that they leave closed.
+    pub fn color(&mut self, scribbles: &[Scribble], settings: &Settings) -> Boundary {
+        let labels = self.label(scribbles, settings);
+        boundary(&self.map, &labels, scribbles, settings.blend)
     }
 
     /// The colour field of a document with the drawing that this picture was made for.

@@ -1,6 +1,6 @@
 //! The ways to colour that are compared: engines and, on pixels, other people's methods; each by its name.
 
-use scumble_core::{Engine, EngineKind, Settings, Sight};
+use scumble_core::{EngineKind, Settings};
 
 use crate::rivals::{self, Sketch, SketchPixel};
 
@@ -15,26 +15,19 @@ pub(crate) struct Method {
 /// What a method works on.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Way {
-    /// The planar map: makes an engine that knows nothing of any drawing yet. It minds gap closing and spreading.
-    Engine(fn(Settings) -> Box<dyn Engine>),
+    /// The planar map.
+    Engine(EngineKind),
+    /// The planar map, by direct visibility.
+    Sight,
     /// Pixels: labels all pixels of a sketch.
     Pixels(fn(&Sketch, Settings) -> Vec<SketchPixel>),
 }
 
 /// All scribbles at once.
-const GLOBAL: Method = Method {
-    name: "global",
-    way: Way::Engine(|settings| Settings { engine: EngineKind::Global, ..settings }.engine()),
-};
-
-/// One scribble after the other.
-const PROGRESSIVE: Method = Method {
-    name: "progressive",
-    way: Way::Engine(|settings| Settings { engine: EngineKind::Progressive, ..settings }.engine()),
-};
+const GLOBAL: Method = Method { name: "global", way: Way::Engine(EngineKind::Global) };
 
 /// What a scribble sees is its own.
-pub(crate) const SIGHT: Method = Method { name: "sight", way: Way::Engine(|_| Box::new(Sight::default())) };
+pub(crate) const SIGHT: Method = Method { name: "sight", way: Way::Sight };
 
 /// Flood fill without gap closing.
 pub(crate) const FLOOD: Method =
@@ -51,7 +44,7 @@ const SOFT_LAZYBRUSH: Method =
 /// All methods. The last three spread colours with any settings: they leave no pixel out.
 const METHODS: [Method; 7] = [
     GLOBAL,
-    PROGRESSIVE,
+    Method { name: "progressive", way: Way::Engine(EngineKind::Progressive) },
     SIGHT,
     FLOOD,
     LAZYBRUSH,

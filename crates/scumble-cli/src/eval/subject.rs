@@ -3,7 +3,7 @@
 use anyhow::{Context, ensure};
 use kurbo::Affine;
 use scumble_core::drawing::LONGER_SIDE_DU;
-use scumble_core::{Boundary, Engine, Scribble, Settings, SideId, Srgb8, color_spans, side_colors};
+use scumble_core::{Blend, Boundary, Engine, EngineKind, Scribble, Settings, Sight, Srgb8, boundary};
 use scumble_solve::{Field, Pixmap, Scene, Shape, View, line_shapes, paint, scribble_shape};
 
 use super::method::{Method, Way};
@@ -62,27 +62,32 @@ impl Subject {
         scribbles: &[Scribble],
     ) -> anyhow::Result<Pixmap> {
         match method.way {
-            Way::Engine(engine) => self.paint_sides(engine(settings), settings, scribbles),
+            Way::Engine(kind) => self.paint_sides(kind, settings, scribbles),
+            Way::Sight => self.paint_sight(scribbles),
             Way::Pixels(label) => Ok(self.paint_pixels(&label(&self.sketch(scribbles), settings))),
         }
     }
 
     fn paint_sides(
         &mut self,
-        mut engine: Box<dyn Engine>,
+        kind: EngineKind,
         settings: Settings,
         scribbles: &[Scribble],
     ) -> anyhow::Result<Pixmap> {
+        let boundary = self.opened.picture.color(scribbles, &Settings { engine: kind, ..settings });
+        self.paint_boundary(&boundary)
+    }
+
+    fn paint_sight(&mut self, scribbles: &[Scribble]) -> anyhow::Result<Pixmap> {
         let map = self.opened.picture.map();
-        let labels = engine.label(map, scribbles);
-        let color_of = |side: SideId| {
-            let label = labels.sides.get(side.index()).copied().flatten()?;
-            scribbles.get(label as usize).map(|scribble| scribble.color)
-        };
-        let sides = side_colors(map, &color_spans(map, color_of), settings.blend);
-        let boundary = Boundary { sides, closed_gaps: labels.closed_gaps };
+        let labels = Sight::default().label(map, scribbles);
+        let boundary = boundary(map, &labels, scribbles, Blend::Oklab);
+        self.paint_boundary(&boundary)
+    }
+
+    fn paint_boundary(&mut self, boundary: &Boundary) -> anyhow::Result<Pixmap> {
         let view = self.view(self.truth.longer_side_px());
-        let field = self.opened.picture.mesh().solve(&boundary, settings.blend)?;
+        let field = self.opened.picture.mesh().solve(boundary, Blend::Oklab)?;
         Ok(stages::paint_page(field, &[], &view, None))
     }
 
