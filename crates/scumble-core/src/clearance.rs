@@ -49,7 +49,10 @@ impl Clearance {
             Some(twin) => triangle_widths_du[h.triangle()].min(triangle_widths_du[twin.triangle()]),
             None => 0.0,
         };
-        Self { widths_du: mesh.half_edges().map(width_du).collect(), triangle_widths_du }
+        let widths_du: Vec<_> = mesh.half_edges().map(width_du).collect();
+        let place = |t| place_width_du(map, &tips, &widths_du, triangle_widths_du[t], t);
+        let triangle_widths_du = (0..mesh.triangle_count()).map(place).collect();
+        Self { widths_du, triangle_widths_du }
     }
 }
 
@@ -86,16 +89,34 @@ pub(crate) fn is_gabriel(mesh: &Triangulation, h: HalfEdge) -> bool {
 /// Twice the circumradius without the lines.
 fn triangle_width_du(map: &PlanarMap, triangle: usize) -> f64 {
     let mesh = map.triangulation();
+    let corners = mesh.corners(triangle);
     let halves_du = mesh.nodes(triangle).map(|node| map.half_width_du(node));
     let lines_du = 2.0 * halves_du.iter().flatten().copied().fold(0.0, f64::max);
     let factor = if halves_du.contains(&None) { BORDER_FACTOR } else { 1.0 };
-    (factor * 2.0 * circumradius(mesh.corners(triangle)) - lines_du).min(OPEN_DU)
+    circumcenter(corners).map_or(OPEN_DU, |center| {
+        (factor * 2.0 * (center - corners[0]).hypot() - lines_du).min(OPEN_DU)
+    })
 }
 
-fn circumradius([a, b, c]: [Point; 3]) -> f64 {
-    let sides = [b - a, c - b, a - c];
-    let double_area = sides[0].cross(-sides[2]).abs();
-    sides.map(Vec2::hypot).iter().product::<f64>() / (2.0 * double_area)
+/// The widest place of a triangle: its circle, or one of the passages out of it.
+fn place_width_du(map: &PlanarMap, tips: &[Option<Vec2>], widths_du: &[f64], circle_du: f64, triangle: usize) -> f64 {
+    let mesh = map.triangulation();
+    let corners = mesh.corners(triangle);
+    let factor = circumcenter(corners).map_or(1.0, |center| {
+        let radius_du = (center - corners[0]).hypot();
+        let factor = |i: usize| tip_factor(tips[mesh.nodes(triangle)[i] as usize], (center - corners[i]) / radius_du);
+        factor(0) * factor(1) * factor(2)
+    });
+    let passages = (0..3).map(|i| HalfEdge::of(triangle, i)).filter(|&h| mesh.passage(h).is_some());
+    passages.map(|h| widths_du[h.index()]).fold(factor * circle_du, f64::max)
+}
+
+/// `None` where the corners lie on a line.
+fn circumcenter([a, b, c]: [Point; 3]) -> Option<Point> {
+    let (u, v) = (b - a, c - a);
+    let double_area = u.cross(v);
+    let offset = Vec2::new(v.y * u.hypot2() - u.y * v.hypot2(), u.x * v.hypot2() - v.x * u.hypot2());
+    (double_area > 0.0).then(|| a + offset / (2.0 * double_area))
 }
 
 /// The length of an edge without the lines at its ends.

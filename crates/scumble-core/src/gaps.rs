@@ -8,14 +8,20 @@ use crate::clearance::{Clearance, is_gabriel};
 use crate::planar_map::{Gap, PlanarMap};
 use crate::triangulation::HalfEdge;
 
-/// The ratio of widths below which a passage is a gap, for `closing = 1`.
-const CLOSED_AT_MOST: f64 = 0.8;
+/// The ratio of widths below which a passage is a gap, where all gaps are closed that could be.
+const LARGEST_RATIO: f64 = 0.95;
+
+/// The ratio for a gap closing from 0 to 1: half of it for a little less than a third of the way, where it matters.
+fn closed_below(closing: f64) -> f64 {
+    let closing = closing.clamp(0.0, 1.0);
+    LARGEST_RATIO * closing * (2.0 - closing)
+}
 
 impl PlanarMap {
     /// The same map with its gaps found anew: the passages narrower than the wide places on both their sides by more
     /// than `closing` tells, from 0 (only where drawn lines overlap) to 1 (wherever it gets a little narrower).
     pub fn with_gaps_closed(self, closing: f64) -> Self {
-        let gaps = find(&self, &Clearance::new(&self), CLOSED_AT_MOST * closing.clamp(0.0, 1.0));
+        let gaps = find(&self, &Clearance::new(&self), closed_below(closing));
         self.with_gaps(gaps)
     }
 }
