@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 
 use anyhow::Context;
 use scumble_core::drawing::LONGER_SIDE_DU;
-use scumble_core::{Blend, Boundary, Scribble};
+use scumble_core::{Blend, Boundary, Paint, Scribble};
 use scumble_io::read_scribbles;
 use serde::Deserialize;
 
@@ -105,8 +105,8 @@ impl Report {
     /// Gives the last scribble another colour.
     fn recolor(&mut self, opened: &mut Opened, scribbles: &[Scribble]) -> anyhow::Result<()> {
         let mut recolored = scribbles.to_vec();
-        if let Some(last) = recolored.last_mut() {
-            last.color.0[1] ^= 0x40;
+        if let Some(Scribble { color: Paint::Color(color), .. }) = recolored.last_mut() {
+            color.0[1] ^= 0x40;
         }
         let (_, times) = stages::spread(&mut opened.picture, &recolored, Blend::Oklab)?;
         self.recolor.push(times.total_ms());

@@ -1,18 +1,30 @@
 //! Gestures are transactions, and undo goes back by whole gestures.
 
 use kurbo::{Point, Rect};
-use scumble_core::{Blend, Document, Drawing, Editor, Scribble, Srgb8};
+use scumble_core::{Blend, Document, Drawing, Editor, Paint, Scribble, Srgb8};
 
 fn editor() -> Editor {
     Editor::new(Document::new(Drawing::new(Rect::new(0.0, 0.0, 72.0, 72.0))))
 }
 
 fn begin(editor: &mut Editor, shade: u8) {
-    editor.begin_scribble(Scribble { color: Srgb8([shade; 3]), width_du: 5.0, points: vec![Point::ZERO] });
+    editor.begin_scribble(Scribble {
+        color: Srgb8([shade; 3]).into(),
+        width_du: 5.0,
+        points: vec![Point::ZERO],
+    });
 }
 
 fn shades(editor: &Editor) -> Vec<u8> {
-    editor.document().scribbles.iter().map(|scribble| scribble.color.0[0]).collect()
+    editor
+        .document()
+        .scribbles
+        .iter()
+        .map(|scribble| match scribble.color {
+            Paint::Color(color) => color.0[0],
+            Paint::Clear => panic!("a colour"),
+        })
+        .collect()
 }
 
 #[test]

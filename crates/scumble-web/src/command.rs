@@ -1,7 +1,7 @@
 //! What the page can ask for.
 
 use kurbo::{Point, Vec2};
-use scumble_core::{Blend, Srgb8};
+use scumble_core::{Blend, Paint, Srgb8};
 
 use crate::view::Viewport;
 
@@ -41,8 +41,8 @@ pub enum Command {
         /// An SVG file.
         bytes: Vec<u8>,
     },
-    /// The colour of the next scribbles.
-    Color(Srgb8),
+    /// The colour of the next scribbles, or none.
+    Color(Paint),
     /// Back to the colour before.
     SwapColors,
     /// The width of the next scribbles, in du.

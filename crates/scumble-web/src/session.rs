@@ -6,7 +6,7 @@
 use std::mem::take;
 
 use kurbo::{Affine, Point, Rect};
-use scumble_core::{Blend, Document, Drawing, Editor, MapError, Scribble, Srgb8};
+use scumble_core::{Blend, Document, Drawing, Editor, MapError, Paint, Scribble, Srgb8};
 use scumble_io::import_svg;
 use scumble_solve::{Field, Picture, Scene, View};
 
@@ -96,8 +96,8 @@ pub struct Session {
     field: Field,
     layers: Layers,
     viewport: Viewport,
-    color: Srgb8,
-    previous_color: Srgb8,
+    color: Paint,
+    previous_color: Paint,
     brush_du: f64,
     lines_shown: bool,
     scribbles_shown: bool,
@@ -142,8 +142,8 @@ impl Session {
             shelf: Vec::new(),
             field: Field::default(),
             layers: Layers::default(),
-            color: Srgb8([0xe5, 0x48, 0x4d]),
-            previous_color: Srgb8([0x3b, 0x82, 0xf6]),
+            color: Srgb8([0xe5, 0x48, 0x4d]).into(),
+            previous_color: Srgb8([0x3b, 0x82, 0xf6]).into(),
             brush_du: 16.0,
             lines_shown: true,
             scribbles_shown: true,
@@ -333,7 +333,7 @@ impl Session {
         self.scribbles_changed();
     }
 
-    fn set_color(&mut self, color: Srgb8) {
+    fn set_color(&mut self, color: Paint) {
         if color != self.color {
             self.previous_color = self.color;
             self.color = color;

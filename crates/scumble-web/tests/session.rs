@@ -51,7 +51,7 @@ impl Page {
 
     /// A stroke of the pen through places in du, one batch of samples each.
     fn stroke(&mut self, color: Srgb8, points_du: &[(f64, f64)]) {
-        self.session.command(Command::Color(color));
+        self.session.command(Command::Color(color.into()));
         for (i, &point) in points_du.iter().enumerate() {
             self.pen(if i == 0 { Phase::Down } else { Phase::Move }, point);
         }
@@ -97,7 +97,7 @@ fn a_scribble_colours_its_square_and_nothing_else() {
 #[test]
 fn colour_follows_the_pen_before_it_is_lifted_and_escape_takes_it_back() {
     let mut page = Page::open(SQUARE);
-    page.session.command(Command::Color(RED));
+    page.session.command(Command::Color(RED.into()));
     page.pen(Phase::Down, ACROSS[0]);
     assert_eq!(page.color_at(INSIDE), RED);
     page.pen(Phase::Move, ACROSS[1]);
@@ -129,8 +129,8 @@ fn effects_tell_what_has_changed_and_only_that() {
     assert!(first.contains(&Effect::Undo(false)) && first.contains(&Effect::Zoom(1.0)));
     assert!(first.iter().any(|effect| matches!(effect, Effect::Opened { name, .. } if name == "square.svg")));
     assert_eq!(page.session.take_effects(), []);
-    page.session.command(Command::Color(RED));
-    assert_eq!(page.session.take_effects(), [Effect::Color(RED)]);
+    page.session.command(Command::Color(RED.into()));
+    assert_eq!(page.session.take_effects(), [Effect::Color(RED.into())]);
     page.stroke(RED, &ACROSS);
     assert_eq!(page.session.take_effects(), [Effect::Undo(true), Effect::ScribbleAdded { count: 1 }]);
     page.session.command(Command::Undo);
@@ -236,12 +236,12 @@ fn the_brush_stays_within_its_bounds_and_colours_swap() {
         page.session.command(Command::BrushLarger);
     }
     assert_eq!(page.session.take_effects(), [Effect::BrushSize(96.0)]);
-    page.session.command(Command::Color(RED));
-    page.session.command(Command::Color(BLUE));
+    page.session.command(Command::Color(RED.into()));
+    page.session.command(Command::Color(BLUE.into()));
     page.session.command(Command::SwapColors);
-    assert_eq!(page.session.take_effects(), [Effect::Color(RED)]);
+    assert_eq!(page.session.take_effects(), [Effect::Color(RED.into())]);
     page.session.command(Command::SwapColors);
-    assert_eq!(page.session.take_effects(), [Effect::Color(BLUE)]);
+    assert_eq!(page.session.take_effects(), [Effect::Color(BLUE.into())]);
 }
 
 #[test]
