@@ -86,10 +86,10 @@ fn spread(
     let mut times = Vec::new();
     if options.timings {
         for count in 1..scribbles.len() {
-            times.push(stages::spread(&mut opened.picture, &scribbles[..count], options.blend)?.1);
+            times.push(stages::spread(&mut opened.picture, &scribbles[..count], &options.settings)?.1);
         }
     }
-    let (boundary, last) = stages::spread(&mut opened.picture, scribbles, options.blend)?;
+    let (boundary, last) = stages::spread(&mut opened.picture, scribbles, &options.settings)?;
     times.extend((!scribbles.is_empty()).then_some(last));
     Ok((boundary, times))
 }
@@ -97,7 +97,7 @@ fn spread(
 fn paint(opened: &mut Opened, boundary: &Boundary, options: &ColorOptions) -> Result<Pixmap, SolveError> {
     let view = stages::page_view(drawing(opened), options.size_px);
     let shapes = if options.lines { lines(opened, options.size_px) } else { Vec::new() };
-    let field = opened.picture.mesh().solve(boundary, options.blend)?;
+    let field = opened.picture.mesh().solve(boundary, options.settings.blend)?;
     Ok(stages::paint_page(field, &shapes, &view, (!options.transparent).then_some(PAPER)))
 }
 

@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
 use kurbo::{Line, ParamCurve, ParamCurveNearest, PathEl, Point, Rect, Shape};
-use scumble_core::{Blend, Drawing, PlanarMap, Scribble, Srgb8, Step};
+use scumble_core::{Drawing, PlanarMap, Scribble, Settings, Srgb8, Step};
 use scumble_io::ImportError;
 
 use crate::clock::{self, Times};
@@ -62,7 +62,7 @@ fn try_drawing(path: &Path) -> Outcome {
 fn color_twice(path: &Path) -> anyhow::Result<(Opened, SpreadTimes)> {
     let mut opened = stages::open(&crate::files::read(path)?)?;
     let scribbles = scribbles_on(&opened.import.drawing);
-    let (_, times) = stages::spread(&mut opened.picture, &scribbles, Blend::Oklab)?;
+    let (_, times) = stages::spread(&mut opened.picture, &scribbles, &Settings::default())?;
     Ok((opened, times))
 }
 

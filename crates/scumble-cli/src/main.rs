@@ -7,6 +7,9 @@
 //! | `scumble corpus`: a folder of drawings, for crashes and lost curves | `corpus` |
 //! | `scumble bench`: how long each stage takes | `bench` |
 //! | … beside a plain solver on pixels | `baseline` |
+//! | `scumble eval`: how well engines colour | `eval` |
+//! | … beside other people's methods on pixels | `rivals` |
+//! | folders of drawings with scribbles and truth | `set` |
 //! | from a file to a picture, stage by stage | `stages` |
 //! | times and their percentiles | `clock` |
 //! | files in and out | `files` |
@@ -16,8 +19,11 @@ mod bench;
 mod clock;
 mod color;
 mod corpus;
+mod eval;
 mod files;
 mod options;
+mod rivals;
+mod set;
 mod stages;
 
 use std::process::ExitCode;
@@ -33,6 +39,10 @@ scumble color DRAWING.svg --scribbles S.json -o OUT.png
     [--lines]               draw the lines over the colours
     [--transparent]         no white paper where nothing is coloured
     [--blend oklab|srgb]    how colours mix
+    [--engine global|progressive]
+                            all scribbles at once, or one after the other
+    [--gap-closing 0.5]     how readily gaps between lines count as closed, 0 to 1 (global only)
+    [--spread]              colour also what nobody scribbled (global only)
     [--timings]             print counts and milliseconds of each stage as JSON
 
     S.json: {\"scribbles\":[{\"color\":\"#rrggbb\",\"width\":1.5,\"points\":[[x,y],…]},…]}
@@ -45,7 +55,18 @@ scumble corpus DIR [--take N]
 scumble bench SETDIR
     times each stage on a quality set (SETDIR/ID/drawing.svg, SETDIR/ID/dense.json)
 
-Exit code 2: bad input; nothing was written.
+scumble eval SETDIR
+    tells how much of a quality set (the above, with sparse.json and truth.png) has the expected colours
+    [--kind dense|sparse]   which scribbles
+    [--engine global|progressive|sight|flood|lazybrush|lazybrush-soft|nearest]
+                            who colours; from flood on, other people's methods on pixels
+    [--gap-closing 0.5]     how readily gaps between lines count as closed, 0 to 1 (global only)
+    [--spread]              colour also what nobody scribbled (global and flood only)
+    [--single]              each sparse scribble alone, without spreading
+    [--sheet SHEET.png]     write a contact sheet, worst first: scribbles, truth, result
+    [--pictures DIR]        write the results as DIR/ID.png, one after the other
+
+Exit code 2: bad input; nothing was written (with --pictures: up to there).
 ";
 
 fn main() -> ExitCode {
@@ -64,6 +85,7 @@ fn run() -> anyhow::Result<ExitCode> {
         Command::Color(options) => color::run(&options)?,
         Command::Corpus { folder, take } => return corpus::run(&folder, take),
         Command::Bench { set } => bench::run(&set)?,
+        Command::Eval(options) => eval::run(&options)?,
     }
     Ok(ExitCode::SUCCESS)
 }

@@ -4,7 +4,9 @@
 //! one to the other over a short transition, as in Figure 2(f) of Bao & Fu 2019.
 
 use crate::color::{Blend, BlendColor, Paint};
+use crate::engine::Labels;
 use crate::planar_map::{PlanarMap, Step};
+use crate::scribble::Scribble;
 use crate::triangulation::SideId;
 
 /// The colour of a side at the start, the middle and the end of its half-edge in the triangulation; `None` where
@@ -25,6 +27,16 @@ impl From<SideColors> for Boundary {
     fn from(sides: SideColors) -> Self {
         Self { sides, closed_gaps: Vec::new() }
     }
+}
+
+/// The boundary that labels give the solver, in a blend space.
+pub fn boundary(map: &PlanarMap, labels: &Labels, scribbles: &[Scribble], blend: Blend) -> Boundary {
+    let color_of = |side: SideId| {
+        let label = labels.sides.get(side.index()).copied().flatten()?;
+        scribbles.get(label as usize).map(|scribble| scribble.color)
+    };
+    let sides = side_colors(map, &color_spans(map, color_of), blend);
+    Boundary { sides, closed_gaps: labels.closed_gaps.clone() }
 }
 
 /// Length of the transition between two runs, in du; shorter where a run is shorter.
