@@ -84,7 +84,7 @@ mod tests {
 
     fn scribble(width_du: f64, points: &[(f64, f64)]) -> Scribble {
         let points = points.iter().map(|&p| p.into()).collect();
-        Scribble { color: Srgb8([0; 3]), width_du, points }
+        Scribble { color: Srgb8([0; 3]).into(), width_du, points }
     }
 
     #[test]
