@@ -209,6 +209,11 @@ impl Triangulation {
     /// Numbers the sets of triangles that are joined without crossing a curve: per triangle its region, counted
     /// from 0 in the order of each region's first triangle; and the number of regions.
     pub fn regions(&self) -> (Vec<u32>, usize) {
+        self.parts(|_| true)
+    }
+
+    /// The same, where passages that `is_open` denies part regions as well.
+    pub(crate) fn parts(&self, is_open: impl Fn(HalfEdge) -> bool) -> (Vec<u32>, usize) {
         let mut region_of = vec![NONE; self.triangle_count()];
         let mut count = 0;
         let mut stack = Vec::new();
@@ -219,7 +224,8 @@ impl Triangulation {
             region_of[first] = count;
             stack.push(first);
             while let Some(t) = stack.pop() {
-                for twin in (0..3).filter_map(|i| self.passage(HalfEdge::of(t, i))) {
+                let ways = (0..3).map(|i| HalfEdge::of(t, i)).filter(|&h| is_open(h));
+                for twin in ways.filter_map(|h| self.passage(h)) {
                     if region_of[twin.triangle()] == NONE {
                         region_of[twin.triangle()] = count;
                         stack.push(twin.triangle());
