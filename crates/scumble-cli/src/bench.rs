@@ -4,7 +4,7 @@ use std::path::Path;
 
 use anyhow::Context;
 use scumble_core::drawing::LONGER_SIDE_DU;
-use scumble_core::{Blend, Boundary, Scribble, Settings};
+use scumble_core::{Blend, Boundary, Paint, Scribble, Settings};
 
 use crate::baseline::PixelGrid;
 use crate::clock::{Times, print_head, print_row, timed};
@@ -94,8 +94,8 @@ impl Report {
     /// Gives the last scribble another colour.
     fn recolor(&mut self, opened: &mut Opened, scribbles: &[Scribble]) -> anyhow::Result<()> {
         let mut recolored = scribbles.to_vec();
-        if let Some(last) = recolored.last_mut() {
-            last.color.0[1] ^= 0x40;
+        if let Some(Scribble { color: Paint::Color(color), .. }) = recolored.last_mut() {
+            color.0[1] ^= 0x40;
         }
         let (_, times) = stages::spread(&mut opened.picture, &recolored, &Settings::default())?;
         self.recolor.push(times.total_ms());

@@ -5,7 +5,7 @@
 
 use kurbo::Point;
 
-use crate::color::Srgb8;
+use crate::color::Paint;
 use crate::drawing::Drawing;
 use crate::scribble::Scribble;
 use crate::settings::Settings;
@@ -33,7 +33,7 @@ impl Document {
 enum Change {
     InsertScribble(usize, Scribble),
     RemoveScribble(usize),
-    RecolorScribble(usize, Srgb8),
+    RecolorScribble(usize, Paint),
     MoveScribble { from: usize, to: usize },
     SetSettings(Settings),
 }
@@ -144,8 +144,8 @@ impl Editor {
         indices.len()
     }
 
-    /// Gives a scribble another colour; nothing happens where there is no scribble of this index.
-    pub fn recolor_scribble(&mut self, index: usize, color: Srgb8) {
+    /// Gives a scribble another colour, or none; nothing happens where there is no scribble of this index.
+    pub fn recolor_scribble(&mut self, index: usize, color: Paint) {
         self.commit_scribble();
         if self.document.scribbles.get(index).is_some_and(|scribble| scribble.color != color) {
             self.change(Change::RecolorScribble(index, color));

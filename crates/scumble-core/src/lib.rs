@@ -33,7 +33,7 @@ mod stroke;
 pub mod triangulation;
 pub mod visibility;
 
-pub use color::{Blend, BlendColor, ColorError, Rgba8, Srgb8};
+pub use color::{Blend, BlendColor, ColorError, Paint, Rgba8, Srgb8};
 pub use color_points::{Boundary, ColorPoint, ColorSpan, SideColors, boundary, color_spans, side_colors};
 pub use drawing::{Curve, Drawing, Fill, Line};
 pub use edit::{Document, Editor};

@@ -2,13 +2,13 @@
 
 use kurbo::{Line, ParamCurveNearest, Point};
 
-use crate::color::Srgb8;
+use crate::color::Paint;
 
 /// A stroke of colour. A single point is a dab.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Scribble {
-    /// The colour as picked.
-    pub color: Srgb8,
+    /// The colour as picked, or nothing.
+    pub color: Paint,
     /// Width of the drawn stroke in du; positive.
     pub width_du: f64,
     /// The pen's way, in du; at least one point, all finite.
@@ -56,7 +56,7 @@ mod tests {
     use super::*;
 
     fn scribble(points: &[(f64, f64)]) -> Scribble {
-        Scribble { color: Srgb8([0; 3]), width_du: 10.0, points: points.iter().map(|&p| p.into()).collect() }
+        Scribble { color: Paint::Clear, width_du: 10.0, points: points.iter().map(|&p| p.into()).collect() }
     }
 
     fn way(from: (f64, f64), to: (f64, f64)) -> Line {

@@ -2,18 +2,30 @@
 
 use kurbo::{Point, Rect};
 use proptest::prelude::*;
-use scumble_core::{Blend, Document, Drawing, Editor, EngineKind, Scribble, Settings, Srgb8};
+use scumble_core::{Blend, Document, Drawing, Editor, EngineKind, Paint, Scribble, Settings, Srgb8};
 
 fn editor() -> Editor {
     Editor::new(Document::new(Drawing::new(Rect::new(0.0, 0.0, 72.0, 72.0))))
 }
 
 fn begin(editor: &mut Editor, shade: u8) {
-    editor.begin_scribble(Scribble { color: Srgb8([shade; 3]), width_du: 5.0, points: vec![Point::ZERO] });
+    editor.begin_scribble(Scribble {
+        color: Srgb8([shade; 3]).into(),
+        width_du: 5.0,
+        points: vec![Point::ZERO],
+    });
 }
 
 fn shades(editor: &Editor) -> Vec<u8> {
-    editor.document().scribbles.iter().map(|scribble| scribble.color.0[0]).collect()
+    editor
+        .document()
+        .scribbles
+        .iter()
+        .map(|scribble| match scribble.color {
+            Paint::Color(color) => color.0[0],
+            Paint::Clear => panic!("a colour"),
+        })
+        .collect()
 }
 
 /// An editor with scribbles of shades 0, 1, 2 and so on.
@@ -110,7 +122,7 @@ fn scribbles_are_erased_by_their_indices_and_come_back_to_their_places() {
 #[test]
 fn a_scribble_is_recoloured_in_its_place() {
     let mut editor = editor_with(3);
-    editor.recolor_scribble(1, Srgb8([9; 3]));
+    editor.recolor_scribble(1, Srgb8([9; 3]).into());
     assert_eq!(shades(&editor), [0, 9, 2]);
     editor.undo();
     assert_eq!(shades(&editor), [0, 1, 2]);
@@ -133,8 +145,8 @@ fn what_changes_nothing_is_no_gesture() {
     let mut editor = editor_with(2);
     editor.undo();
     editor.erase_scribbles(&[1, usize::MAX]);
-    editor.recolor_scribble(1, Srgb8([9; 3]));
-    editor.recolor_scribble(0, Srgb8([0; 3]));
+    editor.recolor_scribble(1, Srgb8([9; 3]).into());
+    editor.recolor_scribble(0, Srgb8([0; 3]).into());
     editor.move_scribble(0, 1);
     editor.move_scribble(1, 0);
     editor.move_scribble(0, 0);
@@ -237,7 +249,7 @@ fn perform(editor: &mut Editor, act: &Act) {
     match act {
         Act::Scribble(shade) => begin(editor, *shade),
         Act::Erase(indices) => assert!(editor.erase_scribbles(indices) <= indices.len()),
-        Act::Recolor(index, shade) => editor.recolor_scribble(*index, Srgb8([*shade; 3])),
+        Act::Recolor(index, shade) => editor.recolor_scribble(*index, Srgb8([*shade; 3]).into()),
         Act::Move(from, to) => editor.move_scribble(*from, *to),
         Act::Set(settings) => editor.set_settings(*settings),
         Act::Begin => editor.begin(),

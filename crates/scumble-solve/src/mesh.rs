@@ -113,8 +113,9 @@ impl MeshSolver {
         self.regions.iter_mut().try_for_each(Region::factor)
     }
 
-    /// The colour field. The colours of the sides are in the space `blend`; every value lies within the range of the colours that
-    /// are given to its region, channel by channel, and is exact where that is a single colour.
+    /// The colour field. The colours of the sides are in the space `blend`; every value lies within the range of the
+    /// colours that are given to its region, channel by channel, and is exact where that is a single colour. Regions
+    /// that are clear have no triangles.
     ///
     /// # Errors
     /// See [`SolveError`].
@@ -163,7 +164,7 @@ mod tests {
     #[test]
     fn only_the_regions_at_a_gap_lose_their_factors() {
         let map = map();
-        let sides = (0..map.side_count()).map(|i| Some([[i as f64; 3]; 3])).collect::<Vec<_>>();
+        let sides = (0..map.side_count()).map(|i| Some([[i as f64; 4]; 3])).collect::<Vec<_>>();
         let mut solver = MeshSolver::new(map.refined());
         let mut factored_after = |closed: bool| {
             let boundary = Boundary { sides: sides.clone(), closed_gaps: vec![closed] };

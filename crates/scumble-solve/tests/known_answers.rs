@@ -47,7 +47,7 @@ impl Problem<'_> {
                 colors[side.index()] = start
                     .zip(middle)
                     .zip(end)
-                    .map(|((start, middle), end)| [start, middle, end].map(|v| [v; 3]));
+                    .map(|((start, middle), end)| [start, middle, end].map(|v| [v, v, v, 1.0]));
             }
         }
         colors.into()
@@ -295,7 +295,7 @@ fn a_diagonal_with_two_colours_leaks_nothing_at_all() {
     };
     for triangle in &problem.solve(DEFAULT_DU).triangles {
         let color = colors[usize::from(above(at(triangle, [1.0 / 3.0; 3])))] as f32;
-        assert_eq!(triangle.colors, [[color; 3]; 6]);
+        assert_eq!(triangle.colors, [[color, color, color, 1.0]; 6]);
     }
 }
 

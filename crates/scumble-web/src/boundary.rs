@@ -4,7 +4,7 @@
 
 use js_sys::{Array, Float64Array, Object, Reflect, Uint8Array};
 use kurbo::{Point, Vec2};
-use scumble_core::{Blend, EngineKind, Settings, Srgb8};
+use scumble_core::{Blend, EngineKind, Paint, Settings, Srgb8};
 use scumble_io::MAX_FILE_BYTES;
 use scumble_solve::Pixmap;
 use wasm_bindgen::{JsCast, JsValue};
@@ -20,7 +20,7 @@ pub(crate) fn command_from_js(name: &str, args: &JsValue) -> Option<Command> {
             bytes: file(&field(args, "bytes").dyn_into().ok()?),
         },
         "tool" => Command::Tool(tool_from_name(&args.as_string()?)?),
-        "color" => Command::Color(color(args)?),
+        "color" => Command::Color(paint(args)?),
         "swap-colors" => Command::SwapColors,
         "brush-size" => Command::BrushSize(args.as_f64()?),
         "brush-larger" => Command::BrushLarger,
@@ -68,6 +68,11 @@ pub(crate) fn field(object: &JsValue, name: &str) -> JsValue {
 
 /// A colour written as #rrggbb.
 pub(crate) fn color(value: &JsValue) -> Option<Srgb8> {
+    value.as_string()?.parse().ok()
+}
+
+/// A colour written as #rrggbb, or none.
+fn paint(value: &JsValue) -> Option<Paint> {
     value.as_string()?.parse().ok()
 }
 

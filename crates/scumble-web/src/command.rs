@@ -1,7 +1,7 @@
 //! What the page can ask for.
 
 use kurbo::{Point, Vec2};
-use scumble_core::{Blend, EngineKind, Settings, Srgb8};
+use scumble_core::{Blend, EngineKind, Paint, Settings, Srgb8};
 
 use crate::view::Viewport;
 
@@ -85,8 +85,8 @@ pub enum Command {
     },
     /// What the pen does from here on.
     Tool(Tool),
-    /// The colour of the next scribbles.
-    Color(Srgb8),
+    /// The colour of the next scribbles, or none.
+    Color(Paint),
     /// Back to the colour before.
     SwapColors,
     /// The width of the next scribbles, in du.

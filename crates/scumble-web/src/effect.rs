@@ -1,7 +1,7 @@
 //! What the page must know, as a short list after each call: what of its state has changed, and what happened.
 
 use kurbo::Affine;
-use scumble_core::{Settings, Srgb8};
+use scumble_core::{Paint, Settings};
 use scumble_io::ImportNotes;
 use scumble_solve::Pixmap;
 
@@ -20,8 +20,8 @@ pub enum Effect {
     View(Affine),
     /// What the pen does.
     Tool(Tool),
-    /// The colour of the next scribble.
-    Color(Srgb8),
+    /// The colour of the next scribble, or none.
+    Color(Paint),
     /// The width of the next scribble, in du.
     BrushSize(f64),
     /// Whether lines are shown.
@@ -79,7 +79,7 @@ pub(crate) struct State {
     pub(crate) zoom: Option<f64>,
     pub(crate) view: Option<Affine>,
     pub(crate) tool: Option<Tool>,
-    pub(crate) color: Option<Srgb8>,
+    pub(crate) color: Option<Paint>,
     pub(crate) brush_du: Option<f64>,
     pub(crate) lines: Option<bool>,
     pub(crate) scribbles: Option<bool>,

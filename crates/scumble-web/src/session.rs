@@ -6,7 +6,7 @@
 use std::mem::take;
 
 use kurbo::{Affine, Rect};
-use scumble_core::{Document, Drawing, Editor, MapError, Srgb8};
+use scumble_core::{Document, Drawing, Editor, MapError, Paint, Srgb8};
 use scumble_io::import_svg;
 use scumble_solve::{Field, Picture, View};
 
@@ -44,8 +44,8 @@ pub struct Session {
     tool: Tool,
     /// The eraser in hand.
     eraser: Option<Eraser>,
-    color: Srgb8,
-    previous_color: Srgb8,
+    color: Paint,
+    previous_color: Paint,
     brush_du: f64,
     lines_shown: bool,
     scribbles_shown: bool,
@@ -92,8 +92,8 @@ impl Session {
             layers: Layers::default(),
             tool: Tool::default(),
             eraser: None,
-            color: Srgb8([0xe5, 0x48, 0x4d]),
-            previous_color: Srgb8([0x3b, 0x82, 0xf6]),
+            color: Srgb8([0xe5, 0x48, 0x4d]).into(),
+            previous_color: Srgb8([0x3b, 0x82, 0xf6]).into(),
             brush_du: 16.0,
             lines_shown: true,
             scribbles_shown: true,
@@ -249,7 +249,7 @@ impl Session {
     }
 
     /// Who picks a colour wants to scribble with it.
-    fn set_color(&mut self, color: Srgb8) {
+    fn set_color(&mut self, color: Paint) {
         self.tool = Tool::Scribble;
         if color != self.color {
             self.previous_color = self.color;

@@ -1,7 +1,7 @@
 //! The editor without a browser: gestures and commands in, paintings and effects out.
 
 use kurbo::{Point, Vec2};
-use scumble_core::{Blend, EngineKind, Settings, Srgb8};
+use scumble_core::{Blend, EngineKind, Paint, Settings, Srgb8};
 use scumble_solve::{Pixmap, paint};
 use scumble_web::command::{Command, Phase, Setting, Tool, ViewChange};
 use scumble_web::effect::Effect;
@@ -52,7 +52,7 @@ impl Page {
 
     /// A stroke of the pen through places in du, one batch of samples each.
     fn stroke(&mut self, color: Srgb8, points_du: &[(f64, f64)]) {
-        self.session.command(Command::Color(color));
+        self.session.command(Command::Color(color.into()));
         for (i, &point) in points_du.iter().enumerate() {
             self.pen(if i == 0 { Phase::Down } else { Phase::Move }, point);
         }
@@ -98,7 +98,7 @@ fn a_scribble_colours_its_square_and_nothing_else() {
 #[test]
 fn colour_follows_the_pen_before_it_is_lifted_and_escape_takes_it_back() {
     let mut page = Page::open(SQUARE);
-    page.session.command(Command::Color(RED));
+    page.session.command(Command::Color(RED.into()));
     page.pen(Phase::Down, ACROSS[0]);
     assert_eq!(page.color_at(INSIDE), RED);
     page.pen(Phase::Move, ACROSS[1]);
@@ -130,8 +130,8 @@ fn effects_tell_what_has_changed_and_only_that() {
     assert!(first.contains(&Effect::Undo(false)) && first.contains(&Effect::Zoom(1.0)));
     assert!(first.iter().any(|effect| matches!(effect, Effect::Opened { name, .. } if name == "square.svg")));
     assert_eq!(page.session.take_effects(), []);
-    page.session.command(Command::Color(RED));
-    assert_eq!(page.session.take_effects(), [Effect::Color(RED)]);
+    page.session.command(Command::Color(RED.into()));
+    assert_eq!(page.session.take_effects(), [Effect::Color(RED.into())]);
     page.stroke(RED, &ACROSS);
     assert_eq!(page.session.take_effects(), [Effect::Undo(true), Effect::ScribbleAdded { count: 1 }]);
     page.session.command(Command::Undo);
@@ -237,12 +237,12 @@ fn the_brush_stays_within_its_bounds_and_colours_swap() {
         page.session.command(Command::BrushLarger);
     }
     assert_eq!(page.session.take_effects(), [Effect::BrushSize(96.0)]);
-    page.session.command(Command::Color(RED));
-    page.session.command(Command::Color(BLUE));
+    page.session.command(Command::Color(RED.into()));
+    page.session.command(Command::Color(BLUE.into()));
     page.session.command(Command::SwapColors);
-    assert_eq!(page.session.take_effects(), [Effect::Color(RED)]);
+    assert_eq!(page.session.take_effects(), [Effect::Color(RED.into())]);
     page.session.command(Command::SwapColors);
-    assert_eq!(page.session.take_effects(), [Effect::Color(BLUE)]);
+    assert_eq!(page.session.take_effects(), [Effect::Color(BLUE.into())]);
 }
 
 #[test]
@@ -352,7 +352,7 @@ fn page_with_three() -> Page {
     page
 }
 
-fn colors(page: &Page) -> Vec<Srgb8> {
+fn colors(page: &Page) -> Vec<Paint> {
     page.session.document().scribbles.iter().map(|scribble| scribble.color).collect()
 }
 
@@ -361,13 +361,13 @@ fn a_click_with_the_eraser_takes_the_scribble_under_it_away() {
     let mut page = page_with_three();
     page.pen(Phase::Down, (402.0, 350.0));
     page.session.pointer(Phase::Up, &[]);
-    assert_eq!(colors(&page), [RED, WHITE]);
+    assert_eq!(colors(&page), [RED, WHITE].map(Paint::Color));
     let told = page.session.take_effects();
     assert!(told.contains(&Effect::ScribblesErased { erased: 1, count: 2 }), "{told:?}");
     page.session.command(Command::Undo);
-    assert_eq!(colors(&page), [RED, BLUE, WHITE]);
+    assert_eq!(colors(&page), [RED, BLUE, WHITE].map(Paint::Color));
     page.session.command(Command::Redo);
-    assert_eq!(colors(&page), [RED, WHITE]);
+    assert_eq!(colors(&page), [RED, WHITE].map(Paint::Color));
 }
 
 #[test]
@@ -375,12 +375,12 @@ fn an_eraser_that_is_dragged_takes_all_that_it_crosses_in_one_gesture() {
     let mut page = page_with_three();
     page.pen(Phase::Down, (450.0, 350.0));
     page.pen(Phase::Move, (380.0, 350.0));
-    assert_eq!(colors(&page), [RED, WHITE], "while it is dragged");
+    assert_eq!(colors(&page), [RED, WHITE].map(Paint::Color), "while it is dragged");
     page.pen(Phase::Move, (250.0, 350.0));
     page.session.pointer(Phase::Up, &[]);
-    assert_eq!(colors(&page), [WHITE]);
+    assert_eq!(colors(&page), [WHITE].map(Paint::Color));
     page.session.command(Command::Undo);
-    assert_eq!(colors(&page), [RED, BLUE, WHITE]);
+    assert_eq!(colors(&page), [RED, BLUE, WHITE].map(Paint::Color));
 }
 
 #[test]
@@ -391,11 +391,11 @@ fn an_eraser_that_touches_nothing_or_is_dropped_leaves_all_as_it_was() {
     page.session.pointer(Phase::Up, &[]);
     assert_eq!(page.session.take_effects(), []);
     page.pen(Phase::Down, (300.0, 350.0));
-    assert_eq!(colors(&page), [BLUE, WHITE]);
+    assert_eq!(colors(&page), [BLUE, WHITE].map(Paint::Color));
     page.session.pointer(Phase::Cancel, &[]);
-    assert_eq!(colors(&page), [RED, BLUE, WHITE]);
+    assert_eq!(colors(&page), [RED, BLUE, WHITE].map(Paint::Color));
     page.pen(Phase::Move, (400.0, 350.0));
-    assert_eq!(colors(&page), [RED, BLUE, WHITE]);
+    assert_eq!(colors(&page), [RED, BLUE, WHITE].map(Paint::Color));
 }
 
 #[test]
@@ -407,15 +407,29 @@ fn a_click_erases_the_uppermost_of_scribbles_that_overlap() {
     page.pen(Phase::Down, (400.0, 350.0));
     page.pen(Phase::Move, (401.0, 351.0));
     page.session.pointer(Phase::Up, &[]);
-    assert_eq!(colors(&page), [RED]);
+    assert_eq!(colors(&page), [RED].map(Paint::Color));
 }
 
 #[test]
 fn the_other_end_of_the_pen_erases_whatever_the_tool_and_a_colour_is_for_scribbling() {
     let mut page = page_with_three();
-    page.session.command(Command::Color(BLUE));
+    page.session.command(Command::Color(BLUE.into()));
     assert!(page.session.take_effects().contains(&Effect::Tool(Tool::Scribble)));
     page.pen(Phase::Erase, (300.0, 350.0));
     page.session.pointer(Phase::Up, &[]);
-    assert_eq!(colors(&page), [BLUE, WHITE]);
+    assert_eq!(colors(&page), [BLUE, WHITE].map(Paint::Color));
+}
+
+#[test]
+fn a_scribble_of_no_colour_keeps_its_place_free() {
+    let mut page = Page::open(SQUARE);
+    page.session.command(Command::Scribbles(false));
+    page.stroke(RED, &ACROSS);
+    page.session.command(Command::Color(Paint::Clear));
+    page.pen(Phase::Down, ACROSS[0]);
+    assert_eq!(page.color_at(INSIDE), WHITE);
+    page.session.pointer(Phase::Cancel, &[]);
+    assert_eq!(page.color_at(INSIDE), RED);
+    page.session.command(Command::SwapColors);
+    assert!(page.session.take_effects().contains(&Effect::Color(RED.into())));
 }

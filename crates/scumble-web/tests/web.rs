@@ -37,7 +37,7 @@ fn scribbled() -> Session {
         (Srgb8([230, 25, 75]), (400.0, 200.0), (600.0, 220.0)),
         (Srgb8([0, 130, 200]), (400.0, 560.0), (600.0, 540.0)),
     ] {
-        session.command(Command::Color(color));
+        session.command(Command::Color(color.into()));
         session.pointer(Phase::Down, &sample(&session, from));
         session.pointer(Phase::Up, &sample(&session, to));
     }
