@@ -3,11 +3,11 @@
 use std::ffi::OsString;
 use std::path::PathBuf;
 
-use anyhow::{Context, anyhow, bail};
+use anyhow::{Context, anyhow, bail, ensure};
 use pico_args::Arguments;
 use scumble_core::{Blend, EngineKind, Settings};
 
-use crate::eval::{EvalOptions, Manner, Method};
+use crate::eval::{EvalOptions, Method};
 use crate::set::Kind;
 
 /// Picture sizes that are made, in pixels of the longer side.
@@ -87,6 +87,29 @@ fn color(mut arguments: Arguments) -> anyhow::Result<ColorOptions> {
     })
 }
 
+fn eval(mut arguments: Arguments) -> anyhow::Result<EvalOptions> {
+    let default = Settings::default();
+    let kind = arguments.opt_value_from_fn("--kind", kind).map_err(advise)?;
+    let method = arguments.opt_value_from_fn("--engine", Method::parse).map_err(advise)?;
+    let gap_closing = arguments.opt_value_from_fn("--gap-closing", unit).map_err(advise)?;
+    let spread = arguments.contains("--spread");
+    let single = arguments.contains("--single");
+    let sheet = arguments.opt_value_from_os_str("--sheet", path).map_err(advise)?;
+    let pictures = arguments.opt_value_from_os_str("--pictures", path).map_err(advise)?;
+    let [set] = rest(arguments, ["SETDIR"])?;
+    let is_together = sheet.is_none() && pictures.is_none();
+    ensure!(!single || is_together, "--single makes no pictures; leave out --sheet and --pictures");
+    Ok(EvalOptions {
+        set: set.into(),
+        kind: kind.unwrap_or_default(),
+        method: method.unwrap_or_default(),
+        settings: Settings { gap_closing: gap_closing.unwrap_or(default.gap_closing), spread, ..default },
+        single,
+        sheet,
+        pictures,
+    })
+}
+
 /// How the drawing is to be coloured, where the options say otherwise than the defaults do.
 fn settings(arguments: &mut Arguments) -> anyhow::Result<Settings> {
     let default = Settings::default();
@@ -98,26 +121,6 @@ fn settings(arguments: &mut Arguments) -> anyhow::Result<Settings> {
         engine: engine.unwrap_or(default.engine),
         gap_closing: gap_closing.unwrap_or(default.gap_closing),
         spread: arguments.contains("--spread"),
-    })
-}
-
-fn eval(mut arguments: Arguments) -> anyhow::Result<EvalOptions> {
-    let kind = arguments.opt_value_from_fn("--kind", kind).map_err(advise)?;
-    let method = arguments.opt_value_from_fn("--engine", Method::parse).map_err(advise)?;
-    let gap_closing = arguments.opt_value_from_fn("--gap-closing", unit).map_err(advise)?;
-    let spread = arguments.contains("--spread");
-    let single = arguments.contains("--single");
-    let sheet = arguments.opt_value_from_os_str("--sheet", path).map_err(advise)?;
-    let pictures = arguments.opt_value_from_os_str("--pictures", path).map_err(advise)?;
-    let [set] = rest(arguments, ["SETDIR"])?;
-    Ok(EvalOptions {
-        set: set.into(),
-        kind: kind.unwrap_or_default(),
-        method: method.unwrap_or_default(),
-        manner: Manner { gap_closing: gap_closing.unwrap_or(0.5), spread },
-        single,
-        sheet,
-        pictures,
     })
 }
 

@@ -13,16 +13,21 @@
 //! | curves as pieces that meet only at nodes | [`planar_map`] |
 //! | samples along a stroke | `stroke` |
 //! | what a point sees | [`visibility`] |
-//! | which scribble colours which side | [`engine`], [`sight`] |
+//! | how wide the ways between lines are | `clearance` |
+//! | narrow passages between wide places | `gaps` |
+//! | which scribble colours which side | [`engine`], [`global`], [`sight`] |
 //! | how a drawing is coloured | [`settings`] |
 //! | colours along the sides of curves | [`color_points`] |
 
+mod clearance;
 pub mod color;
 pub mod color_points;
 mod delaunay;
 pub mod drawing;
 pub mod edit;
 pub mod engine;
+mod gaps;
+pub mod global;
 pub mod planar_map;
 mod sample;
 pub mod scribble;
@@ -38,6 +43,7 @@ pub use color_points::{Boundary, ColorPoint, ColorSpan, SideColors, boundary, co
 pub use drawing::{Curve, Drawing, Fill, Line};
 pub use edit::{Document, Editor};
 pub use engine::{Engine, Labels};
+pub use global::Global;
 pub use planar_map::{Gap, MapError, Piece, PlanarMap, Sampling, Step};
 pub use scribble::Scribble;
 pub use settings::{EngineKind, Settings};

@@ -83,6 +83,7 @@ pub struct PlanarMap {
     pieces: Vec<Piece>,
     steps: Vec<Vec<Step>>,
     gaps: Vec<Gap>,
+    half_widths_du: Vec<f64>,
     spacing_du: f64,
 }
 
@@ -99,6 +100,7 @@ impl PlanarMap {
         let segments: Vec<_> = polylines.iter().flatten().map(|stretch| stretch.ends).collect();
         let snapped = snap::snap(&segments, frame, MAX_PIECES).ok_or(too_many)?;
         let (pieces, steps) = pieces_and_steps(&polylines, &snapped);
+        let half_widths_du = half_widths_du(drawing, &steps, &pieces, snapped.nodes.len());
         let cdt = delaunay::triangulate(&snapped.nodes, &pieces)?;
         let triangulation = delaunay::flatten(&cdt, &pieces);
         Ok(Self {
@@ -108,6 +110,7 @@ impl PlanarMap {
             pieces,
             steps,
             gaps: Vec::new(),
+            half_widths_du,
             spacing_du: sampling.spacing_du,
         })
     }
@@ -145,6 +148,12 @@ impl PlanarMap {
     /// The passages that may be closed to colours, in a fixed order.
     pub fn gaps(&self) -> &[Gap] {
         &self.gaps
+    }
+
+    /// Half the width of the widest line that is drawn through a node, in du; `None` where nothing but the frame
+    /// passes through it.
+    pub fn half_width_du(&self, node: u32) -> Option<f64> {
+        self.half_widths_du.get(node as usize).copied().filter(|half_width_du| *half_width_du >= 0.0)
     }
 
     /// Whether a curve ends where it starts, without a gap where it leaves the page.
@@ -231,6 +240,20 @@ fn pieces_and_steps(polylines: &[Vec<Stretch>], snapped: &Snapped) -> (Vec<Piece
         }
     }
     (pieces, steps)
+}
+
+/// Half the line width at each node, negative where there is no curve.
+fn half_widths_du(drawing: &Drawing, steps: &[Vec<Step>], pieces: &[Piece], nodes: usize) -> Vec<f64> {
+    let mut half_widths_du = vec![-1.0_f64; nodes];
+    for (curve, steps) in drawing.curves.iter().zip(steps) {
+        let width_du = curve.line.as_ref().map_or(0.0, |line| line.stroke.width);
+        let half_width_du = if width_du.is_finite() { 0.5 * width_du.max(0.0) } else { 0.0 };
+        for node in steps.iter().flat_map(|step| pieces[step.left.piece()].nodes) {
+            let at_node = &mut half_widths_du[node as usize];
+            *at_node = at_node.max(half_width_du);
+        }
+    }
+    half_widths_du
 }
 
 /// The steps that replace one stretch.

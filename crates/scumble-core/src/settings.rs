@@ -2,6 +2,7 @@
 
 use crate::color::Blend;
 use crate::engine::Engine;
+use crate::global::Global;
 use crate::sight::Sight;
 
 /// Which engine labels the sides.
@@ -45,7 +46,8 @@ impl Settings {
     /// A fresh engine with these settings, for one map.
     pub fn engine(&self) -> Box<dyn Engine> {
         match self.engine {
-            EngineKind::Global | EngineKind::Progressive => Box::new(Sight::default()),
+            EngineKind::Global => Box::new(Global::new(self.spread)),
+            EngineKind::Progressive => Box::new(Sight::default()),
         }
     }
 

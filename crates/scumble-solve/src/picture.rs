@@ -27,8 +27,8 @@ impl Picture {
     /// # Errors
     /// When the drawing has too many pieces.
     pub fn new(drawing: &Drawing) -> Result<Self, MapError> {
-        let map = PlanarMap::build(drawing, &Sampling::default())?;
         let settings = Settings::default();
+        let map = PlanarMap::build(drawing, &Sampling::default())?.with_gaps_closed(settings.gap_closing);
         Ok(Self { map, engine: settings.engine(), settings, solver: None })
     }
 
@@ -48,8 +48,18 @@ impl Picture {
         if !self.settings.share_engine(settings) {
             self.engine = settings.engine();
         }
+        if self.settings.gap_closing != settings.gap_closing {
+            self.close_gaps(settings.gap_closing);
+        }
         self.settings = *settings;
         self.engine.label(&self.map, scribbles)
+    }
+
+    /// Other gaps make another map: what was derived from it begins anew.
+    fn close_gaps(&mut self, gap_closing: f64) {
+        self.map = self.map.clone().with_gaps_closed(gap_closing);
+        self.engine = self.settings.engine();
+        self.solver = None;
     }
 
     /// The colours that scribbles give the sides, and the gaps that they leave closed.

@@ -1,8 +1,8 @@
 //! How long labelling takes.
 
-use scumble_core::{Engine, Labels, Scribble, Sight};
+use scumble_core::{Engine, Labels, Scribble, Settings, Sight};
 
-use super::method::{Manner, Method, Way};
+use super::method::{Method, Way};
 use super::subject::Subject;
 use crate::clock::{Times, print_head, print_row, timed};
 
@@ -19,11 +19,11 @@ pub(crate) struct Latency {
 
 impl Latency {
     /// Times the labelling of one drawing. On pixels every scribble means to begin anew.
-    pub(crate) fn take(&mut self, subject: &mut Subject, method: Method, manner: Manner) {
+    pub(crate) fn take(&mut self, subject: &mut Subject, method: Method, settings: Settings) {
         match method.way {
             Way::Engine(kind) => {
                 let Subject { opened, scribbles, .. } = subject;
-                let settings = manner.settings(kind);
+                let settings = Settings { engine: kind, ..settings };
                 self.take_labels(scribbles, |scribbles| opened.picture.label(scribbles, &settings));
             }
             Way::Sight => {
@@ -33,7 +33,7 @@ impl Latency {
             }
             Way::Pixels(label) => {
                 let sketch = subject.sketch(&subject.scribbles);
-                self.at_once.push(timed(|| label(&sketch, manner)).1);
+                self.at_once.push(timed(|| label(&sketch, settings)).1);
             }
         }
     }

@@ -4,22 +4,6 @@ use scumble_core::{EngineKind, Settings};
 
 use crate::rivals::{self, Sketch, SketchPixel};
 
-/// How far colours go.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Manner {
-    /// How eagerly gaps between lines are closed, from 0 to 1.
-    pub(crate) gap_closing: f64,
-    /// Whether colours go on into areas without scribbles.
-    pub(crate) spread: bool,
-}
-
-impl Manner {
-    /// The settings of a drawing that is coloured in this manner by an engine.
-    pub(crate) fn settings(self, engine: EngineKind) -> Settings {
-        Settings { engine, gap_closing: self.gap_closing, spread: self.spread, ..Settings::default() }
-    }
-}
-
 /// A way to colour.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Method {
@@ -36,7 +20,7 @@ pub(crate) enum Way {
     /// The planar map, by direct visibility.
     Sight,
     /// Pixels: labels all pixels of a sketch.
-    Pixels(fn(&Sketch, Manner) -> Vec<SketchPixel>),
+    Pixels(fn(&Sketch, Settings) -> Vec<SketchPixel>),
 }
 
 /// All scribbles at once.
@@ -47,15 +31,24 @@ pub(crate) const SIGHT: Method = Method { name: "sight", way: Way::Sight };
 
 /// Flood fill without gap closing.
 pub(crate) const FLOOD: Method =
-    Method { name: "flood", way: Way::Pixels(|sketch, manner| rivals::flood(sketch, manner.spread)) };
+    Method { name: "flood", way: Way::Pixels(|sketch, settings| rivals::flood(sketch, settings.spread)) };
 
-/// All methods. The last two spread colours in either manner: they leave no pixel out.
-const METHODS: [Method; 6] = [
+/// LazyBrush with hard scribbles: on thin scribbles the better one for it.
+const LAZYBRUSH: Method =
+    Method { name: "lazybrush", way: Way::Pixels(|sketch, _| rivals::lazybrush(sketch, rivals::HARD)) };
+
+/// LazyBrush with scribbles as soft as the paper's.
+const SOFT_LAZYBRUSH: Method =
+    Method { name: "lazybrush-soft", way: Way::Pixels(|sketch, _| rivals::lazybrush(sketch, rivals::SOFT)) };
+
+/// All methods. The last three spread colours with any settings: they leave no pixel out.
+const METHODS: [Method; 7] = [
     GLOBAL,
     Method { name: "progressive", way: Way::Engine(EngineKind::Progressive) },
     SIGHT,
     FLOOD,
-    Method { name: "lazybrush", way: Way::Pixels(|sketch, _| rivals::lazybrush(sketch)) },
+    LAZYBRUSH,
+    SOFT_LAZYBRUSH,
     Method { name: "nearest", way: Way::Pixels(|sketch, _| rivals::nearest(sketch)) },
 ];
 
@@ -74,5 +67,19 @@ impl Method {
         let names = || METHODS.map(|method| method.name).join(", ");
         let found = METHODS.into_iter().find(|method| method.name == name);
         found.ok_or_else(|| format!("give one of {}", names()))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn methods_are_found_by_their_names() {
+        for method in METHODS {
+            assert_eq!(Method::parse(method.name).unwrap().name, method.name);
+        }
+        let message = Method::parse("crayon").unwrap_err();
+        assert!(METHODS.iter().all(|method| message.contains(method.name)), "{message}");
     }
 }

@@ -3,10 +3,10 @@
 use anyhow::{Context, ensure};
 use kurbo::Affine;
 use scumble_core::drawing::LONGER_SIDE_DU;
-use scumble_core::{Blend, Boundary, Engine, EngineKind, Scribble, Sight, Srgb8, boundary};
+use scumble_core::{Blend, Boundary, Engine, EngineKind, Scribble, Settings, Sight, Srgb8, boundary};
 use scumble_solve::{Field, Pixmap, Scene, Shape, View, line_shapes, paint, scribble_shape};
 
-use super::method::{Manner, Method, Way};
+use super::method::{Method, Way};
 use super::truth::{PALETTE, Truth, palette_index};
 use crate::files;
 use crate::rivals::{Sketch, SketchPixel};
@@ -58,23 +58,23 @@ impl Subject {
     pub(crate) fn paint(
         &mut self,
         method: Method,
-        manner: Manner,
+        settings: Settings,
         scribbles: &[Scribble],
     ) -> anyhow::Result<Pixmap> {
         match method.way {
-            Way::Engine(kind) => self.paint_sides(kind, manner, scribbles),
+            Way::Engine(kind) => self.paint_sides(kind, settings, scribbles),
             Way::Sight => self.paint_sight(scribbles),
-            Way::Pixels(label) => Ok(self.paint_pixels(&label(&self.sketch(scribbles), manner))),
+            Way::Pixels(label) => Ok(self.paint_pixels(&label(&self.sketch(scribbles), settings))),
         }
     }
 
     fn paint_sides(
         &mut self,
         kind: EngineKind,
-        manner: Manner,
+        settings: Settings,
         scribbles: &[Scribble],
     ) -> anyhow::Result<Pixmap> {
-        let boundary = self.opened.picture.color(scribbles, &manner.settings(kind));
+        let boundary = self.opened.picture.color(scribbles, &Settings { engine: kind, ..settings });
         self.paint_boundary(&boundary)
     }
 
