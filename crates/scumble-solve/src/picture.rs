@@ -45,21 +45,16 @@ impl Picture {
 
     /// The labels of the sides and gaps.
     pub fn label(&mut self, scribbles: &[Scribble], settings: &Settings) -> Labels {
-        if !self.settings.share_engine(settings) {
+        let before = std::mem::replace(&mut self.settings, *settings);
+        if before.gap_closing != settings.gap_closing {
+            // Other gaps make another map: what was derived from it begins anew.
+            self.map = self.map.clone().with_gaps_closed(settings.gap_closing);
+            self.solver = None;
+        }
+        if !before.share_engine(settings) {
             self.engine = settings.engine();
         }
-        if self.settings.gap_closing != settings.gap_closing {
-            self.close_gaps(settings.gap_closing);
-        }
-        self.settings = *settings;
         self.engine.label(&self.map, scribbles)
-    }
-
-    /// Other gaps make another map: what was derived from it begins anew.
-    fn close_gaps(&mut self, gap_closing: f64) {
-        self.map = self.map.clone().with_gaps_closed(gap_closing);
-        self.engine = self.settings.engine();
-        self.solver = None;
     }
 
     /// The colours that scribbles give the sides, and the gaps that they leave closed.
