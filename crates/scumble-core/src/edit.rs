@@ -144,7 +144,7 @@ impl Editor {
         indices.len()
     }
 
-    /// Gives a scribble another colour; nothing happens where there is no scribble of this index.
+    /// Gives a scribble another colour, or none; nothing happens where there is no scribble of this index.
     pub fn recolor_scribble(&mut self, index: usize, color: Paint) {
         self.commit_scribble();
         if self.document.scribbles.get(index).is_some_and(|scribble| scribble.color != color) {

@@ -51,10 +51,11 @@ impl Settings {
         }
     }
 
-    /// Whether an engine made for other settings serves these as well.
+    /// Whether an engine made for other settings serves these as well. Other gaps are another map, which takes another
+    /// engine.
     pub fn share_engine(&self, other: &Self) -> bool {
-        let global = |of: &Self| (of.engine == EngineKind::Global).then_some((of.gap_closing, of.spread));
-        global(self) == global(other)
+        let key = |of: &Self| (of.engine, of.gap_closing, of.engine == EngineKind::Global && of.spread);
+        key(self) == key(other)
     }
 }
 
@@ -74,9 +75,11 @@ mod tests {
         let global = Settings::default();
         let progressive = Settings { engine: EngineKind::Progressive, ..global };
         assert!(global.share_engine(&Settings { blend: Blend::Srgb, ..global }));
-        assert!(!global.share_engine(&Settings { gap_closing: 0.6, ..global }));
         assert!(!global.share_engine(&Settings { spread: true, ..global }));
         assert!(!global.share_engine(&progressive));
-        assert!(progressive.share_engine(&Settings { gap_closing: 0.6, spread: true, ..progressive }));
+        assert!(progressive.share_engine(&Settings { spread: true, ..progressive }));
+        for settings in [global, progressive] {
+            assert!(!settings.share_engine(&Settings { gap_closing: 0.6, ..settings }));
+        }
     }
 }

@@ -419,3 +419,17 @@ fn the_other_end_of_the_pen_erases_whatever_the_tool_and_a_colour_is_for_scribbl
     page.session.pointer(Phase::Up, &[]);
     assert_eq!(colors(&page), [BLUE, WHITE].map(Paint::Color));
 }
+
+#[test]
+fn a_scribble_of_no_colour_keeps_its_place_free() {
+    let mut page = Page::open(SQUARE);
+    page.session.command(Command::Scribbles(false));
+    page.stroke(RED, &ACROSS);
+    page.session.command(Command::Color(Paint::Clear));
+    page.pen(Phase::Down, ACROSS[0]);
+    assert_eq!(page.color_at(INSIDE), WHITE);
+    page.session.pointer(Phase::Cancel, &[]);
+    assert_eq!(page.color_at(INSIDE), RED);
+    page.session.command(Command::SwapColors);
+    assert!(page.session.take_effects().contains(&Effect::Color(RED.into())));
+}
