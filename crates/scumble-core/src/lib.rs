@@ -10,6 +10,7 @@
 //! | curves sampled on a lattice | `sample` |
 //! | crossings found and rounded | `snap` |
 //! | curves as pieces that meet only at nodes | [`planar_map`] |
+//! | samples along a stroke | `stroke` |
 //! | what a point sees | [`visibility`] |
 //! | which scribble colours which side | [`engine`], [`sight`] |
 //! | colours along the sides of curves | [`color_points`] |
@@ -24,6 +25,7 @@ mod sample;
 pub mod scribble;
 pub mod sight;
 mod snap;
+mod stroke;
 pub mod triangulation;
 pub mod visibility;
 
