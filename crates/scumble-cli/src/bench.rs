@@ -1,16 +1,14 @@
 //! `scumble bench`: how long each stage takes on the drawings of a quality set, on one thread.
 
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 use anyhow::Context;
 use scumble_core::drawing::LONGER_SIDE_DU;
 use scumble_core::{Blend, Scribble, SideColors};
-use scumble_io::read_scribbles;
-use serde::Deserialize;
 
 use crate::baseline::PixelGrid;
 use crate::clock::{Times, print_head, print_row, timed};
-use crate::files;
+use crate::set::{self, Entry, Kind};
 use crate::stages::{self, Opened, PAPER};
 
 /// Size of the pictures.
@@ -18,11 +16,6 @@ const SIZE_PX: u32 = 1024;
 
 /// The baseline takes its time: it is run on every so many-th drawing.
 const BASELINE_EVERY: usize = 5;
-
-#[derive(Deserialize)]
-struct Entry {
-    id: String,
-}
 
 /// Times of everything, one entry for each drawing, or for each scribble after the first.
 #[derive(Default)]
@@ -50,13 +43,9 @@ struct Report {
 /// # Errors
 /// When the set cannot be read or a drawing fails.
 pub(crate) fn run(set: &Path) -> anyhow::Result<()> {
-    let index = set.join("index.json");
-    let entries: Vec<Entry> = serde_json::from_slice(&files::read(&index)?)
-        .with_context(|| format!("{} is no list of drawings", index.display()))?;
     let mut report = Report::default();
-    for (i, entry) in entries.iter().enumerate() {
-        let folder = set.join(&entry.id);
-        let measured = report.drawing(&folder, i % BASELINE_EVERY == 0);
+    for (i, entry) in set::entries(set)?.iter().enumerate() {
+        let measured = report.drawing(entry, i % BASELINE_EVERY == 0);
         measured.with_context(|| format!("drawing {}", entry.id))?;
     }
     report.print();
@@ -64,10 +53,10 @@ pub(crate) fn run(set: &Path) -> anyhow::Result<()> {
 }
 
 impl Report {
-    fn drawing(&mut self, folder: &Path, with_baseline: bool) -> anyhow::Result<()> {
-        let (svg, read_ms) = timed(|| files::read(&folder.join("drawing.svg")));
+    fn drawing(&mut self, entry: &Entry, with_baseline: bool) -> anyhow::Result<()> {
+        let (svg, read_ms) = timed(|| entry.svg());
         let mut opened = stages::open(&svg?)?;
-        let scribbles = scribbles(folder.join("dense.json"), &opened)?;
+        let scribbles = entry.scribbles(Kind::Dense, &opened.import.drawing)?;
         let first = scribbles.len().min(1);
         let spread_ms = self.first_scribble(&mut opened, &scribbles[..first])?;
         let paint_ms = paint_ms(&mut opened, &scribbles[..first])?;
@@ -165,10 +154,6 @@ impl Report {
             baseline_ms / self.new_scribble.median()
         );
     }
-}
-
-fn scribbles(path: PathBuf, opened: &Opened) -> anyhow::Result<Vec<Scribble>> {
-    Ok(read_scribbles(&files::read(&path)?, &opened.import.drawing)?.scribbles)
 }
 
 fn paint_ms(opened: &mut Opened, scribbles: &[Scribble]) -> anyhow::Result<f64> {

@@ -7,6 +7,9 @@
 //! | `scumble corpus`: a folder of drawings, for crashes and lost curves | `corpus` |
 //! | `scumble bench`: how long each stage takes | `bench` |
 //! | … beside a plain solver on pixels | `baseline` |
+//! | `scumble eval`: how well engines colour | `eval` |
+//! | … beside other people's methods on pixels | `rivals` |
+//! | folders of drawings with scribbles and truth | `set` |
 //! | from a file to a picture, stage by stage | `stages` |
 //! | times and their percentiles | `clock` |
 //! | files in and out | `files` |
@@ -16,8 +19,11 @@ mod bench;
 mod clock;
 mod color;
 mod corpus;
+mod eval;
 mod files;
 mod options;
+mod rivals;
+mod set;
 mod stages;
 
 use std::process::ExitCode;
@@ -45,6 +51,14 @@ scumble corpus DIR [--take N]
 scumble bench SETDIR
     times each stage on a quality set (SETDIR/ID/drawing.svg, SETDIR/ID/dense.json)
 
+scumble eval SETDIR
+    tells how much of a quality set (the above, and SETDIR/ID/truth.png) an engine colours as expected
+    [--kind dense|sparse]   which scribbles
+    [--engine global|progressive|sight]
+    [--gap-closing 0.5]     how eagerly gaps between lines are closed, from 0 to 1
+    [--spread]              let colours go on into areas without scribbles
+    [--pictures DIR]        write the pictures as DIR/ID.png
+
 Exit code 2: bad input; nothing was written.
 ";
 
@@ -64,6 +78,7 @@ fn run() -> anyhow::Result<ExitCode> {
         Command::Color(options) => color::run(&options)?,
         Command::Corpus { folder, take } => return corpus::run(&folder, take),
         Command::Bench { set } => bench::run(&set)?,
+        Command::Eval(options) => eval::run(&options)?,
     }
     Ok(ExitCode::SUCCESS)
 }

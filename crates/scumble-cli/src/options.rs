@@ -7,6 +7,9 @@ use anyhow::{Context, anyhow, bail};
 use pico_args::Arguments;
 use scumble_core::Blend;
 
+use crate::eval::{EvalOptions, Manner, Method};
+use crate::set::Kind;
+
 /// Picture sizes that are made, in pixels of the longer side.
 const SIZES_PX: std::ops::RangeInclusive<u32> = 1..=16384;
 
@@ -17,6 +20,7 @@ pub(crate) enum Command {
     Color(ColorOptions),
     Corpus { folder: PathBuf, take: Option<usize> },
     Bench { set: PathBuf },
+    Eval(EvalOptions),
 }
 
 /// What `scumble color` is to make.
@@ -53,12 +57,16 @@ pub(crate) fn parse(mut arguments: Arguments) -> anyhow::Result<Command> {
             let [set] = rest(arguments, ["SETDIR"])?;
             Ok(Command::Bench { set: set.into() })
         }
-        Some(other) => bail!("there is no command “{other}”; use color, corpus or bench, or --help"),
+        Some("eval") => eval(arguments).map(Command::Eval),
+        Some(other) => bail!("there is no command “{other}”; use color, corpus, bench or eval, or --help"),
     }
 }
 
+fn path(value: &std::ffi::OsStr) -> Result<PathBuf, std::convert::Infallible> {
+    Ok(value.into())
+}
+
 fn color(mut arguments: Arguments) -> anyhow::Result<ColorOptions> {
-    let path = |value: &std::ffi::OsStr| Ok::<_, std::convert::Infallible>(PathBuf::from(value));
     let scribbles = arguments.opt_value_from_os_str("--scribbles", path).map_err(advise)?;
     let output = arguments.opt_value_from_os_str("-o", path).map_err(advise)?;
     let size_px = arguments.opt_value_from_fn("--size", size).map_err(advise)?;
@@ -76,6 +84,26 @@ fn color(mut arguments: Arguments) -> anyhow::Result<ColorOptions> {
         transparent,
         blend: blend.unwrap_or_default(),
         timings,
+    })
+}
+
+fn eval(mut arguments: Arguments) -> anyhow::Result<EvalOptions> {
+    let kind = arguments.opt_value_from_fn("--kind", kind).map_err(advise)?;
+    let method = arguments.opt_value_from_fn("--engine", Method::parse).map_err(advise)?;
+    let gap_closing = arguments.opt_value_from_fn("--gap-closing", unit).map_err(advise)?;
+    let spread = arguments.contains("--spread");
+    let single = arguments.contains("--single");
+    let sheet = arguments.opt_value_from_os_str("--sheet", path).map_err(advise)?;
+    let pictures = arguments.opt_value_from_os_str("--pictures", path).map_err(advise)?;
+    let [set] = rest(arguments, ["SETDIR"])?;
+    Ok(EvalOptions {
+        set: set.into(),
+        kind: kind.unwrap_or_default(),
+        method: method.unwrap_or_default(),
+        manner: Manner { gap_closing: gap_closing.unwrap_or(0.5), spread },
+        single,
+        sheet,
+        pictures,
     })
 }
 
@@ -99,6 +127,16 @@ fn size(text: &str) -> Result<u32, String> {
 
 fn positive(text: &str) -> Result<usize, String> {
     text.parse().ok().filter(|n| *n > 0).ok_or_else(|| "give a whole number above zero".into())
+}
+
+fn unit(text: &str) -> Result<f64, String> {
+    let part = text.parse().ok().filter(|part| (0.0..=1.0).contains(part));
+    part.ok_or_else(|| "give a number from 0 to 1".into())
+}
+
+fn kind(text: &str) -> Result<Kind, String> {
+    let kind = [Kind::Sparse, Kind::Dense].into_iter().find(|kind| kind.name() == text);
+    kind.ok_or_else(|| "give sparse or dense".into())
 }
 
 fn blend(text: &str) -> Result<Blend, String> {
