@@ -12,7 +12,7 @@
 //! | curves as pieces that meet only at nodes | [`planar_map`] |
 //! | samples along a stroke | `stroke` |
 //! | what a point sees | [`visibility`] |
-//! | which scribble colours which side | [`engine`], [`sight`] |
+//! | which scribble colours which side | [`engine`], [`sight`], [`progressive`] |
 //! | colours along the sides of curves | [`color_points`] |
 
 pub mod color;
@@ -21,6 +21,7 @@ pub mod drawing;
 pub mod edit;
 pub mod engine;
 pub mod planar_map;
+pub mod progressive;
 mod sample;
 pub mod scribble;
 pub mod sight;
@@ -35,6 +36,7 @@ pub use drawing::{Curve, Drawing, Fill, Line};
 pub use edit::{Document, Editor};
 pub use engine::{Engine, Labels};
 pub use planar_map::{Gap, MapError, Piece, PlanarMap, Sampling, Step};
+pub use progressive::Progressive;
 pub use scribble::Scribble;
 pub use sight::Sight;
 pub use triangulation::{HalfEdge, SideId, Triangulation};

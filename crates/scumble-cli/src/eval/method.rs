@@ -1,6 +1,6 @@
 //! The ways to colour that are compared: engines and, on pixels, other people's methods; each by its name.
 
-use scumble_core::{Engine, Sight};
+use scumble_core::{Engine, Progressive, Sight};
 
 use crate::rivals::{self, Sketch, SketchPixel};
 
@@ -43,7 +43,7 @@ pub(crate) const FLOOD: Method =
 /// All methods. The last two spread colours in either manner: they leave no pixel out.
 const METHODS: [Method; 6] = [
     GLOBAL,
-    Method { name: "progressive", way: Way::Engine(|_| Box::new(Sight::default())) },
+    Method { name: "progressive", way: Way::Engine(|_| Box::new(Progressive::default())) },
     SIGHT,
     FLOOD,
     Method { name: "lazybrush", way: Way::Pixels(|sketch, _| rivals::lazybrush(sketch)) },
