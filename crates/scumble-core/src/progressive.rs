@@ -3,6 +3,8 @@
 
 mod angle;
 mod circuit;
+mod costs;
+mod gaps;
 mod outline;
 mod partition;
 mod reach;
@@ -33,8 +35,15 @@ const ETA: f64 = 0.4;
 const OMEGA: f64 = 0.1;
 /// How many pieces it takes until their penalty grows fast (equation 6).
 const TAU: f64 = 20.0;
-/// Cost of a jump across the scribble itself, for cutting off all of it; not in the paper.
-const CUT: f64 = 4.0;
+
+// What the paper does not have.
+
+/// Charge for a circuit that leaves out all that is seen.
+const SKIP: f64 = 1.5;
+/// Charge for a circuit that leaves out all of the scribble.
+const CUT: f64 = 1.0;
+/// What lies in another region and is shorter than this part of what lies in the main one is a slip of the pen.
+const SLIP: f64 = 0.1;
 
 /// Colours sides scribble by scribble; keeps what each scribble of the last call reaches, and how to take its labels
 /// back.
@@ -58,7 +67,7 @@ impl Engine for Progressive {
             self.apply(map, &outline, i);
         }
         self.surroundings = Some((outline, index));
-        Labels { sides: self.labels.clone(), ..Labels::none(map) }
+        Labels { sides: self.labels.clone(), closed_gaps: self.closed_gaps(map) }
     }
 }
 
@@ -89,6 +98,21 @@ impl Progressive {
             self.reaches.push(reach);
         }
         unchanged
+    }
+
+    /// A gap is closed where the circuit of a scribble that has any side jumps across it.
+    fn closed_gaps(&self, map: &PlanarMap) -> Vec<bool> {
+        let mut closed = vec![false; map.gaps().len()];
+        let mut has_sides = vec![false; self.reaches.len()];
+        for &scribble in self.labels.iter().flatten() {
+            has_sides[scribble as usize] = true;
+        }
+        for (reach, _) in self.reaches.iter().zip(has_sides).filter(|&(_, has_sides)| has_sides) {
+            for &gap in reach.gaps() {
+                closed[gap as usize] = true;
+            }
+        }
+        closed
     }
 
     /// Takes back the labels of all scribbles from `first` on.

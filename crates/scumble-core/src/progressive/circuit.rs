@@ -2,13 +2,13 @@
 
 use kurbo::Point;
 
-use super::angle::angle_part;
+use super::MU;
+use super::costs::Costs;
 use super::outline::Outline;
 use super::reach::{Index, Part, Sighting};
 use super::segments::{Place, Segments};
 use super::view::{self, Jump, JumpKind};
 use super::walk::{Edge, cheapest_odd_walk};
-use super::{CUT, ETA, MU};
 use crate::planar_map::PlanarMap;
 
 /// What a scribble influences in one region.
@@ -16,8 +16,8 @@ use crate::planar_map::PlanarMap;
 pub(super) struct Circuit {
     /// Places in the list of sightings.
     pub(super) sides: Vec<usize>,
-    /// The pairs of nodes between which the circuit jumps.
-    pub(super) bridges: Vec<[u32; 2]>,
+    /// Where the circuit jumps from and to.
+    pub(super) jumps: Vec<[Point; 2]>,
 }
 
 impl Circuit {
@@ -38,11 +38,11 @@ impl Circuit {
         };
         let mut own = Vec::new();
         view::jumps(center, &view::glimpses(map, outline, center, triangle), &mut own);
-        let graph = Graph::new(&segments, part, &own, center);
+        let graph = Graph::new(&segments, &Costs::new(map, outline, part), part, &own, center);
         match cheapest_odd_walk(graph.places.len(), &graph.edges) {
             Some(walk) => graph.trace(&walk),
             // Nothing closes around the scribble: all that it sees is its own.
-            None => Self { sides: segments.sides.clone(), bridges: Vec::new() },
+            None => Self { sides: segments.sides.clone(), jumps: Vec::new() },
         }
     }
 }
@@ -53,7 +53,17 @@ struct Leap {
     kind: JumpKind,
     from: Place,
     to: Place,
-    skipped: f64,
+}
+
+impl Leap {
+    fn line(&self, segments: &Segments) -> [Point; 2] {
+        [self.from, self.to].map(|place| segments.point(place))
+    }
+
+    fn length_du(&self, segments: &Segments) -> f64 {
+        let [from, to] = self.line(segments);
+        (to - from).hypot()
+    }
 }
 
 /// The visibility graph: the places at which jumps begin or end, joined by jumps and along segments.
@@ -64,22 +74,25 @@ struct Graph<'a> {
 }
 
 impl<'a> Graph<'a> {
-    fn new(segments: &'a Segments<'a>, part: &Part, own: &[Jump], center: Point) -> Self {
+    fn new(segments: &'a Segments<'a>, costs: &Costs, part: &Part, own: &[Jump], center: Point) -> Self {
         let leap = |jump: &Jump| {
             let (from, to) = (segments.after(jump.from)?, segments.before(jump.to)?);
-            Some(Leap { kind: jump.kind, from, to, skipped: jump.skipped })
+            Some(Leap { kind: jump.kind, from, to })
         };
-        let own: Vec<Leap> = own.iter().filter_map(leap).collect();
-        let leaps = shortest(segments, part.jumps.iter().filter_map(leap).collect());
-        let costs = Costs::new(segments, part, own.iter().chain(&leaps));
-        let mut places: Vec<Place> = own.iter().chain(&leaps).flat_map(|leap| [leap.from, leap.to]).collect();
+        let mut leaps = shortest(segments, part.jumps.iter().filter_map(leap).collect());
+        // The way around that the middle sample sees is always there: some circuit can be found.
+        leaps.extend(own.iter().filter_map(leap));
+        let longest_du = leaps.iter().map(|leap| leap.length_du(segments)).fold(0.0, f64::max);
+        let mut places: Vec<Place> = leaps.iter().flat_map(|leap| [leap.from, leap.to]).collect();
         let closed = segments.segments.iter().enumerate().filter(|(_, segment)| segment.is_closed);
         places.extend(closed.map(|(i, _)| Place { segment: i as u32, at: 0 }));
         places.sort_unstable();
         places.dedup();
         let mut graph = Self { segments, places, edges: Vec::new() };
-        for leap in own.iter().chain(&leaps) {
-            graph.add(leap.from, leap.to, costs.leap(leap), true);
+        for leap in &leaps {
+            let tangents = [segments.arriving(leap.from), segments.leaving(leap.to)];
+            let cost = costs.jump(leap.line(segments), tangents, longest_du);
+            graph.add(leap.from, leap.to, cost, true);
         }
         graph.add_ways();
         let rays = [0, 1, 2, 3].map(|ray| graph.crossed(center, ray));
@@ -135,12 +148,12 @@ impl<'a> Graph<'a> {
         let mut is_followed = vec![false; self.segments.sides.len()];
         let mut is_cut = vec![false; self.segments.sides.len() + 1];
         let mut polygon = Vec::new();
-        let mut bridges = Vec::new();
+        let mut jumps = Vec::new();
         for edge in walk.iter().map(|&edge| &self.edges[edge]) {
             let [from, to] = [edge.from, edge.to].map(|vertex| self.places[vertex as usize]);
             polygon.push(self.segments.point(from));
             if edge.is_jump {
-                bridges.push([from, to].map(|place| self.segments.node(place)));
+                jumps.push([from, to].map(|place| self.segments.point(place)));
                 for place in [from, to] {
                     is_cut[self.segments.segments[place.segment as usize].first + place.at as usize] = true;
                 }
@@ -162,7 +175,7 @@ impl<'a> Graph<'a> {
                 }
             }
         }
-        Circuit { sides, bridges }
+        Circuit { sides, jumps }
     }
 }
 
@@ -173,8 +186,8 @@ fn shortest(segments: &Segments, mut leaps: Vec<Leap>) -> Vec<Leap> {
         JumpKind::Inward => (leap.kind, Place { segment: leap.from.segment, at: 0 }, leap.to),
         JumpKind::Across => (leap.kind, leap.from, leap.to),
     };
-    let length2_du2 = |leap: &Leap| (segments.point(leap.to) - segments.point(leap.from)).hypot2();
-    leaps.sort_by(|a, b| key(a).cmp(&key(b)).then(length2_du2(a).total_cmp(&length2_du2(b))));
+    let length_du = |leap: &Leap| leap.length_du(segments);
+    leaps.sort_by(|a, b| key(a).cmp(&key(b)).then(length_du(a).total_cmp(&length_du(b))));
     leaps.dedup_by(|later, first| key(later) == key(first));
     leaps
 }
@@ -201,54 +214,4 @@ fn encloses(polygon: &[Point], p: Point) -> bool {
 fn just_left_of([a, b]: [Point; 2]) -> Point {
     let along = b - a;
     a.midpoint(b) + 1e-4 * kurbo::Vec2::new(-along.y, along.x)
-}
-
-/// What jumps cost.
-struct Costs<'a> {
-    segments: &'a Segments<'a>,
-    /// Some samples, in order, not more than [`Costs::MOST_SAMPLES`].
-    stroke: Vec<Point>,
-    longest_du: f64,
-    sample_count: f64,
-}
-
-impl<'a> Costs<'a> {
-    /// Samples that jumps are tested against.
-    const MOST_SAMPLES: usize = 128;
-
-    fn new<'b>(segments: &'a Segments<'a>, part: &Part, leaps: impl Iterator<Item = &'b Leap>) -> Self {
-        let length_du = |leap: &Leap| (segments.point(leap.to) - segments.point(leap.from)).hypot();
-        let step = part.samples.len().div_ceil(Self::MOST_SAMPLES).max(1);
-        Self {
-            segments,
-            stroke: part.samples.iter().copied().step_by(step).collect(),
-            longest_du: leaps.map(length_du).fold(0.0, f64::max),
-            sample_count: part.samples.len() as f64,
-        }
-    }
-
-    /// Equation 4, and a charge for what is skipped and for the part of the scribble that is cut off.
-    fn leap(&self, leap: &Leap) -> f64 {
-        let [from, to] = [leap.from, leap.to].map(|place| self.segments.point(place));
-        let gap = to - from;
-        if gap.hypot2() == 0.0 {
-            return 0.0;
-        }
-        let turn = angle_part(self.segments.arriving(leap.from), gap)
-            + angle_part(gap, self.segments.leaving(leap.to));
-        let v = ETA * gap.hypot() / self.longest_du + (1.0 - ETA) * turn * turn;
-        MU * leap.skipped / self.sample_count + (1.0 - MU) * v + CUT * self.cut_off([from, to])
-    }
-
-    /// The part of the scribble beyond the places at which a jump crosses it.
-    fn cut_off(&self, [from, to]: [Point; 2]) -> f64 {
-        let side = |p: Point| (to - from).cross(p - from) > 0.0;
-        let len = self.stroke.len();
-        let crossing = |i: &usize| {
-            let [p, q] = [self.stroke[i - 1], self.stroke[*i]];
-            let apart = |r: Point| (q - p).cross(r - p) > 0.0;
-            side(p) != side(q) && apart(from) != apart(to)
-        };
-        (1..len).filter(crossing).map(|i| i.min(len - i) as f64 / len as f64).sum()
-    }
 }

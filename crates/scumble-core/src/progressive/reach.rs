@@ -4,8 +4,10 @@ use std::collections::BTreeMap;
 
 use kurbo::Point;
 
+use super::SLIP;
 use super::angle::angle_part;
 use super::circuit::Circuit;
+use super::gaps;
 use super::outline::{Outline, ends};
 use super::view::{self, Glimpse, Jump};
 use crate::planar_map::PlanarMap;
@@ -120,8 +122,8 @@ pub(super) struct Reach {
     parts: BTreeMap<u32, Part>,
     /// The sides that it influences, in ascending order.
     influence: Vec<(SideId, Evidence)>,
-    /// The pairs of nodes between which its circuits jump.
-    bridges: Vec<[u32; 2]>,
+    /// The gaps that its circuits jump across.
+    gaps: Vec<u32>,
 }
 
 /// The part of a scribble that lies in one region.
@@ -150,9 +152,9 @@ impl Reach {
         &self.influence
     }
 
-    /// The pairs of nodes between which its circuits jump.
-    pub(super) fn bridges(&self) -> &[[u32; 2]] {
-        &self.bridges
+    /// The gaps of the map that its circuits jump across.
+    pub(super) fn gaps(&self) -> &[u32] {
+        &self.gaps
     }
 
     /// Goes on to the end of a scribble that [begins](Reach::begins) like this.
@@ -181,15 +183,18 @@ impl Reach {
             }
         }
         self.influence.clear();
-        self.bridges.clear();
-        for (region, part) in &mut self.parts {
-            merge(&mut part.jumps);
+        self.gaps.clear();
+        let most = self.parts.values().map(|part| part.samples.len()).max().unwrap_or_default();
+        let is_meant = |part: &Part| part.samples.len() as f64 >= SLIP * most as f64;
+        for (region, part) in self.parts.iter_mut().filter(|(_, part)| is_meant(part)) {
+            part.jumps.sort_unstable();
+            part.jumps.dedup();
             let Some(places) = of_region.get(region) else { continue };
             let circuit = Circuit::around(map, outline, part, &self.sightings, places, index);
             self.influence.extend(
                 circuit.sides.iter().map(|&place| self.sightings[place]).map(|s| (s.side, s.evidence())),
             );
-            self.bridges.extend(circuit.bridges);
+            self.gaps.extend(gaps::across(map.triangulation().points(), map.gaps(), &circuit.jumps));
         }
         self.influence.sort_unstable_by_key(|&(side, _)| side);
     }
@@ -203,14 +208,4 @@ fn add(map: &PlanarMap, index: &mut Index, sightings: &mut Vec<Sighting>, eye: P
         sightings.len() - 1
     });
     sightings[place].add(eye, ends(map, side), glimpse.joined);
-}
-
-/// Sorts jumps and adds up equal ones, in the order in which they were found.
-fn merge(jumps: &mut Vec<Jump>) {
-    jumps.sort_by_key(|jump| (jump.from, jump.to, jump.kind));
-    jumps.dedup_by(|later, first| {
-        let same = (later.from, later.to, later.kind) == (first.from, first.to, first.kind);
-        first.skipped += if same { later.skipped } else { 0.0 };
-        same
-    });
 }

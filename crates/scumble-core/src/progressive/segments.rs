@@ -174,14 +174,6 @@ impl<'a> Segments<'a> {
         }
     }
 
-    /// The node at a place.
-    pub(super) fn node(&self, place: Place) -> u32 {
-        let segment = self.segments[place.segment as usize];
-        let at = (place.at as usize).min(segment.len - 1);
-        let side = self.sightings[self.sides[segment.first + at]].side;
-        self.map.ends(side)[usize::from(place.at as usize > at)]
-    }
-
     /// The direction in which a way along a segment arrives at a place, over the last few sides.
     pub(super) fn arriving(&self, place: Place) -> Vec2 {
         let at = if place.at == 0 { self.segments[place.segment as usize].len as u32 } else { place.at };

@@ -3,7 +3,6 @@
 
 use kurbo::Point;
 
-use super::angle::angle_part;
 use super::outline::{Outline, ends};
 use crate::planar_map::PlanarMap;
 use crate::triangulation::SideId;
@@ -14,19 +13,17 @@ use crate::visibility::visibility_polygon;
 pub(super) struct Glimpse {
     pub(super) side: SideId,
     /// The first and the last place of it that is seen.
-    seen: [Point; 2],
+    pub(super) seen: [Point; 2],
     /// Whether the next glimpse goes on where this one ends.
     pub(super) joined: bool,
 }
 
 /// A way from the end of one side straight to the start of another, through nothing but free space.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) struct Jump {
-    pub(super) kind: JumpKind,
     pub(super) from: SideId,
     pub(super) to: SideId,
-    /// The angle that the glance leaves out by it, as a part of the full turn, summed over samples.
-    pub(super) skipped: f64,
+    pub(super) kind: JumpKind,
 }
 
 /// How a jump lies to the samples that find it.
@@ -102,7 +99,7 @@ pub(super) fn jumps(eye: Point, glimpses: &[Glimpse], found: &mut Vec<Jump>) {
     let is_outward = |i: usize| far(runs[i].exit) <= far(runs[(i + 1) % runs.len()].entry);
     for (i, run) in runs.iter().enumerate() {
         let kind = if is_outward(i) { JumpKind::Outward } else { JumpKind::Inward };
-        found.push(Jump { kind, from: run.sides[1], to: runs[(i + 1) % runs.len()].sides[0], skipped: 0.0 });
+        found.push(Jump { kind, from: run.sides[1], to: runs[(i + 1) % runs.len()].sides[0] });
         if kind == JumpKind::Outward {
             across(eye, &runs, i, |last| !is_outward(last), found);
         }
@@ -123,13 +120,7 @@ fn across(eye: Point, runs: &[Run], opening: usize, closes: impl Fn(usize) -> bo
             }
             let is_inner = innermost.is_none_or(|inner| (inner - start).cross(place - start) >= 0.0);
             if is_inner && place == run.entry && step > 1 && closes((i + runs.len() - 1) % runs.len()) {
-                let skipped = 0.5 * angle_part(start - eye, place - eye);
-                found.push(Jump {
-                    kind: JumpKind::Across,
-                    from: runs[opening].sides[1],
-                    to: run.sides[0],
-                    skipped,
-                });
+                found.push(Jump { kind: JumpKind::Across, from: runs[opening].sides[1], to: run.sides[0] });
             }
             if is_inner {
                 innermost = Some(place);
