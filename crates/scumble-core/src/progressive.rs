@@ -38,8 +38,9 @@ const TAU: f64 = 20.0;
 
 // What the paper does not have.
 
-/// Charge for a circuit that leaves out all that is seen.
-const SKIP: f64 = 1.5;
+/// Charge for jumps that leave out all that is seen, except across an opening: there it is [`MU`], as for segments at
+/// their worst.
+const SKIP: f64 = 4.0;
 /// Charge for a circuit that leaves out all of the scribble.
 const CUT: f64 = 1.0;
 /// What lies in another region and is shorter than this part of what lies in the main one is a slip of the pen.

@@ -91,7 +91,7 @@ impl<'a> Graph<'a> {
         let mut graph = Self { segments, places, edges: Vec::new() };
         for leap in &leaps {
             let tangents = [segments.arriving(leap.from), segments.leaving(leap.to)];
-            let cost = costs.jump(leap.line(segments), tangents, longest_du);
+            let cost = costs.jump(leap.kind, leap.line(segments), tangents, longest_du);
             graph.add(leap.from, leap.to, cost, true);
         }
         graph.add_ways();

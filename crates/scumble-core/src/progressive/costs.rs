@@ -5,7 +5,7 @@ use kurbo::{Point, Vec2};
 use super::angle::angle_part;
 use super::outline::Outline;
 use super::reach::Part;
-use super::view;
+use super::view::{self, JumpKind};
 use super::{CUT, ETA, MU, SKIP};
 use crate::planar_map::PlanarMap;
 
@@ -40,14 +40,21 @@ impl Costs {
 
     /// The cost of a jump along a line that arrives and leaves in the given directions; the longest of all jumps is
     /// `longest_du` long.
-    pub(super) fn jump(&self, line: [Point; 2], [arriving, leaving]: [Vec2; 2], longest_du: f64) -> f64 {
+    pub(super) fn jump(
+        &self,
+        kind: JumpKind,
+        line: [Point; 2],
+        [arriving, leaving]: [Vec2; 2],
+        longest_du: f64,
+    ) -> f64 {
         let gap = line[1] - line[0];
         if gap.hypot2() == 0.0 {
             return 0.0;
         }
         let turn = 0.5 * (angle_part(arriving, gap) + angle_part(gap, leaving));
         let v = ETA * gap.hypot() / longest_du + (1.0 - ETA) * turn * turn;
-        (1.0 - MU) * v + SKIP * self.skipped(line) + CUT * self.cut_off(line)
+        let skip = if kind == JumpKind::Across { MU } else { SKIP };
+        (1.0 - MU) * v + skip * self.skipped(line) + CUT * self.cut_off(line)
     }
 
     /// The part of the view that lies behind a line.
