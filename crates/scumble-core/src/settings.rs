@@ -3,7 +3,7 @@
 use crate::color::Blend;
 use crate::engine::Engine;
 use crate::global::Global;
-use crate::sight::Sight;
+use crate::progressive::Progressive;
 
 /// Which engine labels the sides.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
@@ -47,7 +47,7 @@ impl Settings {
     pub fn engine(&self) -> Box<dyn Engine> {
         match self.engine {
             EngineKind::Global => Box::new(Global::new(self.spread)),
-            EngineKind::Progressive => Box::new(Sight::default()),
+            EngineKind::Progressive => Box::new(Progressive::default()),
         }
     }
 
