@@ -8,7 +8,7 @@ use super::SLIP;
 use super::angle::angle_part;
 use super::circuit::Circuit;
 use super::gaps;
-use super::outline::{Outline, ends};
+use super::outline::Outline;
 use super::view::{self, Glimpse, Jump};
 use crate::planar_map::PlanarMap;
 use crate::stroke::{SAMPLE_SPACING_DU, Stroke};
@@ -47,9 +47,10 @@ impl Sighting {
         let distance_du = to_eye.hypot().max(NEAREST_DU);
         self.kappa += 1;
         self.distance_du += distance_du;
-        self.nearness += distance_du.recip();
+        let nearness = distance_du.recip();
+        self.nearness += nearness;
         self.angle += angle_of((a - eye).cross(b - eye), distance_du, (b - a).hypot2());
-        self.rays |= rays_that_hit(angle_part(b - a, to_eye), distance_du);
+        self.rays |= rays_that_hit(angle_part(b - a, to_eye), nearness);
         self.joined |= joined;
     }
 
@@ -77,8 +78,9 @@ fn angle_of(double_area: f64, distance_du: f64, length2_du2: f64) -> f64 {
 }
 
 /// The rays that hit a sample: it hides what it is wide, and lies at `direction` (a part of the half turn).
-fn rays_that_hit(direction: f64, distance_du: f64) -> u64 {
-    let half_width = 0.5 * SAMPLE_SPACING_DU / distance_du * std::f64::consts::FRAC_1_PI;
+/// `nearness` is 1 / its distance.
+fn rays_that_hit(direction: f64, nearness: f64) -> u64 {
+    let half_width = 0.5 * SAMPLE_SPACING_DU * std::f64::consts::FRAC_1_PI * nearness;
     let ray = |part: f64| ((part * f64::from(RAYS)) as u32).min(RAYS - 1);
     let [first, last] = [ray((direction - half_width).max(0.0)), ray(direction + half_width)];
     (2 << last) - (1 << first)
@@ -164,7 +166,7 @@ impl Reach {
         stroke.follow(map, points, |eye, triangle| {
             let glimpses = view::glimpses(map, outline, eye, triangle);
             for glimpse in &glimpses {
-                add(map, index, sightings, eye, glimpse);
+                add(index, sightings, eye, glimpse);
             }
             let part = parts.entry(outline.region_of_triangle(triangle)).or_default();
             part.samples.push(eye);
@@ -200,12 +202,12 @@ impl Reach {
     }
 }
 
-fn add(map: &PlanarMap, index: &mut Index, sightings: &mut Vec<Sighting>, eye: Point, glimpse: &Glimpse) {
+fn add(index: &mut Index, sightings: &mut Vec<Sighting>, eye: Point, glimpse: &Glimpse) {
     let side = glimpse.side;
     let place = index.get(side).unwrap_or_else(|| {
         index.0[side.index()] = sightings.len() as u32;
         sightings.push(Sighting::none(side));
         sightings.len() - 1
     });
-    sightings[place].add(eye, ends(map, side), glimpse.joined);
+    sightings[place].add(eye, glimpse.line, glimpse.joined);
 }
