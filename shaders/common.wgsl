@@ -31,15 +31,28 @@ const LINEAR_FROM_LMS = mat3x3<f32>(
     -0.0041960863, -0.7034186147, 1.7076147010,
 );
 
-// What is blended for a blend-space colour, linear in it: sRGB itself, or the cube roots of the cone responses.
-fn blended(color: vec3<f32>) -> vec3<f32> {
+// What is blended for a blend-space colour times its opacity, linear in it: sRGB itself, or the cube roots of the cone
+// responses; and the transparency, which is what the opacity lacks to 1. So opaque colours stay opaque to the last bit,
+// however they are blended.
+fn blended(color: vec4<f32>) -> vec4<f32> {
+    let transparency = 1.0 - color.a;
     if view.oklab == 1u {
-        return color * LMS_FROM_OKLAB;
+        return vec4(color.rgb * LMS_FROM_OKLAB, transparency);
     }
-    return color;
+    return vec4(color.rgb, transparency);
 }
 
-// The sRGB values, in 0..=1, of what is blended; what lies outside sRGB is clamped channel by channel. Targets store
+// A quarter of an 8-bit level, which nobody sees: opacities below are taken as this where a colour is divided by its own.
+const LEAST_OPACITY = 1.0 / 1024.0;
+
+// The premultiplied sRGB values of what is blended.
+fn painted(color: vec4<f32>) -> vec4<f32> {
+    let opacity = 1.0 - color.a;
+    let alpha = saturate(opacity);
+    return vec4(encoded(color.rgb / max(opacity, LEAST_OPACITY)) * alpha, alpha);
+}
+
+// The sRGB values, in 0..=1, of what is blended, opaque; what lies outside sRGB is clamped channel by channel. Targets store
 // them as they are: no texture format that converts is drawn to.
 fn encoded(color: vec3<f32>) -> vec3<f32> {
     if view.oklab == 1u {

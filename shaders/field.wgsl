@@ -4,25 +4,25 @@ struct Triangle {
     @location(0) corner_0: vec2<f32>,
     @location(1) corner_1: vec2<f32>,
     @location(2) corner_2: vec2<f32>,
-    // At the corners, and in the middle of edges 01, 12, 20.
-    @location(3) color_0: vec3<f32>,
-    @location(4) color_1: vec3<f32>,
-    @location(5) color_2: vec3<f32>,
-    @location(6) color_01: vec3<f32>,
-    @location(7) color_12: vec3<f32>,
-    @location(8) color_20: vec3<f32>,
+    // Times their opacity, and the opacity: at the corners, and in the middle of edges 01, 12, 20.
+    @location(3) color_0: vec4<f32>,
+    @location(4) color_1: vec4<f32>,
+    @location(5) color_2: vec4<f32>,
+    @location(6) color_01: vec4<f32>,
+    @location(7) color_12: vec4<f32>,
+    @location(8) color_20: vec4<f32>,
 }
 
 struct Varying {
     @builtin(position) position: vec4<f32>,
     // Of the three corners.
     @location(0) weights: vec3<f32>,
-    @location(1) @interpolate(flat) color_0: vec3<f32>,
-    @location(2) @interpolate(flat) color_1: vec3<f32>,
-    @location(3) @interpolate(flat) color_2: vec3<f32>,
-    @location(4) @interpolate(flat) color_01: vec3<f32>,
-    @location(5) @interpolate(flat) color_12: vec3<f32>,
-    @location(6) @interpolate(flat) color_20: vec3<f32>,
+    @location(1) @interpolate(flat) color_0: vec4<f32>,
+    @location(2) @interpolate(flat) color_1: vec4<f32>,
+    @location(3) @interpolate(flat) color_2: vec4<f32>,
+    @location(4) @interpolate(flat) color_01: vec4<f32>,
+    @location(5) @interpolate(flat) color_12: vec4<f32>,
+    @location(6) @interpolate(flat) color_20: vec4<f32>,
 }
 
 @vertex
@@ -52,5 +52,5 @@ fn fragment(in: Varying) -> @location(0) vec4<f32> {
     let middles = 4.0 * w * w.yzx;
     let color = corners.x * in.color_0 + corners.y * in.color_1 + corners.z * in.color_2
         + middles.x * in.color_01 + middles.y * in.color_12 + middles.z * in.color_20;
-    return vec4(encoded(color), 1.0);
+    return painted(color);
 }

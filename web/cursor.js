@@ -1,14 +1,22 @@
-// The mouse cursor over the canvas: a ring as wide as the brush, in its colour.
+// The mouse cursor over the canvas: a ring as wide as the brush, in its colour, or as wide as the eraser.
 
 /** Rings outside this range are drawn as cross hairs: too small to see, or larger than browsers allow. */
 const RING_PX = { least: 6, most: 120 };
 
+/** How far the eraser reaches across, as in `gestures.rs`. */
+const ERASER_PX = 10;
+/** The ring of a brush without a colour. */
+const COLORLESS = "#80808080";
+
+let tool = "scribble";
 let color = "#000000";
 let size_du = 0;
 let zoom = 1;
 
 /** The values come one by one, as effects. */
 export const followed = {
+  /** @param {string} value */
+  tool: (value) => show(() => (tool = value)),
   /** @param {string} value */
   color: (value) => show(() => (color = value)),
   /** @param {number} value */
@@ -20,13 +28,20 @@ export const followed = {
 /** @param {() => void} change */
 function show(change) {
   change();
-  const width_px = size_du * zoom;
-  const drawn = width_px >= RING_PX.least && width_px <= RING_PX.most;
-  document.documentElement.style.setProperty("--brush", drawn ? ring(width_px) : "crosshair");
+  document.documentElement.style.setProperty("--brush", tool === "erase" ? ring(ERASER_PX, "black") : brush());
 }
 
-/** @param {number} width_px */
-function ring(width_px) {
+function brush() {
+  const width_px = size_du * zoom;
+  const drawn = width_px >= RING_PX.least && width_px <= RING_PX.most;
+  return drawn ? ring(width_px, color === "none" ? COLORLESS : color) : "crosshair";
+}
+
+/**
+ * @param {number} width_px
+ * @param {string} color
+ */
+function ring(width_px, color) {
   const size = Math.ceil(width_px) + 4;
   const circle = (/** @type {number} */ r, /** @type {string} */ stroke) =>
     `<circle cx="${size / 2}" cy="${size / 2}" r="${r}" fill="none" stroke="${stroke}" stroke-width="1.5"/>`;

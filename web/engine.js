@@ -9,6 +9,7 @@
  * @property {(name: string, args?: unknown) => unknown[]} command
  * @property {() => unknown[]} frame
  *
+ * @typedef {"down" | "erase" | "move" | "up" | "cancel"} Phase
  * @typedef {(value: any) => void} Handler
  * @typedef {"webgpu" | "webgl" | "cpu"} Renderer
  */
@@ -63,7 +64,7 @@ export class Engine {
   }
 
   /**
-   * @param {"down" | "move" | "up" | "cancel"} phase
+   * @param {Phase} phase
    * @param {Float32Array} samples x and y in CSS pixels from the canvas' corner, and pressure in 0..=1, in turn
    */
   pointer(phase, samples) {

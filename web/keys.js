@@ -13,6 +13,8 @@ const CHORDS = {
   "ctrl+-": "zoom-out",
   "ctrl+0": "zoom-reset",
   "shift+1": "fit",
+  "b": "tool-scribble",
+  "e": "tool-erase",
   "x": "swap-colors",
   "[": "brush-smaller",
   "]": "brush-larger",
@@ -21,7 +23,7 @@ const CHORDS = {
   "arrowright": "pan-right",
   "arrowup": "pan-up",
   "arrowdown": "pan-down",
-  ...Object.fromEntries([1, 2, 3, 4, 5, 6, 7, 8, 9].map((n) => [String(n), `swatch-${n}`])),
+  ...Object.fromEntries([0, 1, 2, 3, 4, 5, 6, 7, 8, 9].map((n) => [String(n), `swatch-${n}`])),
 };
 
 /**
@@ -37,7 +39,7 @@ export function listen(act, holdSpace) {
       return;
     }
     const action = CHORDS[chord(event)];
-    if (!action || (isControl(event.target) && !event.ctrlKey && !event.metaKey)) return;
+    if (!action || (usesKey(event.target, event.key) && !event.ctrlKey && !event.metaKey)) return;
     event.preventDefault();
     act(action);
   });
@@ -62,9 +64,11 @@ function isCanvas(target) {
 }
 
 /**
- * Sliders and lists use plain keys themselves.
+ * Sliders and lists use plain keys themselves, radio buttons the arrows, check boxes none that means something here.
  * @param {EventTarget | null} target
+ * @param {string} key
  */
-function isControl(target) {
-  return target instanceof HTMLSelectElement || (target instanceof HTMLInputElement && target.type !== "checkbox");
+function usesKey(target, key) {
+  if (!(target instanceof HTMLInputElement)) return target instanceof HTMLSelectElement;
+  return target.type === "radio" ? key.startsWith("Arrow") : target.type !== "checkbox";
 }

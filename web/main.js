@@ -25,6 +25,7 @@ const canvas = () => /** @type {HTMLCanvasElement} */ (document.getElementById("
 const handlers = {
   ...shown,
   undo: both(shown.undo, (possible) => (hasWork = possible)),
+  tool: both(shown.tool, followed.tool),
   color: both(shown.color, followed.color),
   "brush-size": both(shown["brush-size"], followed["brush-size"]),
   zoom: both(shown.zoom, followed.zoom),
@@ -38,7 +39,10 @@ const handlers = {
     done(say(values.notes === "" ? "opened" : "opened-in-part", values));
   },
   ...Object.fromEntries(
-    ["scribble-added", "scribble-dropped", "undone", "redone"].map((key) => [key, (values) => done(say(key, values))]),
+    ["scribble-added", "scribbles-erased", "scribble-dropped", "undone", "redone"].map((key) => [
+      key,
+      (values) => done(say(key, values)),
+    ]),
   ),
   failed: (values) => warn(say("failed", values)),
   "no-renderer": () => warn(say("error-renderer")),
@@ -93,8 +97,9 @@ const actions = {
 
 /** @param {string} action */
 function act(action) {
-  const n = /^swatch-(\d)$/.exec(action)?.[1];
-  if (n) engine.command("color", swatch(Number(n)));
+  const [, kind, which] = /^(swatch|tool)-(.+)$/.exec(action) ?? [];
+  if (kind === "swatch") engine.command("color", swatch(Number(which)));
+  else if (kind === "tool") engine.command("tool", which);
   else if (actions[action]) actions[action]();
   else engine.command(action);
 }

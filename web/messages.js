@@ -5,6 +5,7 @@ const english = {
   "app": "Scumble",
   "group-file": "File",
   "group-history": "History",
+  "group-show": "Show",
   "group-settings": "Settings",
   "group-view": "View",
   "open": "Open",
@@ -14,21 +15,29 @@ const english = {
   "redo": "Redo",
   "show-lines": "Show lines",
   "show-scribbles": "Show scribbles",
+  "engine": "Engine",
+  "engine-global": "Global",
+  "engine-progressive": "Progressive",
+  "gap-closing": "Gap closing",
+  "spread": "Spread",
+  "percent": ({ percent }) => `${percent}%`,
   "blend": "Blend",
   "blend-oklab": "OKLab",
   "blend-srgb": "sRGB",
   "zoom-in": "Zoom in",
   "zoom-out": "Zoom out",
   "zoom": ({ percent }) => `Zoom ${percent}%`,
-  "zoom-figure": ({ percent }) => `${percent}%`,
   "fit": "Fit",
+  "tools": "Tools",
+  "tool-scribble": "Scribble",
+  "tool-erase": "Erase",
   "colour": "Colour",
   "palette": "Palette",
   "brush-size": "Brush size",
   "canvas": "Canvas",
   "canvas-instructions":
-    "Draw with the pointer to scribble a colour. The arrow keys move the picture; Escape drops the scribble in hand.",
-  "guide": "Wheel or Space-drag moves, Ctrl+wheel zooms, 1–9 pick a colour, [ and ] change the brush",
+    "Draw with the pointer to scribble a colour, or to erase scribbles. The arrow keys move the picture; Escape drops what the pointer has done since it came down.",
+  "guide": "Wheel or Space-drag moves, Ctrl+wheel zooms, 0–9 pick a colour, [ and ] change the brush, E erases",
   "dismiss": "Dismiss",
   "close": "Close",
   "samples-credit": "Drawings marked OpenMoji are by openmoji.org, licence CC BY-SA 4.0. The others are Scumble’s own.",
@@ -45,11 +54,14 @@ const english = {
   "peach": "Peach",
   "slate": "Slate",
   "white": "White",
+  "no-colour": "No colour",
 
   "start": "Pick a colour and scribble it into the drawing",
   "opened": ({ name }) => `Opened ${name}`,
   "opened-in-part": ({ name, notes }) => `Opened ${name}; ${notes}`,
   "scribble-added": ({ count }) => `Scribble added, ${count} in the drawing`,
+  "scribbles-erased": ({ erased, count }) =>
+    `${erased === 1 ? "Scribble" : `${erased} scribbles`} erased, ${count} in the drawing`,
   "scribble-dropped": "Scribble dropped",
   "undone": "Undone",
   "redone": "Redone",
@@ -76,7 +88,7 @@ export function say(key, values = {}) {
 
 /**
  * Puts the words into the page: `data-text` becomes an element's text, `data-label` its accessible name and, for
- * buttons, its tooltip with `data-keys`.
+ * buttons and what has keys, its tooltip with `data-keys`.
  * @param {ParentNode} root
  */
 export function label(root) {
@@ -89,13 +101,12 @@ export function label(root) {
 }
 
 /**
- * Gives an element its accessible name, and a tooltip that says its keys if it is a button.
+ * Gives an element its accessible name, and a tooltip if it is a button or has keys.
  * @param {HTMLElement} element
  * @param {string} text
  */
 export function name(element, text) {
   element.setAttribute("aria-label", text);
-  if (element instanceof HTMLButtonElement) {
-    element.title = element.dataset.keys ? `${text} (${element.dataset.keys})` : text;
-  }
+  const { keys } = element.dataset;
+  if (keys || element instanceof HTMLButtonElement) element.title = keys ? `${text} (${keys})` : text;
 }

@@ -1,7 +1,9 @@
-// Pointers over the canvas: the pen scribbles; wheel, pinch, middle button and Space move and zoom the view.
+// Pointers over the canvas: the pen scribbles or erases; wheel, pinch, middle button and Space move and zoom the view.
 
 /** @typedef {import("./engine.js").Engine} Engine */
 
+/** The button of the eraser at the other end of a pen. */
+const ERASER_BUTTON = 5;
 /** A second finger drops a scribble that has fewer points than this, and ends a longer one. */
 const DROPPED_BELOW_POINTS = 10;
 /** Zoom by a wheel: this much of the logarithm a pixel, and at most so many pixels an event. */
@@ -14,7 +16,7 @@ const PX_PER_LINE = 16;
 export class Pointers {
   #stage;
   #engine;
-  /** @type {number | null} The pointer that scribbles. */
+  /** @type {number | null} The pointer that scribbles or erases. */
   #pen = null;
   #penPoints = 0;
   /** @type {number | null} The pointer that drags the view. */
@@ -44,7 +46,7 @@ export class Pointers {
     window.addEventListener("blur", () => this.holdSpace(false));
   }
 
-  /** Drops the scribble in hand. */
+  /** Drops what the pen has done since it came down. */
   cancel() {
     if (this.#pen === null) return;
     this.#pen = null;
@@ -69,14 +71,14 @@ export class Pointers {
     if (event.pointerType === "touch") this.#fingers.set(event.pointerId, this.#place(event));
     if (this.#fingers.size > 1) this.#startPinch();
     else if (event.button === 1 || (event.button === 0 && this.#space)) this.#startDrag(event);
-    else if (event.button === 0 && this.#pen === null && this.#hand === null) this.#startScribble(event);
+    else if (this.#pen === null && this.#hand === null) this.#startStroke(event);
   }
 
   /** @param {PointerEvent} event */
   #move(event) {
     if (event.pointerId === this.#hand) this.#drag(this.#place(event));
     else if (this.#fingers.size === 2 && this.#fingers.has(event.pointerId)) this.#pinch(event);
-    else if (event.pointerId === this.#pen) this.#scribble("move", event);
+    else if (event.pointerId === this.#pen) this.#stroke("move", event);
     if (this.#fingers.has(event.pointerId)) this.#fingers.set(event.pointerId, this.#place(event));
   }
 
@@ -91,22 +93,24 @@ export class Pointers {
       this.holdSpace(this.#space);
     }
     if (event.pointerId !== this.#pen) return;
-    this.#scribble(phase, event);
+    this.#stroke(phase, event);
     this.#pen = null;
   }
 
   /** @param {PointerEvent} event */
-  #startScribble(event) {
+  #startStroke(event) {
+    const phase = event.button === 0 ? "down" : event.button === ERASER_BUTTON ? "erase" : null;
+    if (phase === null) return;
     this.#pen = event.pointerId;
     this.#penPoints = 0;
-    this.#scribble("down", event);
+    this.#stroke(phase, event);
   }
 
   /**
-   * @param {"down" | "move" | "up" | "cancel"} phase
+   * @param {import("./engine.js").Phase} phase
    * @param {PointerEvent} event
    */
-  #scribble(phase, event) {
+  #stroke(phase, event) {
     const coalesced = phase === "move" ? event.getCoalescedEvents?.() ?? [] : [];
     const events = coalesced.length > 0 ? coalesced : [event];
     this.#penPoints += events.length;

@@ -18,6 +18,9 @@ const PALETTE = Object.entries({
   white: "#ffffff",
 });
 
+/** What is picked for "no colour", in the page and in the module. */
+const NO_COLOR = "none";
+
 const control = (/** @type {string} */ id) => /** @type {HTMLElement} */ (document.getElementById(id));
 const input = (/** @type {string} */ id) => /** @type {HTMLInputElement} */ (control(id));
 const buttonOf = (/** @type {string} */ action) =>
@@ -35,12 +38,32 @@ export function connect(act, set) {
   for (const button of /** @type {NodeListOf<HTMLElement>} */ (document.querySelectorAll("[data-action]"))) {
     button.addEventListener("click", () => act(button.dataset.action ?? ""));
   }
-  for (const setting of ["lines", "scribbles"]) {
+  for (const tool of tools()) tool.addEventListener("change", () => set("tool", tool.value));
+  for (const setting of ["lines", "scribbles", "spread"]) {
     settingOf(setting).addEventListener("change", () => set(setting, settingOf(setting).checked));
   }
-  settingOf("blend").addEventListener("change", () => set("blend", settingOf("blend").value));
+  for (const setting of ["engine", "blend"]) {
+    settingOf(setting).addEventListener("change", () => set(setting, settingOf(setting).value));
+  }
+  connectSlider(settingOf("gap-closing"), set);
   input("brush-size").addEventListener("input", () => set("brush-size", input("brush-size").valueAsNumber));
   input("picker").addEventListener("input", () => set("color", input("picker").value));
+}
+
+/**
+ * A slider sets its setting, in percent, while it is dragged. All of that is one gesture until it is let go, which is
+ * told even where it has come back to the value that it had, and no change is reported.
+ * @param {HTMLInputElement} slider
+ * @param {(command: string, args?: unknown) => void} set
+ */
+function connectSlider(slider, set) {
+  slider.addEventListener("input", () => set(slider.dataset.setting ?? "", slider.valueAsNumber / 100));
+  for (const kind of ["change", "pointerup", "blur"]) slider.addEventListener(kind, () => set("settle"));
+}
+
+/** The radio buttons of the tools. */
+function tools() {
+  return /** @type {NodeListOf<HTMLInputElement>} */ (document.querySelectorAll(".tool input"));
 }
 
 /**
@@ -48,18 +71,19 @@ export function connect(act, set) {
  * @param {MouseEvent} event
  */
 function keepFocus(event) {
-  if (event.target instanceof Element && event.target.closest("button")) event.preventDefault();
+  if (event.target instanceof Element && event.target.closest("button, .tool")) event.preventDefault();
 }
 
 /** @param {(command: string, args: unknown) => void} set */
 function fillPalette(set) {
-  for (const [key, color] of PALETTE) {
+  for (const [key, color] of [...PALETTE, ["no-colour", NO_COLOR]]) {
     const item = document.createElement("li");
     const swatch = document.createElement("button");
     swatch.type = "button";
     swatch.className = "swatch";
     swatch.dataset.color = color;
-    swatch.style.setProperty("--swatch", color);
+    paint(swatch, color);
+    if (color === NO_COLOR) swatch.dataset.keys = "0";
     name(swatch, say(key));
     swatch.addEventListener("click", () => set("color", color));
     item.append(swatch);
@@ -68,11 +92,20 @@ function fillPalette(set) {
 }
 
 /**
- * The colour of a swatch, counted from 1.
+ * @param {HTMLElement} swatch
+ * @param {string} color
+ */
+function paint(swatch, color) {
+  swatch.style.setProperty("--swatch", color);
+  swatch.classList.toggle("none", color === NO_COLOR);
+}
+
+/**
+ * The colour of a swatch, counted from 1; 0 is that of none.
  * @param {number} n
  */
 export function swatch(n) {
-  return PALETTE[n - 1]?.[1];
+  return n === 0 ? NO_COLOR : PALETTE[n - 1]?.[1];
 }
 
 /** Opens the browser's colour picker. */
@@ -82,10 +115,14 @@ export function pickColor() {
 
 /** What effects do to the controls. */
 export const shown = {
-  /** @param {string} color */
+  /** @param {string} name */
+  tool(name) {
+    for (const tool of tools()) tool.checked = tool.value === name;
+  },
+  /** @param {string} color #rrggbb or none */
   color(color) {
-    control("color").style.setProperty("--swatch", color);
-    input("picker").value = color;
+    paint(control("color"), color);
+    if (color !== NO_COLOR) input("picker").value = color;
     for (const swatch of /** @type {NodeListOf<HTMLElement>} */ (control("palette").querySelectorAll(".swatch"))) {
       swatch.setAttribute("aria-pressed", String(swatch.dataset.color === color));
     }
@@ -110,17 +147,34 @@ export const shown = {
   scribbles(on) {
     settingOf("scribbles").checked = on;
   },
-  /** @param {string} blend */
-  blend(blend) {
+  /** @param {{blend: string, engine: string, gapClosing: number, spread: boolean}} settings of the drawing */
+  settings({ blend, engine, gapClosing, spread }) {
     settingOf("blend").value = blend;
+    settingOf("engine").value = engine;
+    settingOf("spread").checked = spread;
+    showPercent(settingOf("gap-closing"), control("gap-figure"), Math.round(gapClosing * 100));
+    // The other engine knows neither.
+    for (const setting of ["gap-closing", "spread"]) settingOf(setting).disabled = engine !== "global";
   },
   /** @param {number} zoom 1 where a drawing unit is a CSS pixel */
   zoom(zoom) {
     const percent = Math.round(zoom * 100);
-    control("zoom").textContent = say("zoom-figure", { percent });
+    control("zoom").textContent = say("percent", { percent });
     name(control("zoom"), say("zoom", { percent }));
   },
 };
+
+/**
+ * @param {HTMLInputElement} slider
+ * @param {HTMLElement} figure
+ * @param {number} percent
+ */
+function showPercent(slider, figure, percent) {
+  const text = say("percent", { percent });
+  slider.value = String(percent);
+  slider.setAttribute("aria-valuetext", text);
+  figure.textContent = text;
+}
 
 /** @param {string} text what just happened */
 export function tell(text) {

@@ -31,6 +31,7 @@ const VIEWPORT = { width: 1200, height: 800 };
  * @property {<T>(expression: string) => Promise<T>} evaluate
  * @property {(expression: string) => Promise<unknown>} waitFor until the expression is true in the page
  * @property {(role: string, name: string) => Promise<void>} click a control by its role and accessible name
+ * @property {(list: string, option: string) => Promise<unknown>} choose an option, by its value, of a list, by its name
  * @property {{move(x: number, y: number): Promise<void>, down(): Promise<void>, up(): Promise<void>}} mouse
  * @property {(x_px: number, y_px: number) => Promise<void>} wheel
  * @property {(key: string) => Promise<void>} press
@@ -80,6 +81,7 @@ function chromiumTab(page) {
     evaluate: (expression) => page.evaluate(expression),
     waitFor: (expression) => page.waitForFunction(expression),
     click: (role, name) => page.getByRole(/** @type {any} */ (role), { name, exact: true }).click(),
+    choose: (list, option) => page.getByRole("combobox", { name: list, exact: true }).selectOption(option),
     mouse: page.mouse,
     wheel: (x_px, y_px) => page.mouse.wheel(x_px, y_px),
     press: (key) => page.keyboard.press(key),
@@ -132,6 +134,7 @@ function firefoxTab(page) {
     evaluate: (expression) => /** @type {Promise<any>} */ (page.evaluate(expression)),
     waitFor: (expression) => page.waitForFunction(expression),
     click: (role, name) => page.locator(`::-p-aria([role="${role}"][name="${name}"])`).click(),
+    choose: async (list, option) => (await page.$(`::-p-aria([role="combobox"][name="${list}"])`))?.select(option),
     mouse: page.mouse,
     wheel: (x_px, y_px) => page.mouse.wheel({ deltaX: x_px, deltaY: y_px }),
     press: (key) => page.keyboard.press(/** @type {any} */ (key)),

@@ -102,6 +102,36 @@ export class Editor {
     return this.tab.click("checkbox", name);
   }
 
+  /**
+   * Picks an option of a list.
+   * @param {string} name of the list
+   * @param {string} option its value
+   */
+  choose(name, option) {
+    return this.tab.choose(name, option);
+  }
+
+  /**
+   * Drags a slider whose range is 0 to 100 from where it is to a percentage.
+   * @param {string} id
+   * @param {number} percent
+   * @param {() => Promise<unknown>} [look] while it is held there
+   */
+  async slide(id, percent, look = async () => {}) {
+    /** @type {{x: number, y: number, width: number, height: number, value: number}} */
+    const { x, y, width, height, value } = await this.tab.evaluate(`{
+      const slider = document.getElementById(${JSON.stringify(id)});
+      ({ ...slider.getBoundingClientRect().toJSON(), value: slider.valueAsNumber });
+    }`);
+    const thumb_px = height;
+    const at = (/** @type {number} */ p) => x + thumb_px / 2 + ((width - thumb_px) * p) / 100;
+    await this.tab.mouse.move(at(value), y + height / 2);
+    await this.tab.mouse.down();
+    for (const step of [0.3, 0.7, 1]) await this.tab.mouse.move(at(value + step * (percent - value)), y + height / 2);
+    await look();
+    await this.tab.mouse.up();
+  }
+
   /** Opens a drawing of the tests through "Open". @param {string} name of the file, without `.svg` */
   openDrawing(name) {
     return this.until(`Opened ${name}`, () => this.tab.chooseFiles([drawing(`${name}.svg`)]));

@@ -1,8 +1,10 @@
 //! Pictures that every painter must draw alike: one scene, every backend.
 
-use kurbo::Affine;
-use scumble_core::{Blend, Rgba8, Srgb8};
-use scumble_solve::{Field, FieldTriangle, Pixmap, Scene, Shape, View, paint};
+use kurbo::{Affine, Arc, BezPath, Circle, Rect, Shape as _};
+use scumble_core::{
+    Blend, BlendColor, Boundary, Curve, Drawing, Gap, Paint, PlanarMap, Rgba8, Sampling, Srgb8,
+};
+use scumble_solve::{Field, FieldTriangle, MeshSolver, Pixmap, Scene, Shape, View, paint};
 
 /// How far painters may be apart in a channel, in 8-bit levels, where no edge passes.
 const LEVELS: u8 = 2;
@@ -30,7 +32,18 @@ pub(crate) struct Golden {
 
 /// All of them.
 pub(crate) fn all() -> Vec<Golden> {
-    vec![flat(), ring(Blend::Oklab), ring(Blend::Srgb), shapes(), transparent(), zoomed(), sliver()]
+    vec![
+        flat(),
+        ring(Blend::Oklab),
+        ring(Blend::Srgb),
+        shapes(),
+        transparent(),
+        zoomed(),
+        sliver(),
+        clear(WHITE),
+        clear(None),
+        closed_gap(),
+    ]
 }
 
 const WHITE: Option<Srgb8> = Some(Srgb8([255; 3]));
@@ -129,6 +142,53 @@ fn sliver() -> Golden {
     }
 }
 
+/// A ring from a colour inside to a clear scribble outside: it fades into the paper.
+fn clear(paper: Option<Srgb8>) -> Golden {
+    let circle = |radius_du: f64| Circle::new((512.0, 512.0), radius_du).to_path(1e-6);
+    let colors = [[Some(BLUE.into()), Some(RED.into())], [Some(Paint::Clear), None]];
+    Golden {
+        name: if paper.is_some() { "a clear scribble" } else { "a clear scribble without paper" },
+        paper,
+        field: solved(&[circle(100.0), circle(450.0)], &colors),
+        view: View { px_from_du: Affine::scale(0.2), width_px: 205, height_px: 205 },
+        ..sheet_golden()
+    }
+}
+
+/// A shape with an opening that lets no colour through, and a smaller one in it.
+fn closed_gap() -> Golden {
+    let arc = Arc::new((512.0, 512.0), (400.0, 300.0), 0.1, std::f64::consts::TAU - 0.2, 0.3).to_path(1e-6);
+    let inner = Circle::new((600.0, 560.0), 80.0).to_path(1e-6);
+    let colors = [[Some(RED.into()), Some(BLUE.into())], [None, Some(GREEN.into())]];
+    Golden {
+        name: "a closed gap",
+        field: solved(&[arc, inner], &colors),
+        view: View { px_from_du: Affine::scale(0.25), width_px: 256, height_px: 256 },
+        ..sheet_golden()
+    }
+}
+
+/// The field between curves with colours on their left and right sides. The ends of the first, if it has any, are
+/// joined by a closed gap.
+fn solved(curves: &[BezPath], colors: &[[Option<Paint>; 2]]) -> Field {
+    let curves = curves.iter().map(|path| Curve { path: path.clone(), line: None }).collect();
+    let drawing = Drawing { curves, ..Drawing::new(Rect::new(0.0, 0.0, 1024.0, 1024.0)) };
+    let map = PlanarMap::build(&drawing, &Sampling { spacing_du: 24.0, chord_du: 0.5 }).expect("a map");
+    let (first, last) = (map.steps(0).first().expect("a step"), map.steps(0).last().expect("a step"));
+    let nodes = [map.ends(first.left)[0], map.ends(last.left)[1]];
+    let map = map.with_gaps(vec![Gap { nodes, width_du: 1.0 }]);
+    let mut sides = vec![None; map.side_count()];
+    for (curve, [left, right]) in colors.iter().enumerate() {
+        for step in map.steps(curve) {
+            for (side, paint) in [(step.left, left), (step.left.opposite(), right)] {
+                sides[side.index()] = paint.map(|paint| [Blend::Oklab.from_paint(paint); 3]);
+            }
+        }
+    }
+    let boundary = Boundary { sides, closed_gaps: vec![true] };
+    MeshSolver::new(map.refined()).solve(&boundary, Blend::Oklab).expect("a field").clone()
+}
+
 /// A square with a saddle of colours.
 fn sheet_golden() -> Golden {
     let color = |u: f64, v: f64| mixed(Blend::Oklab, RED, BLUE, u * (1.0 - v) + v * (1.0 - u));
@@ -149,7 +209,7 @@ fn sheet_golden() -> Golden {
 fn sheet(
     n: u32,
     place: impl Fn(f64, f64) -> [f64; 2],
-    color: impl Fn(f64, f64) -> [f64; 3],
+    color: impl Fn(f64, f64) -> BlendColor,
 ) -> Vec<FieldTriangle> {
     let triangle = |corners: [[u32; 2]; 3]| {
         let nodes = [0, 1, 2].map(|i| corners[i].map(|c| f64::from(c) / f64::from(n)));
@@ -173,9 +233,9 @@ fn sheet(
         .collect()
 }
 
-fn mixed(blend: Blend, from: Srgb8, to: Srgb8, t: f64) -> [f64; 3] {
+fn mixed(blend: Blend, from: Srgb8, to: Srgb8, t: f64) -> BlendColor {
     let (from, to) = (blend.from_srgb8(from), blend.from_srgb8(to));
-    [0, 1, 2].map(|c| from[c] + t * (to[c] - from[c]))
+    [0, 1, 2, 3].map(|c| from[c] + t * (to[c] - from[c]))
 }
 
 /// A disk of 32 triangles.
@@ -201,9 +261,11 @@ impl Golden {
             return Some(format!("{}: {} × {} px", self.name, picture.width_px, picture.height_px));
         }
         let on_edge = self.edge_pixels();
+        // Colours count as much as they are opaque.
         let apart = |i: usize| {
-            let levels = |c: usize| picture.rgba[4 * i + c].abs_diff(painted.rgba[4 * i + c]);
-            [0, 1, 2, 3].map(levels)
+            let [found, wanted] = [picture, &painted].map(|picture| picture.rgba.as_chunks::<4>().0[i]);
+            let weight = |c: usize| if c == 3 { 255 } else { u32::from(found[3].max(wanted[3])) };
+            [0, 1, 2, 3].map(|c| (u32::from(found[c].abs_diff(wanted[c])) * weight(c)).div_ceil(255) as u8)
         };
         let (edge, inner): (Vec<usize>, Vec<usize>) = (0..on_edge.len()).partition(|&i| on_edge[i]);
         let wrong = inner.iter().filter(|&&i| apart(i).iter().any(|&levels| levels > LEVELS)).count();
@@ -264,7 +326,7 @@ fn mark(marked: &mut [bool], view: &View, a: [f32; 2], b: [f32; 2]) {
     let px = |p: [f32; 2]| view.px_from_du * kurbo::Point::new(f64::from(p[0]), f64::from(p[1]));
     let segment = kurbo::Line::new(px(a), px(b));
     let near = kurbo::Shape::bounding_box(&segment).inflate(2.0, 2.0);
-    let picture = kurbo::Rect::new(0.0, 0.0, f64::from(view.width_px), f64::from(view.height_px));
+    let picture = Rect::new(0.0, 0.0, f64::from(view.width_px), f64::from(view.height_px));
     let near = near.intersect(picture);
     for y in near.y0 as u32..near.y1 as u32 {
         for x in near.x0 as u32..near.x1 as u32 {

@@ -8,8 +8,8 @@
 use kurbo::{Point, Vec2};
 use scumble_core::{BlendColor, HalfEdge, SideColors, Triangulation};
 
-/// The three channels of a pixel, in the blend space.
-type Pixel = [f32; 3];
+/// The channels of a pixel: blend-space colour times opacity, and opacity.
+type Pixel = [f32; 4];
 
 /// Pixels with a given colour, and the unknown ones between them.
 #[derive(Clone, Debug)]
@@ -70,15 +70,15 @@ impl PixelGrid {
             grids.push(last.coarser());
         }
         let levels: Vec<Level> = grids.iter().map(Level::of).collect();
-        let mut pixels = vec![[0.0; 3]; COARSEST_PX * COARSEST_PX];
+        let mut pixels = vec![[0.0; 4]; COARSEST_PX * COARSEST_PX];
         for (depth, (grid, level)) in grids.iter().zip(&levels).enumerate().rev() {
             if let Some(coarse) = levels.get(depth + 1) {
-                let mut finer = vec![[0.0; 3]; level.fixed.len()];
+                let mut finer = vec![[0.0; 4]; level.fixed.len()];
                 coarse.add_to_finer(&pixels, level, &mut finer);
                 pixels = finer;
             }
             grid.set_fixed(&mut pixels);
-            cycle(&levels[depth..], &mut pixels, &vec![[0.0; 3]; level.fixed.len()]);
+            cycle(&levels[depth..], &mut pixels, &vec![[0.0; 4]; level.fixed.len()]);
         }
         converge(&levels, pixels)
     }
@@ -97,7 +97,7 @@ impl PixelGrid {
             let four = [(0, 0), (1, 0), (0, 1), (1, 1)];
             let given =
                 four.iter().filter_map(|(dx, dy)| self.fixed[(2 * y + dy) * self.side_px + 2 * x + dx]);
-            let (count, sum) = given.fold((0.0, [0.0; 3]), |(n, sum), color| (n + 1.0, plus(sum, color)));
+            let (count, sum) = given.fold((0.0, [0.0; 4]), |(n, sum), color| (n + 1.0, plus(sum, color)));
             *pixel = (count > 0.0).then(|| sum.map(|c| c / count));
         }
         coarse
@@ -105,7 +105,7 @@ impl PixelGrid {
 }
 
 fn converge(levels: &[Level], mut pixels: Vec<Pixel>) -> Option<(Vec<Pixel>, usize)> {
-    let nothing = vec![[0.0; 3]; pixels.len()];
+    let nothing = vec![[0.0; 4]; pixels.len()];
     for cycles in 1..=MAX_CYCLES {
         let before = pixels.clone();
         cycle(levels, &mut pixels, &nothing);
@@ -132,7 +132,7 @@ fn cycle(levels: &[Level], pixels: &mut [Pixel], right: &[Pixel]) {
     };
     (0..2).for_each(|_| level.sweep(pixels, right));
     let coarse_right = level.residual_on(coarse, pixels, right);
-    let mut correction = vec![[0.0; 3]; coarse_right.len()];
+    let mut correction = vec![[0.0; 4]; coarse_right.len()];
     (0..2).for_each(|_| cycle(coarser, &mut correction, &coarse_right));
     coarse.add_to_finer(&correction, level, pixels);
     (0..2).for_each(|_| level.sweep(pixels, right));
@@ -147,7 +147,7 @@ impl Level {
     fn neighbours(&self, pixels: &[Pixel], x: usize, y: usize) -> (Pixel, f32) {
         let n = self.side_px;
         let i = y * n + x;
-        let (mut sum, mut count) = ([0.0; 3], 0.0);
+        let (mut sum, mut count) = ([0.0; 4], 0.0);
         let mut add = |within: bool, j: usize| {
             if within {
                 sum = plus(sum, pixels[j]);
@@ -178,7 +178,7 @@ impl Level {
 
     /// What the equation lacks, summed over four pixels: the right side of the correction on the coarser grid.
     fn residual_on(&self, coarse: &Self, pixels: &[Pixel], right: &[Pixel]) -> Vec<Pixel> {
-        let mut residual = vec![[0.0; 3]; coarse.fixed.len()];
+        let mut residual = vec![[0.0; 4]; coarse.fixed.len()];
         for y in 0..self.side_px {
             for x in 0..self.side_px {
                 let i = y * self.side_px + x;
@@ -221,15 +221,16 @@ impl Level {
 /// The colour along a side, quadratic between its start, middle and end.
 fn blended(color: &[BlendColor; 3], t: f64) -> Pixel {
     let weights = [(1.0 - t) * (1.0 - 2.0 * t), 4.0 * t * (1.0 - t), t * (2.0 * t - 1.0)];
-    [0, 1, 2].map(|c| color.iter().zip(weights).map(|(color, weight)| color[c] * weight).sum::<f64>() as f32)
+    [0, 1, 2, 3]
+        .map(|c| color.iter().zip(weights).map(|(color, weight)| color[c] * weight).sum::<f64>() as f32)
 }
 
 fn plus(a: Pixel, b: Pixel) -> Pixel {
-    [a[0] + b[0], a[1] + b[1], a[2] + b[2]]
+    [a[0] + b[0], a[1] + b[1], a[2] + b[2], a[3] + b[3]]
 }
 
 fn minus(a: Pixel, b: Pixel) -> Pixel {
-    [a[0] - b[0], a[1] - b[1], a[2] - b[2]]
+    [a[0] - b[0], a[1] - b[1], a[2] - b[2], a[3] - b[3]]
 }
 
 #[cfg(test)]
@@ -240,13 +241,13 @@ mod tests {
     fn between_two_lines_the_colour_is_linear() {
         let mut grid = PixelGrid::new(64);
         for y in 0..64 {
-            grid.fix(Point::new(3.5, f64::from(y)), [0.0, 1.0, 0.5]);
-            grid.fix(Point::new(53.5, f64::from(y)), [1.0, 0.0, 0.5]);
+            grid.fix(Point::new(3.5, f64::from(y)), [0.0, 1.0, 0.5, 1.0]);
+            grid.fix(Point::new(53.5, f64::from(y)), [1.0, 0.0, 0.5, 0.0]);
         }
         let (pixels, _) = grid.solve().expect("it converges");
         for (i, pixel) in pixels.iter().enumerate() {
             let red = ((i % 64) as f32 - 3.0).clamp(0.0, 50.0) / 50.0;
-            let expected = [red, 1.0 - red, 0.5];
+            let expected = [red, 1.0 - red, 0.5, 1.0 - red];
             assert!(minus(*pixel, expected).iter().all(|c| c.abs() < 1.0 / 255.0), "{pixel:?} at {i}");
         }
     }
@@ -254,8 +255,10 @@ mod tests {
     #[test]
     fn one_colour_fills_the_page() {
         let mut grid = PixelGrid::new(32);
-        grid.fix(Point::new(20.0, 9.0), [0.25, 0.5, 0.75]);
+        grid.fix(Point::new(20.0, 9.0), [0.25, 0.5, 0.75, 1.0]);
         let (pixels, _) = grid.solve().expect("it converges");
-        assert!(pixels.iter().all(|&pixel| minus(pixel, [0.25, 0.5, 0.75]).iter().all(|c| c.abs() < 1e-3)));
+        assert!(
+            pixels.iter().all(|&pixel| minus(pixel, [0.25, 0.5, 0.75, 1.0]).iter().all(|c| c.abs() < 1e-3))
+        );
     }
 }

@@ -4,7 +4,7 @@ use std::path::Path;
 
 use anyhow::Context;
 use scumble_core::drawing::LONGER_SIDE_DU;
-use scumble_core::{Blend, Scribble, SideColors};
+use scumble_core::{Blend, Boundary, Paint, Scribble, Settings};
 
 use crate::baseline::PixelGrid;
 use crate::clock::{Times, print_head, print_row, timed};
@@ -67,13 +67,13 @@ impl Report {
         self.paint.push(paint_ms);
         self.first_picture
             .push(read_ms + opened.import_ms + opened.map_ms + opened.mesh_ms + spread_ms + paint_ms);
-        let colors = self.more_scribbles(&mut opened, &scribbles)?;
+        let boundary = self.more_scribbles(&mut opened, &scribbles)?;
         self.recolor(&mut opened, &scribbles)?;
-        if with_baseline { self.baseline(&mut opened, &colors) } else { Ok(()) }
+        if with_baseline { self.baseline(&mut opened, &boundary) } else { Ok(()) }
     }
 
     fn first_scribble(&mut self, opened: &mut Opened, first: &[Scribble]) -> anyhow::Result<f64> {
-        let (_, times) = stages::spread(&mut opened.picture, first, Blend::Oklab)?;
+        let (_, times) = stages::spread(&mut opened.picture, first, &Settings::default())?;
         self.color.push(times.color_ms);
         self.analyse.push(times.analyse_ms);
         self.factor.push(times.factor_ms);
@@ -82,37 +82,38 @@ impl Report {
     }
 
     /// Adds one scribble at a time; gives the colours with all of them.
-    fn more_scribbles(&mut self, opened: &mut Opened, scribbles: &[Scribble]) -> anyhow::Result<SideColors> {
+    fn more_scribbles(&mut self, opened: &mut Opened, scribbles: &[Scribble]) -> anyhow::Result<Boundary> {
         for count in 2..=scribbles.len() {
-            let (_, times) = stages::spread(&mut opened.picture, &scribbles[..count], Blend::Oklab)?;
+            let (_, times) = stages::spread(&mut opened.picture, &scribbles[..count], &Settings::default())?;
             self.new_scribble.push(times.total_ms());
         }
         self.repaint.push(paint_ms(opened, scribbles)?);
-        Ok(opened.picture.color(scribbles, Blend::Oklab))
+        Ok(opened.picture.color(scribbles, &Settings::default()))
     }
 
     /// Gives the last scribble another colour.
     fn recolor(&mut self, opened: &mut Opened, scribbles: &[Scribble]) -> anyhow::Result<()> {
         let mut recolored = scribbles.to_vec();
-        if let Some(last) = recolored.last_mut() {
-            last.color.0[1] ^= 0x40;
+        if let Some(Scribble { color: Paint::Color(color), .. }) = recolored.last_mut() {
+            color.0[1] ^= 0x40;
         }
-        let (_, times) = stages::spread(&mut opened.picture, &recolored, Blend::Oklab)?;
+        let (_, times) = stages::spread(&mut opened.picture, &recolored, &Settings::default())?;
         self.recolor.push(times.total_ms());
         Ok(())
     }
 
     /// The same colours by the plain way and, from scratch, by ours.
-    fn baseline(&mut self, opened: &mut Opened, colors: &SideColors) -> anyhow::Result<()> {
+    fn baseline(&mut self, opened: &mut Opened, boundary: &Boundary) -> anyhow::Result<()> {
         let mut grid = PixelGrid::new(SIZE_PX as usize);
-        grid.draw(opened.picture.map().triangulation(), colors, f64::from(SIZE_PX) / LONGER_SIDE_DU);
+        let px_per_du = f64::from(SIZE_PX) / LONGER_SIDE_DU;
+        grid.draw(opened.picture.map().triangulation(), &boundary.sides, px_per_du);
         let (solved, baseline_ms) = timed(|| grid.solve());
         solved.context("the pixel multigrid did not converge")?;
         self.baseline.push(baseline_ms);
         let mut fresh = scumble_solve::MeshSolver::new(opened.picture.map().refined());
         let view = stages::page_view(&opened.import.drawing, SIZE_PX);
         let (painted, ours_ms) = timed(|| {
-            let field = fresh.solve(colors, Blend::Oklab)?;
+            let field = fresh.solve(boundary, Blend::Oklab)?;
             Ok::<_, scumble_solve::SolveError>(stages::paint_page(field, &[], &view, Some(PAPER)))
         });
         painted?;
@@ -157,9 +158,9 @@ impl Report {
 }
 
 fn paint_ms(opened: &mut Opened, scribbles: &[Scribble]) -> anyhow::Result<f64> {
-    let colors = opened.picture.color(scribbles, Blend::Oklab);
+    let boundary = opened.picture.color(scribbles, &Settings::default());
     let view = stages::page_view(&opened.import.drawing, SIZE_PX);
-    let field = opened.picture.mesh().solve(&colors, Blend::Oklab)?;
+    let field = opened.picture.mesh().solve(&boundary, Blend::Oklab)?;
     let (_, paint_ms) = timed(|| stages::paint_page(field, &[], &view, Some(PAPER)));
     Ok(paint_ms)
 }

@@ -2,7 +2,7 @@
 
 use anyhow::ensure;
 use scumble_core::drawing::LONGER_SIDE_DU;
-use scumble_core::{Drawing, Scribble, SideColors};
+use scumble_core::{Boundary, Drawing, Scribble};
 use scumble_io::{ReadScribbles, read_scribbles, write_png};
 use scumble_solve::{Pixmap, Shape, SolveError, line_shapes};
 use serde::Serialize;
@@ -82,22 +82,22 @@ fn spread(
     opened: &mut Opened,
     scribbles: &[Scribble],
     options: &ColorOptions,
-) -> Result<(SideColors, Vec<SpreadTimes>), SolveError> {
+) -> Result<(Boundary, Vec<SpreadTimes>), SolveError> {
     let mut times = Vec::new();
     if options.timings {
         for count in 1..scribbles.len() {
-            times.push(stages::spread(&mut opened.picture, &scribbles[..count], options.blend)?.1);
+            times.push(stages::spread(&mut opened.picture, &scribbles[..count], &options.settings)?.1);
         }
     }
-    let (colors, last) = stages::spread(&mut opened.picture, scribbles, options.blend)?;
+    let (boundary, last) = stages::spread(&mut opened.picture, scribbles, &options.settings)?;
     times.extend((!scribbles.is_empty()).then_some(last));
-    Ok((colors, times))
+    Ok((boundary, times))
 }
 
-fn paint(opened: &mut Opened, colors: &SideColors, options: &ColorOptions) -> Result<Pixmap, SolveError> {
+fn paint(opened: &mut Opened, boundary: &Boundary, options: &ColorOptions) -> Result<Pixmap, SolveError> {
     let view = stages::page_view(drawing(opened), options.size_px);
     let shapes = if options.lines { lines(opened, options.size_px) } else { Vec::new() };
-    let field = opened.picture.mesh().solve(colors, options.blend)?;
+    let field = opened.picture.mesh().solve(boundary, options.settings.blend)?;
     Ok(stages::paint_page(field, &shapes, &view, (!options.transparent).then_some(PAPER)))
 }
 

@@ -13,10 +13,11 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use anyhow::Context;
+use scumble_core::Settings;
 use scumble_io::write_png;
 use scumble_solve::Pixmap;
 
-pub(crate) use method::{Manner, Method};
+pub(crate) use method::Method;
 
 use crate::files;
 use crate::set::{self, Kind};
@@ -35,7 +36,7 @@ pub(crate) struct EvalOptions {
     pub(crate) set: PathBuf,
     pub(crate) kind: Kind,
     pub(crate) method: Method,
-    pub(crate) manner: Manner,
+    pub(crate) settings: Settings,
     /// Score each sparse scribble alone instead.
     pub(crate) single: bool,
     /// A picture of all drawings to write.
@@ -68,7 +69,7 @@ fn run_together(options: &EvalOptions) -> anyhow::Result<()> {
 fn run_single(options: &EvalOptions) -> anyhow::Result<()> {
     let mut reports = [options.method, method::FLOOD, method::SIGHT].map(Singles::new);
     for_each_drawing(options, Kind::Sparse, |_, subject| {
-        reports.iter_mut().try_for_each(|singles| singles.add(subject, options.manner.gap_closing))
+        reports.iter_mut().try_for_each(|singles| singles.add(subject, options.settings))
     })?;
     reports.iter().for_each(Singles::print);
     Ok(())
@@ -96,9 +97,9 @@ struct Report {
 
 impl Report {
     fn add(&mut self, id: &str, subject: &mut Subject, options: &EvalOptions) -> anyhow::Result<()> {
-        self.latency.take(subject, options.method, options.manner);
+        self.latency.take(subject, options.method, options.settings);
         let scribbles = subject.scribbles.clone();
-        let picture = subject.paint(options.method, options.manner, &scribbles)?;
+        let picture = subject.paint(options.method, options.settings, &scribbles)?;
         if let Some(folder) = &options.pictures {
             fs::create_dir_all(folder).with_context(|| format!("{} cannot be made", folder.display()))?;
             write_picture(&folder.join(format!("{id}.png")), &picture)?;

@@ -39,6 +39,10 @@ scumble color DRAWING.svg --scribbles S.json -o OUT.png
     [--lines]               draw the lines over the colours
     [--transparent]         no white paper where nothing is coloured
     [--blend oklab|srgb]    how colours mix
+    [--engine global|progressive]
+                            all scribbles at once, or one after the other
+    [--gap-closing 0.5]     how readily gaps between lines count as closed, 0 to 1 (global only)
+    [--spread]              colour also what nobody scribbled (global only)
     [--timings]             print counts and milliseconds of each stage as JSON
 
     S.json: {\"scribbles\":[{\"color\":\"#rrggbb\",\"width\":1.5,\"points\":[[x,y],…]},…]}
@@ -52,14 +56,17 @@ scumble bench SETDIR
     times each stage on a quality set (SETDIR/ID/drawing.svg, SETDIR/ID/dense.json)
 
 scumble eval SETDIR
-    tells how much of a quality set (the above, and SETDIR/ID/truth.png) an engine colours as expected
+    tells how much of a quality set (the above, with sparse.json and truth.png) has the expected colours
     [--kind dense|sparse]   which scribbles
-    [--engine global|progressive|sight]
-    [--gap-closing 0.5]     how eagerly gaps between lines are closed, from 0 to 1
-    [--spread]              let colours go on into areas without scribbles
-    [--pictures DIR]        write the pictures as DIR/ID.png
+    [--engine global|progressive|sight|flood|lazybrush|lazybrush-soft|nearest]
+                            who colours; from flood on, other people's methods on pixels
+    [--gap-closing 0.5]     how readily gaps between lines count as closed, 0 to 1 (global only)
+    [--spread]              colour also what nobody scribbled (global and flood only)
+    [--single]              each sparse scribble alone, without spreading
+    [--sheet SHEET.png]     write a contact sheet, worst first: scribbles, truth, result
+    [--pictures DIR]        write the results as DIR/ID.png, one after the other
 
-Exit code 2: bad input; nothing was written.
+Exit code 2: bad input; nothing was written (with --pictures: up to there).
 ";
 
 fn main() -> ExitCode {

@@ -3,11 +3,11 @@
 use std::ffi::OsString;
 use std::path::PathBuf;
 
-use anyhow::{Context, anyhow, bail};
+use anyhow::{Context, anyhow, bail, ensure};
 use pico_args::Arguments;
-use scumble_core::Blend;
+use scumble_core::{Blend, EngineKind, Settings};
 
-use crate::eval::{EvalOptions, Manner, Method};
+use crate::eval::{EvalOptions, Method};
 use crate::set::Kind;
 
 /// Picture sizes that are made, in pixels of the longer side.
@@ -33,7 +33,7 @@ pub(crate) struct ColorOptions {
     pub(crate) size_px: u32,
     pub(crate) lines: bool,
     pub(crate) transparent: bool,
-    pub(crate) blend: Blend,
+    pub(crate) settings: Settings,
     pub(crate) timings: bool,
 }
 
@@ -70,7 +70,7 @@ fn color(mut arguments: Arguments) -> anyhow::Result<ColorOptions> {
     let scribbles = arguments.opt_value_from_os_str("--scribbles", path).map_err(advise)?;
     let output = arguments.opt_value_from_os_str("-o", path).map_err(advise)?;
     let size_px = arguments.opt_value_from_fn("--size", size).map_err(advise)?;
-    let blend = arguments.opt_value_from_fn("--blend", blend).map_err(advise)?;
+    let settings = settings(&mut arguments)?;
     let lines = arguments.contains("--lines");
     let transparent = arguments.contains("--transparent");
     let timings = arguments.contains("--timings");
@@ -82,12 +82,13 @@ fn color(mut arguments: Arguments) -> anyhow::Result<ColorOptions> {
         size_px: size_px.unwrap_or(1024),
         lines,
         transparent,
-        blend: blend.unwrap_or_default(),
+        settings,
         timings,
     })
 }
 
 fn eval(mut arguments: Arguments) -> anyhow::Result<EvalOptions> {
+    let default = Settings::default();
     let kind = arguments.opt_value_from_fn("--kind", kind).map_err(advise)?;
     let method = arguments.opt_value_from_fn("--engine", Method::parse).map_err(advise)?;
     let gap_closing = arguments.opt_value_from_fn("--gap-closing", unit).map_err(advise)?;
@@ -96,14 +97,30 @@ fn eval(mut arguments: Arguments) -> anyhow::Result<EvalOptions> {
     let sheet = arguments.opt_value_from_os_str("--sheet", path).map_err(advise)?;
     let pictures = arguments.opt_value_from_os_str("--pictures", path).map_err(advise)?;
     let [set] = rest(arguments, ["SETDIR"])?;
+    let is_together = sheet.is_none() && pictures.is_none();
+    ensure!(!single || is_together, "--single makes no pictures; leave out --sheet and --pictures");
     Ok(EvalOptions {
         set: set.into(),
         kind: kind.unwrap_or_default(),
         method: method.unwrap_or_default(),
-        manner: Manner { gap_closing: gap_closing.unwrap_or(0.5), spread },
+        settings: Settings { gap_closing: gap_closing.unwrap_or(default.gap_closing), spread, ..default },
         single,
         sheet,
         pictures,
+    })
+}
+
+/// How the drawing is to be coloured, where the options say otherwise than the defaults do.
+fn settings(arguments: &mut Arguments) -> anyhow::Result<Settings> {
+    let default = Settings::default();
+    let blend = arguments.opt_value_from_fn("--blend", blend).map_err(advise)?;
+    let engine = arguments.opt_value_from_fn("--engine", engine).map_err(advise)?;
+    let gap_closing = arguments.opt_value_from_fn("--gap-closing", unit).map_err(advise)?;
+    Ok(Settings {
+        blend: blend.unwrap_or(default.blend),
+        engine: engine.unwrap_or(default.engine),
+        gap_closing: gap_closing.unwrap_or(default.gap_closing),
+        spread: arguments.contains("--spread"),
     })
 }
 
@@ -144,6 +161,14 @@ fn blend(text: &str) -> Result<Blend, String> {
         "oklab" => Ok(Blend::Oklab),
         "srgb" => Ok(Blend::Srgb),
         _ => Err("give oklab or srgb".into()),
+    }
+}
+
+fn engine(text: &str) -> Result<EngineKind, String> {
+    match text {
+        "global" => Ok(EngineKind::Global),
+        "progressive" => Ok(EngineKind::Progressive),
+        _ => Err("give global or progressive".into()),
     }
 }
 

@@ -15,6 +15,6 @@ mod nearest;
 mod sketch;
 
 pub(crate) use flood::flood;
-pub(crate) use lazybrush::lazybrush;
+pub(crate) use lazybrush::{HARD, SOFT, lazybrush};
 pub(crate) use nearest::nearest;
 pub(crate) use sketch::{Sketch, SketchPixel, neighbors};

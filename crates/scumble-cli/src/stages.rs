@@ -2,7 +2,7 @@
 
 use kurbo::Affine;
 use scumble_core::drawing::LONGER_SIDE_DU;
-use scumble_core::{Blend, Drawing, Scribble, SideColors, Srgb8};
+use scumble_core::{Boundary, Drawing, Scribble, Settings, Srgb8};
 use scumble_io::{Import, import_svg};
 use scumble_solve::{Field, Picture, Pixmap, Scene, Shape, SolveError, View, paint};
 
@@ -56,16 +56,16 @@ impl SpreadTimes {
 pub(crate) fn spread(
     picture: &mut Picture,
     scribbles: &[Scribble],
-    blend: Blend,
-) -> Result<(SideColors, SpreadTimes), SolveError> {
-    let (colors, color_ms) = timed(|| picture.color(scribbles, blend));
+    settings: &Settings,
+) -> Result<(Boundary, SpreadTimes), SolveError> {
+    let (boundary, color_ms) = timed(|| picture.color(scribbles, settings));
     let solver = picture.mesh();
-    let ((), analyse_ms) = timed(|| solver.analyse(&colors));
-    let (factored, factor_ms) = timed(|| solver.factor(&colors));
+    let ((), analyse_ms) = timed(|| solver.analyse(&boundary));
+    let (factored, factor_ms) = timed(|| solver.factor(&boundary));
     factored?;
-    let (solved, solve_ms) = timed(|| solver.solve(&colors, blend).map(|_| ()));
+    let (solved, solve_ms) = timed(|| solver.solve(&boundary, settings.blend).map(|_| ()));
     solved?;
-    Ok((colors, SpreadTimes { color_ms, analyse_ms, factor_ms, solve_ms }))
+    Ok((boundary, SpreadTimes { color_ms, analyse_ms, factor_ms, solve_ms }))
 }
 
 /// The whole page with a longer side of so many pixels.

@@ -23,7 +23,7 @@ fn planar_map(c: &mut Criterion) {
     let build = || PlanarMap::build(&drawing, &Sampling::default()).expect("a map");
     let map = build();
     let points = (0..60).map(|i| Point::new(500.0 + 3.0 * f64::from(i), 480.0 + f64::from(i % 7))).collect();
-    let scribble = [Scribble { color: Srgb8([200, 30, 40]), width_du: 8.0, points }];
+    let scribble = [Scribble { color: Srgb8([200, 30, 40]).into(), width_du: 8.0, points }];
     c.bench_function("map", |b| b.iter(|| black_box(build())));
     c.bench_function("refine", |b| b.iter(|| black_box(map.refined())));
     c.bench_function("sight of one scribble", |b| {

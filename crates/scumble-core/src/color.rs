@@ -11,6 +11,15 @@ use thiserror::Error;
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct Srgb8(pub [u8; 3]);
 
+/// What a scribble paints: a colour, or nothing: its place stays paper.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub enum Paint {
+    /// An opaque colour.
+    Color(Srgb8),
+    /// Nothing.
+    Clear,
+}
+
 /// A colour with opacity: sRGB and straight (not premultiplied) alpha, 8 bits a channel.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Rgba8(pub [u8; 4]);
@@ -42,6 +51,30 @@ impl fmt::Display for Srgb8 {
     }
 }
 
+impl From<Srgb8> for Paint {
+    fn from(color: Srgb8) -> Self {
+        Self::Color(color)
+    }
+}
+
+impl FromStr for Paint {
+    type Err = ColorError;
+
+    /// `none`, or `#rrggbb`.
+    fn from_str(text: &str) -> Result<Self, ColorError> {
+        if text == "none" { Ok(Self::Clear) } else { text.parse().map(Self::Color) }
+    }
+}
+
+impl fmt::Display for Paint {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Color(color) => color.fmt(f),
+            Self::Clear => f.write_str("none"),
+        }
+    }
+}
+
 /// The space in which colours are blended from side to side of a region.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum Blend {
@@ -52,26 +85,42 @@ pub enum Blend {
     Srgb,
 }
 
-/// A colour in the blend space of its drawing: OKLab (L, a, b), or sRGB in 0..=1.
-pub type BlendColor = [f64; 3];
+/// A colour in the blend space of its drawing: OKLab (L, a, b), or sRGB in 0..=1, each times the opacity; and the
+/// opacity, 0 for nothing to 1 for an opaque colour. Nothing is all zeros.
+pub type BlendColor = [f64; 4];
+
+/// Opacities below this are taken as this where a colour is divided by its own: a quarter of an 8-bit level, which
+/// nobody sees.
+pub const LEAST_OPACITY: f64 = 1.0 / 1024.0;
 
 impl Blend {
-    /// The blend-space coordinates of a picked colour.
-    pub fn from_srgb8(self, color: Srgb8) -> BlendColor {
-        let unit = color.0.map(|c| f64::from(c) / 255.0);
-        match self {
-            Self::Srgb => unit,
-            Self::Oklab => oklab_from_linear(unit.map(linear_from_srgb)),
+    /// The blend-space coordinates of what a scribble paints.
+    pub fn from_paint(self, paint: Paint) -> BlendColor {
+        match paint {
+            Paint::Color(color) => self.from_srgb8(color),
+            Paint::Clear => [0.0; 4],
         }
     }
 
-    /// The nearest 8-bit colour; what lies outside sRGB is clamped channel by channel.
-    pub fn to_srgb8(self, color: BlendColor) -> Srgb8 {
-        let unit = match self {
-            Self::Srgb => color,
-            Self::Oklab => linear_from_oklab(color).map(srgb_from_linear),
+    /// The blend-space coordinates of a picked colour.
+    pub fn from_srgb8(self, color: Srgb8) -> BlendColor {
+        let unit = color.0.map(|c| f64::from(c) / 255.0);
+        let [a, b, c] = match self {
+            Self::Srgb => unit,
+            Self::Oklab => oklab_from_linear(unit.map(linear_from_srgb)),
         };
-        Srgb8(unit.map(|c| (c.clamp(0.0, 1.0) * 255.0).round() as u8))
+        [a, b, c, 1.0]
+    }
+
+    /// The nearest 8-bit colour; what lies outside sRGB is clamped channel by channel.
+    pub fn to_rgba8(self, [a, b, c, opacity]: BlendColor) -> Rgba8 {
+        let straight = [a, b, c].map(|c| c / opacity.max(LEAST_OPACITY));
+        let unit = match self {
+            Self::Srgb => straight,
+            Self::Oklab => linear_from_oklab(straight).map(srgb_from_linear),
+        };
+        let [r, g, b] = unit;
+        Rgba8([r, g, b, opacity].map(|c| (c.clamp(0.0, 1.0) * 255.0).round() as u8))
     }
 }
 
@@ -85,13 +134,13 @@ pub fn srgb_from_linear(c: f64) -> f64 {
     if c <= 0.003_130_8 { c * 12.92 } else { 1.055 * c.powf(1.0 / 2.4) - 0.055 }
 }
 
-fn oklab_from_linear(rgb: [f64; 3]) -> BlendColor {
+fn oklab_from_linear(rgb: [f64; 3]) -> [f64; 3] {
     let lms = apply(&LMS_FROM_LINEAR, rgb).map(f64::cbrt);
     apply(&OKLAB_FROM_LMS, lms)
 }
 
-/// Linear sRGB of an OKLab colour; channels may lie outside `0..=1`.
-pub fn linear_from_oklab(lab: BlendColor) -> [f64; 3] {
+/// Linear sRGB of an opaque OKLab colour; channels may lie outside `0..=1`.
+pub fn linear_from_oklab(lab: [f64; 3]) -> [f64; 3] {
     let lms = apply(&LMS_FROM_OKLAB, lab).map(|c| c * c * c);
     apply(&LINEAR_FROM_LMS, lms)
 }
@@ -133,8 +182,10 @@ mod tests {
         for blend in [Blend::Oklab, Blend::Srgb] {
             for rgb in (0..=0xff_ffff_u32).step_by(97) {
                 let [_, r, g, b] = rgb.to_be_bytes();
-                let color = Srgb8([r, g, b]);
-                assert_eq!(blend.to_srgb8(blend.from_srgb8(color)), color);
+                let color = blend.from_srgb8(Srgb8([r, g, b]));
+                assert_eq!(blend.to_rgba8(color), Rgba8([r, g, b, 255]));
+                let faint = blend.to_rgba8(color.map(|c| 0.2 * c));
+                assert_eq!(faint, Rgba8([r, g, b, 51]));
             }
         }
     }
@@ -143,6 +194,10 @@ mod tests {
     fn colours_are_read_as_they_are_written() {
         assert_eq!("#E6194b".parse(), Ok(Srgb8([0xe6, 0x19, 0x4b])));
         assert_eq!(Srgb8([1, 2, 255]).to_string(), "#0102ff");
+        assert_eq!("#E6194b".parse(), Ok(Paint::Color(Srgb8([0xe6, 0x19, 0x4b]))));
+        assert_eq!("none".parse(), Ok(Paint::Clear));
+        assert_eq!([Paint::Clear, Srgb8([1, 2, 255]).into()].map(|p| p.to_string()), ["none", "#0102ff"]);
+        assert!(["None", "clear", "none ", ""].iter().all(|bad| bad.parse::<Paint>().is_err()));
         for bad in ["", "#", "e6194b", "#e6194", "#e6194b0", "#+12345", "#ééé", "red"] {
             assert!(bad.parse::<Srgb8>().is_err(), "{bad}");
         }

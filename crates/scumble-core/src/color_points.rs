@@ -3,13 +3,41 @@
 //! A *run* of equal labels along one side of a curve holds its colour; where two runs meet, the colour passes from
 //! one to the other over a short transition, as in Figure 2(f) of Bao & Fu 2019.
 
-use crate::color::{Blend, BlendColor, Srgb8};
+use crate::color::{Blend, BlendColor, Paint};
+use crate::engine::Labels;
 use crate::planar_map::{PlanarMap, Step};
+use crate::scribble::Scribble;
 use crate::triangulation::SideId;
 
 /// The colour of a side at the start, the middle and the end of its half-edge in the triangulation; `None` where
 /// the side has no colour and is a no-flux barrier. Indexed by [`SideId`].
 pub type SideColors = Vec<Option<[BlendColor; 3]>>;
+
+/// What bounds the spreading of colours: the input of the solver.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Boundary {
+    /// The colours of the sides of curves; sides beyond its end have none.
+    pub sides: SideColors,
+    /// For each gap of the map whether it lets no colour through; gaps beyond its end are open.
+    pub closed_gaps: Vec<bool>,
+}
+
+impl From<SideColors> for Boundary {
+    /// With all gaps open.
+    fn from(sides: SideColors) -> Self {
+        Self { sides, closed_gaps: Vec::new() }
+    }
+}
+
+/// The boundary that labels give the solver, in a blend space.
+pub fn boundary(map: &PlanarMap, labels: &Labels, scribbles: &[Scribble], blend: Blend) -> Boundary {
+    let color_of = |side: SideId| {
+        let label = labels.sides.get(side.index()).copied().flatten()?;
+        scribbles.get(label as usize).map(|scribble| scribble.color)
+    };
+    let sides = side_colors(map, &color_spans(map, color_of), blend);
+    Boundary { sides, closed_gaps: labels.closed_gaps.clone() }
+}
 
 /// Length of the transition between two runs, in du; shorter where a run is shorter.
 pub const TRANSITION_DU: f64 = 24.0;
@@ -19,8 +47,8 @@ pub const TRANSITION_DU: f64 = 24.0;
 pub struct ColorPoint {
     /// Distance from the start of the curve along it, in du.
     pub arc_du: f64,
-    /// The colour as picked.
-    pub color: Srgb8,
+    /// The colour as picked, or nothing: around it the picture fades into the paper.
+    pub color: Paint,
 }
 
 /// A coloured stretch of one side of a curve: linear between its points, and from its first to its last only.
@@ -36,7 +64,7 @@ pub struct ColorSpan {
 }
 
 /// The colour points of all curves, where `color_of` gives the colour of a side that has one.
-pub fn color_spans(map: &PlanarMap, color_of: impl Fn(SideId) -> Option<Srgb8>) -> Vec<ColorSpan> {
+pub fn color_spans(map: &PlanarMap, color_of: impl Fn(SideId) -> Option<Paint>) -> Vec<ColorSpan> {
     let mut spans = Vec::new();
     for curve in 0..map.curve_count() {
         for right in [false, true] {
@@ -56,7 +84,7 @@ fn side(step: &Step, right: bool) -> SideId {
 
 /// The step of a closed curve at which its sides are cut open: the middle of the longest run, where no transition
 /// is lost; 0 where all are alike.
-fn seam(colors: &[Option<Srgb8>]) -> usize {
+fn seam(colors: &[Option<Paint>]) -> usize {
     let len = colors.len();
     let is_start = |i: &usize| colors[*i] != colors[(i + len - 1) % len];
     let starts: Vec<usize> = (0..len).filter(is_start).collect();
@@ -70,11 +98,11 @@ fn seam(colors: &[Option<Srgb8>]) -> usize {
 struct Run {
     start_du: f64,
     end_du: f64,
-    color: Srgb8,
+    color: Paint,
 }
 
 /// The runs of a curve's side, from step `seam` on and around.
-fn runs(steps: &[Step], colors: &[Option<Srgb8>], seam: usize) -> Vec<Run> {
+fn runs(steps: &[Step], colors: &[Option<Paint>], seam: usize) -> Vec<Run> {
     let round_du = steps.last().map_or(0.0, |last| last.arc_du[1]);
     let mut runs: Vec<Run> = Vec::new();
     for i in (seam..steps.len()).chain(0..seam) {
@@ -110,7 +138,7 @@ fn points(runs: &[Run]) -> Vec<ColorPoint> {
 pub fn side_colors(map: &PlanarMap, spans: &[ColorSpan], blend: Blend) -> SideColors {
     let mut colors = vec![None; map.side_count()];
     for span in spans {
-        let knots: Vec<_> = span.points.iter().map(|p| (p.arc_du, blend.from_srgb8(p.color))).collect();
+        let knots: Vec<_> = span.points.iter().map(|p| (p.arc_du, blend.from_paint(p.color))).collect();
         let steps = map.steps(span.curve as usize);
         let round_du = steps.last().map_or(0.0, |last| last.arc_du[1]);
         for before_du in [0.0, round_du] {
@@ -142,18 +170,19 @@ fn interpolate(knots: &[Knot], arc_du: f64) -> BlendColor {
     let after = knots.partition_point(|knot| knot.0 <= arc_du).clamp(1, knots.len() - 1);
     let ((a, from), (b, to)) = (knots[after - 1], knots[after]);
     let t = if b > a { ((arc_du - a) / (b - a)).clamp(0.0, 1.0) } else { 0.0 };
-    if from == to { from } else { [0, 1, 2].map(|i| from[i] + t * (to[i] - from[i])) }
+    if from == to { from } else { [0, 1, 2, 3].map(|i| from[i] + t * (to[i] - from[i])) }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::color::Srgb8;
     use crate::drawing::{Curve, Drawing};
     use crate::planar_map::Sampling;
     use kurbo::{Circle, Rect, Shape};
 
-    const RED: Srgb8 = Srgb8([200, 0, 0]);
-    const BLUE: Srgb8 = Srgb8([0, 0, 200]);
+    const RED: Paint = Paint::Color(Srgb8([200, 0, 0]));
+    const BLUE: Paint = Paint::Color(Srgb8([0, 0, 200]));
 
     fn circle_map() -> PlanarMap {
         let mut drawing = Drawing::new(Rect::new(0.0, 0.0, 1024.0, 1024.0));
@@ -162,7 +191,7 @@ mod tests {
         PlanarMap::build(&drawing, &Sampling::default()).expect("a map")
     }
 
-    fn inner(map: &PlanarMap, color: impl Fn(usize) -> Option<Srgb8>) -> Vec<ColorSpan> {
+    fn inner(map: &PlanarMap, color: impl Fn(usize) -> Option<Paint>) -> Vec<ColorSpan> {
         let index_of = |side: SideId| map.steps(0).iter().position(|step| step.left == side);
         color_spans(map, |side| index_of(side).and_then(&color))
     }
@@ -174,7 +203,7 @@ mod tests {
         assert_eq!(spans.len(), 1);
         assert_eq!(spans[0].points.len(), 2);
         let colors = side_colors(&map, &spans, Blend::Srgb);
-        let red = Blend::Srgb.from_srgb8(RED);
+        let red = Blend::Srgb.from_paint(RED);
         for step in map.steps(0) {
             assert_eq!(colors[step.left.index()], Some([red; 3]));
             assert_eq!(colors[step.left.opposite().index()], None);
@@ -199,6 +228,19 @@ mod tests {
         }
         assert_eq!(blue_at(count / 6, 1), 0.0);
         assert_eq!(blue_at(2 * count / 3, 1), full);
+    }
+
+    #[test]
+    fn towards_a_clear_run_the_colour_fades_and_keeps_its_hue() {
+        let map = circle_map();
+        let count = map.steps(0).len();
+        let spans = inner(&map, |i| Some(if i < count / 3 { RED } else { Paint::Clear }));
+        let colors = side_colors(&map, &spans, Blend::Oklab);
+        let at = |i: usize| colors[map.steps(0)[i].left.index()].expect("a colour")[0];
+        assert_eq!(at(count / 6), Blend::Oklab.from_paint(RED));
+        assert_eq!(at(2 * count / 3), [0.0; 4]);
+        let border = Blend::Oklab.to_rgba8(at(count / 3)).0;
+        assert!(border[..3] == [200, 0, 0] && border[3].abs_diff(128) < 26, "{border:?}");
     }
 
     #[test]

@@ -1,12 +1,14 @@
 //! The document that a person works on, the gestures that change it, and their undoing.
 //!
-//! One gesture is one transaction: begun, carried on, then committed or aborted. Undo goes back by whole gestures.
+//! One gesture is one transaction: begun, carried on, then committed or aborted. Undo goes back by whole gestures. A
+//! change outside of a gesture is a gesture of its own.
 
 use kurbo::Point;
 
-use crate::color::Blend;
+use crate::color::Paint;
 use crate::drawing::Drawing;
 use crate::scribble::Scribble;
+use crate::settings::Settings;
 
 /// The source of a picture. Everything else is derived from it.
 #[derive(Clone, Debug)]
@@ -15,133 +17,249 @@ pub struct Document {
     pub drawing: Drawing,
     /// The scribbles, in drawing order.
     pub scribbles: Vec<Scribble>,
-    /// The space in which colours are blended.
-    pub blend: Blend,
+    /// How it is coloured.
+    pub settings: Settings,
 }
 
 impl Document {
     /// A drawing without colour.
     pub fn new(drawing: Drawing) -> Self {
-        Self { drawing, scribbles: Vec::new(), blend: Blend::default() }
+        Self { drawing, scribbles: Vec::new(), settings: Settings::default() }
     }
 }
 
 /// A change of a document; applying it gives the change that takes it back.
 #[derive(Clone, Debug)]
 enum Change {
-    AddScribble(Scribble),
-    RemoveLastScribble,
-    SetBlend(Blend),
+    InsertScribble(usize, Scribble),
+    RemoveScribble(usize),
+    RecolorScribble(usize, Paint),
+    MoveScribble { from: usize, to: usize },
+    SetSettings(Settings),
 }
 
-/// A document, the scribble in hand, and the way back and forth through its changes.
+/// A gesture that has been begun and not yet ended.
+#[derive(Clone, Debug)]
+enum Gesture {
+    /// The last scribble of the document is being drawn.
+    Scribble,
+    /// These changes, applied from the last to the first, take back what it has done.
+    Changes(Vec<Change>),
+}
+
+/// A document, the gesture in hand, and the way back and forth through its changes.
 #[derive(Clone, Debug)]
 pub struct Editor {
     document: Document,
-    in_hand: bool,
-    undo: Vec<Change>,
-    redo: Vec<Change>,
+    in_hand: Option<Gesture>,
+    /// For each gesture the changes that take it back, to be applied from the last to the first.
+    undo: Vec<Vec<Change>>,
+    /// For each gesture that was taken back the changes that do it again, likewise.
+    redo: Vec<Vec<Change>>,
 }
 
 impl Editor {
     /// Opens a document, with nothing to undo.
     pub fn new(document: Document) -> Self {
-        Self { document, in_hand: false, undo: Vec::new(), redo: Vec::new() }
+        Self { document, in_hand: None, undo: Vec::new(), redo: Vec::new() }
     }
 
-    /// The document with the scribble in hand, if any, as its last.
+    /// The document with what the gesture in hand has made of it; a scribble in hand is its last.
     pub fn document(&self) -> &Document {
         &self.document
     }
 
-    /// Begins a scribble; one that is still in hand is committed first.
+    /// Begins a scribble; a gesture that is still in hand is committed first.
     pub fn begin_scribble(&mut self, scribble: Scribble) {
         self.commit();
-        self.in_hand = true;
+        self.in_hand = Some(Gesture::Scribble);
         self.document.scribbles.push(scribble);
     }
 
     /// Carries the scribble in hand on, through points in du. Points that are not finite are left out.
     pub fn extend_scribble(&mut self, points: &[Point]) {
-        if let (true, Some(scribble)) = (self.in_hand, self.document.scribbles.last_mut()) {
+        if let (true, Some(scribble)) = (self.is_scribbling(), self.document.scribbles.last_mut()) {
             scribble.points.extend(points.iter().copied().filter(|p| p.is_finite()));
         }
     }
 
     /// Whether a scribble is in hand.
     pub fn is_scribbling(&self) -> bool {
-        self.in_hand
+        matches!(self.in_hand, Some(Gesture::Scribble))
+    }
+
+    /// Begins a gesture of any changes, as of a slider that is dragged; one that is still in hand is committed first.
+    pub fn begin(&mut self) {
+        self.commit();
+        self.in_hand = Some(Gesture::Changes(Vec::new()));
+    }
+
+    /// Whether a gesture of any changes is in hand.
+    pub fn is_changing(&self) -> bool {
+        matches!(self.in_hand, Some(Gesture::Changes(_)))
     }
 
     /// Ends the gesture and keeps what it did.
     pub fn commit(&mut self) {
-        if std::mem::take(&mut self.in_hand) {
-            self.undo.push(Change::RemoveLastScribble);
-            self.redo.clear();
+        match self.in_hand.take() {
+            None => {}
+            Some(Gesture::Scribble) => {
+                self.keep(vec![Change::RemoveScribble(self.document.scribbles.len() - 1)]);
+            }
+            Some(Gesture::Changes(mut back)) => {
+                // A slider that was dragged to and fro has changed nothing in the end.
+                back.retain(|change| !self.are_settings(change));
+                self.keep(back);
+            }
         }
     }
 
     /// Ends the gesture and leaves the document as it was before it.
     pub fn abort(&mut self) {
-        if std::mem::take(&mut self.in_hand) {
-            self.document.scribbles.pop();
+        match self.in_hand.take() {
+            None => {}
+            Some(Gesture::Scribble) => drop(self.document.scribbles.pop()),
+            Some(Gesture::Changes(back)) => drop(self.apply_all(back)),
         }
     }
 
-    /// Sets the blend space of the drawing.
-    pub fn set_blend(&mut self, blend: Blend) {
-        self.commit();
-        if blend != self.document.blend {
-            let back = self.apply(Change::SetBlend(blend));
-            self.undo.push(back);
-            self.redo.clear();
+    /// Sets how the drawing is coloured; numbers out of range are clamped.
+    pub fn set_settings(&mut self, settings: Settings) {
+        let settings = settings.clamped();
+        self.commit_scribble();
+        if settings != self.document.settings {
+            self.change(Change::SetSettings(settings));
+        }
+    }
+
+    /// Erases scribbles by their indices, in whatever order; returns how many there were of them.
+    pub fn erase_scribbles(&mut self, indices: &[usize]) -> usize {
+        self.commit_scribble();
+        let mut indices: Vec<_> =
+            indices.iter().copied().filter(|i| *i < self.document.scribbles.len()).collect();
+        indices.sort_unstable();
+        indices.dedup();
+        let back: Vec<_> = indices.iter().rev().map(|i| self.apply(Change::RemoveScribble(*i))).collect();
+        self.done(back);
+        indices.len()
+    }
+
+    /// Gives a scribble another colour, or none; nothing happens where there is no scribble of this index.
+    pub fn recolor_scribble(&mut self, index: usize, color: Paint) {
+        self.commit_scribble();
+        if self.document.scribbles.get(index).is_some_and(|scribble| scribble.color != color) {
+            self.change(Change::RecolorScribble(index, color));
+        }
+    }
+
+    /// Takes a scribble out of the order and puts it back in at an index, after which those behind it come; nothing
+    /// happens where either index is that of no scribble.
+    pub fn move_scribble(&mut self, from: usize, to: usize) {
+        self.commit_scribble();
+        if from != to && from.max(to) < self.document.scribbles.len() {
+            self.change(Change::MoveScribble { from, to });
         }
     }
 
     /// Takes the last gesture back, or drops the one in hand; `false` where there is none.
     pub fn undo(&mut self) -> bool {
-        if self.in_hand {
-            self.abort();
+        let has_done = self.has_done();
+        self.abort();
+        if has_done {
             return true;
         }
-        let Some(change) = self.undo.pop() else { return false };
-        let forth = self.apply(change);
+        let Some(back) = self.undo.pop() else { return false };
+        let forth = self.apply_all(back);
         self.redo.push(forth);
         true
     }
 
     /// Does again what was taken back last; `false` where there is nothing.
     pub fn redo(&mut self) -> bool {
-        if self.in_hand {
+        if self.in_hand.is_some() {
             return false;
         }
-        let Some(change) = self.redo.pop() else { return false };
-        let back = self.apply(change);
+        let Some(forth) = self.redo.pop() else { return false };
+        let back = self.apply_all(forth);
         self.undo.push(back);
         true
     }
 
     /// Whether [`Editor::undo`] has something to take back.
     pub fn can_undo(&self) -> bool {
-        self.in_hand || !self.undo.is_empty()
+        self.has_done() || !self.undo.is_empty()
     }
 
     /// Whether [`Editor::redo`] has something to do again.
     pub fn can_redo(&self) -> bool {
-        !self.in_hand && !self.redo.is_empty()
+        self.in_hand.is_none() && !self.redo.is_empty()
+    }
+
+    /// Whether there is a gesture in hand that has left its mark.
+    fn has_done(&self) -> bool {
+        match &self.in_hand {
+            None => false,
+            Some(Gesture::Scribble) => true,
+            Some(Gesture::Changes(back)) => back.iter().any(|change| !self.are_settings(change)),
+        }
+    }
+
+    fn commit_scribble(&mut self) {
+        if self.is_scribbling() {
+            self.commit();
+        }
+    }
+
+    /// Makes a change, in the gesture in hand or as one of its own.
+    fn change(&mut self, change: Change) {
+        let back = self.apply(change);
+        self.done(vec![back]);
+    }
+
+    /// Notes what takes back that which has just been done.
+    fn done(&mut self, mut back: Vec<Change>) {
+        let Some(Gesture::Changes(before)) = &mut self.in_hand else { return self.keep(back) };
+        if before.iter().any(|change| matches!(change, Change::SetSettings(_))) {
+            // The settings that the gesture began with are there already.
+            back.retain(|change| !matches!(change, Change::SetSettings(_)));
+        }
+        before.append(&mut back);
+    }
+
+    /// Ends a gesture that can be taken back; one that did nothing leaves no trace.
+    fn keep(&mut self, back: Vec<Change>) {
+        if !back.is_empty() {
+            self.undo.push(back);
+            self.redo.clear();
+        }
+    }
+
+    fn are_settings(&self, change: &Change) -> bool {
+        matches!(change, Change::SetSettings(settings) if *settings == self.document.settings)
+    }
+
+    /// Applies changes from the last to the first; returns those that take them back, to be applied likewise.
+    fn apply_all(&mut self, changes: Vec<Change>) -> Vec<Change> {
+        changes.into_iter().rev().map(|change| self.apply(change)).collect()
     }
 
     fn apply(&mut self, change: Change) -> Change {
+        let Document { scribbles, settings, .. } = &mut self.document;
         match change {
-            Change::AddScribble(scribble) => {
-                self.document.scribbles.push(scribble);
-                Change::RemoveLastScribble
+            Change::InsertScribble(index, scribble) => {
+                scribbles.insert(index, scribble);
+                Change::RemoveScribble(index)
             }
-            Change::RemoveLastScribble => match self.document.scribbles.pop() {
-                Some(scribble) => Change::AddScribble(scribble),
-                None => Change::RemoveLastScribble,
-            },
-            Change::SetBlend(blend) => Change::SetBlend(std::mem::replace(&mut self.document.blend, blend)),
+            Change::RemoveScribble(index) => Change::InsertScribble(index, scribbles.remove(index)),
+            Change::RecolorScribble(index, color) => {
+                Change::RecolorScribble(index, std::mem::replace(&mut scribbles[index].color, color))
+            }
+            Change::MoveScribble { from, to } => {
+                let scribble = scribbles.remove(from);
+                scribbles.insert(to, scribble);
+                Change::MoveScribble { from: to, to: from }
+            }
+            Change::SetSettings(after) => Change::SetSettings(std::mem::replace(settings, after)),
         }
     }
 }

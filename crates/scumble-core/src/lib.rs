@@ -7,37 +7,48 @@
 //! | a stroke of colour | [`scribble`] |
 //! | the document, gestures, undo | [`edit`] |
 //! | triangles, half-edges, sides | [`triangulation`] |
+//! | Delaunay triangulation and refinement | `delaunay` |
 //! | curves sampled on a lattice | `sample` |
 //! | crossings found and rounded | `snap` |
 //! | curves as pieces that meet only at nodes | [`planar_map`] |
 //! | samples along a stroke | `stroke` |
 //! | what a point sees | [`visibility`] |
-//! | which scribble colours which side | [`engine`], [`sight`], [`progressive`] |
+//! | how wide the ways between lines are | `clearance` |
+//! | narrow passages between wide places | `gaps` |
+//! | which scribble colours which side | [`engine`], [`progressive`], [`global`], [`sight`] |
+//! | how a drawing is coloured | [`settings`] |
 //! | colours along the sides of curves | [`color_points`] |
 
+mod clearance;
 pub mod color;
 pub mod color_points;
+mod delaunay;
 pub mod drawing;
 pub mod edit;
 pub mod engine;
+mod gaps;
+pub mod global;
 pub mod planar_map;
 pub mod progressive;
 mod sample;
 pub mod scribble;
+pub mod settings;
 pub mod sight;
 mod snap;
 mod stroke;
 pub mod triangulation;
 pub mod visibility;
 
-pub use color::{Blend, BlendColor, ColorError, Rgba8, Srgb8};
-pub use color_points::{ColorPoint, ColorSpan, SideColors, color_spans, side_colors};
+pub use color::{Blend, BlendColor, ColorError, Paint, Rgba8, Srgb8};
+pub use color_points::{Boundary, ColorPoint, ColorSpan, SideColors, boundary, color_spans, side_colors};
 pub use drawing::{Curve, Drawing, Fill, Line};
 pub use edit::{Document, Editor};
 pub use engine::{Engine, Labels};
+pub use global::Global;
 pub use planar_map::{Gap, MapError, Piece, PlanarMap, Sampling, Step};
 pub use progressive::Progressive;
 pub use scribble::Scribble;
+pub use settings::{EngineKind, Settings};
 pub use sight::Sight;
 pub use triangulation::{HalfEdge, SideId, Triangulation};
 pub use visibility::{Visible, visibility_polygon};

@@ -4,9 +4,9 @@
 //! frame of the page (constrained Delaunay). Everything that asks what lies where walks this triangulation.
 
 use kurbo::Rect;
-use spade::{ConstrainedDelaunayTriangulation, Point2, RefinementParameters, Triangulation as _};
 use thiserror::Error;
 
+use crate::delaunay::{self, Cdt};
 use crate::drawing::Drawing;
 use crate::sample::{self, LatticePoint, Stretch};
 use crate::snap::{self, Snapped};
@@ -74,23 +74,6 @@ pub enum MapError {
 /// Pieces that a map may have.
 const MAX_PIECES: usize = 1_000_000;
 
-/// Smallest angle, in degrees, that refinement aims at.
-const REFINED_ANGLE_DEG: f64 = 20.0;
-
-/// Largest triangle of the refined mesh, in squares of the spacing of nodes along curves: 25 du from corner to corner
-/// at the default spacing. Angles alone let triangles grow with their distance from the curves, whatever the
-/// spacing, and the solver's error with them.
-const REFINED_AREA: f64 = 30.0;
-
-/// `spade` refuses coordinates within 1e-43 of zero: it works on du + 1024, which is exact on the lattice.
-const SHIFT_DU: f64 = 1024.0;
-
-type Cdt = ConstrainedDelaunayTriangulation<Point2<f64>, (), EdgeTag>;
-
-/// The piece that an edge is, plus one; 0 where it is none.
-#[derive(Clone, Copy, Debug, Default)]
-struct EdgeTag(u32);
-
 /// Curves as pieces, triangulated within the frame.
 #[derive(Clone, Debug)]
 pub struct PlanarMap {
@@ -100,6 +83,7 @@ pub struct PlanarMap {
     pieces: Vec<Piece>,
     steps: Vec<Vec<Step>>,
     gaps: Vec<Gap>,
+    half_widths_du: Vec<f64>,
     spacing_du: f64,
 }
 
@@ -116,8 +100,9 @@ impl PlanarMap {
         let segments: Vec<_> = polylines.iter().flatten().map(|stretch| stretch.ends).collect();
         let snapped = snap::snap(&segments, frame, MAX_PIECES).ok_or(too_many)?;
         let (pieces, steps) = pieces_and_steps(&polylines, &snapped);
-        let cdt = triangulate(&snapped.nodes, &pieces)?;
-        let triangulation = flatten(&cdt, &pieces);
+        let half_widths_du = half_widths_du(drawing, &steps, &pieces, snapped.nodes.len());
+        let cdt = delaunay::triangulate(&snapped.nodes, &pieces)?;
+        let triangulation = delaunay::flatten(&cdt, &pieces);
         Ok(Self {
             frame: sample::frame_rect(frame),
             cdt,
@@ -125,6 +110,7 @@ impl PlanarMap {
             pieces,
             steps,
             gaps: Vec::new(),
+            half_widths_du,
             spacing_du: sampling.spacing_du,
         })
     }
@@ -164,6 +150,12 @@ impl PlanarMap {
         &self.gaps
     }
 
+    /// Half the width of the widest line that is drawn through a node, in du; `None` where nothing but the frame
+    /// passes through it.
+    pub fn half_width_du(&self, node: u32) -> Option<f64> {
+        self.half_widths_du.get(node as usize).copied().filter(|half_width_du| *half_width_du >= 0.0)
+    }
+
     /// Whether a curve ends where it starts, without a gap where it leaves the page.
     pub fn is_closed(&self, curve: usize) -> bool {
         let steps = &self.steps[curve];
@@ -180,23 +172,27 @@ impl PlanarMap {
         if side.is_right() { [b, a] } else { [a, b] }
     }
 
+    /// The same map with other gaps. A gap counts where its nodes are joined by an edge that is no piece; one that is
+    /// given twice, or anywhere else, can be closed without effect.
+    pub fn with_gaps(mut self, gaps: Vec<Gap>) -> Self {
+        self.triangulation.mark_gaps(gaps.iter().map(|gap| gap.nodes));
+        Self { gaps, ..self }
+    }
+
     /// The same pieces with further nodes between them, so that angles are at least 20° where the pieces allow
-    /// it, and no triangle is larger than the sampling asks for: the mesh of the solver. Pieces are never split.
-    ///
-    /// Ruppert's refinement would split the pieces at acute corners without end; it is told to keep them.
+    /// it, and no triangle is larger than the sampling asks for: the mesh of the solver. Pieces are never split;
+    /// gaps are chains of edges.
     pub fn refined(&self) -> Triangulation {
         let mut cdt = self.cdt.clone();
-        let largest_du2 = REFINED_AREA * self.spacing_du * self.spacing_du;
-        let empty_page = 4.0 * self.frame.area() / largest_du2;
-        let parameters = RefinementParameters::new()
-            .keep_constraint_edges()
-            .with_max_additional_vertices(10 * cdt.num_vertices() + empty_page as usize)
-            .with_max_allowed_area(largest_du2)
-            .with_angle_limit(spade::AngleLimit::from_deg(REFINED_ANGLE_DEG));
-        cdt.refine(parameters);
-        flatten(&cdt, &self.pieces)
+        delaunay::keep_gaps(&mut cdt, &self.triangulation, GAP_COARSENING * self.spacing_du);
+        delaunay::refine(&mut cdt, self.frame, self.spacing_du);
+        delaunay::flatten(&cdt, &self.pieces)
     }
 }
+
+/// The edges along a gap are this many times as long as the spacing of nodes along curves, at most: as one long edge
+/// it would spoil the triangles beside it.
+const GAP_COARSENING: f64 = 4.0;
 
 /// The frame is sampled this many times as coarsely as the curves: no colour sits on it, but as four long edges
 /// it would spoil the triangles of the background.
@@ -246,6 +242,20 @@ fn pieces_and_steps(polylines: &[Vec<Stretch>], snapped: &Snapped) -> (Vec<Piece
     (pieces, steps)
 }
 
+/// Half the line width at each node, negative where there is no curve.
+fn half_widths_du(drawing: &Drawing, steps: &[Vec<Step>], pieces: &[Piece], nodes: usize) -> Vec<f64> {
+    let mut half_widths_du = vec![-1.0_f64; nodes];
+    for (curve, steps) in drawing.curves.iter().zip(steps) {
+        let width_du = curve.line.as_ref().map_or(0.0, |line| line.stroke.width);
+        let half_width_du = if width_du.is_finite() { 0.5 * width_du.max(0.0) } else { 0.0 };
+        for node in steps.iter().flat_map(|step| pieces[step.left.piece()].nodes) {
+            let at_node = &mut half_widths_du[node as usize];
+            *at_node = at_node.max(half_width_du);
+        }
+    }
+    half_widths_du
+}
+
 /// The steps that replace one stretch.
 fn steps_of<'a>(
     stretch: &'a Stretch,
@@ -267,43 +277,4 @@ fn steps_of<'a>(
         let piece = ends.binary_search(&[w[0].min(w[1]), w[0].max(w[1])]).ok()?;
         Some(Step { left: SideId::of(piece, w[0] > w[1]), arc_du: [arc_du(i), arc_du(i + 1)] })
     })
-}
-
-fn triangulate(nodes: &[LatticePoint], pieces: &[Piece]) -> Result<Cdt, MapError> {
-    let vertices =
-        nodes.iter().map(|node| node.to_point()).map(|p| Point2::new(p.x + SHIFT_DU, p.y + SHIFT_DU));
-    let edges = pieces.iter().map(|piece| piece.nodes.map(|node| node as usize)).collect();
-    let mut conflicts = 0;
-    let mut cdt = Cdt::try_bulk_load_cdt(vertices.collect(), edges, |_| conflicts += 1)
-        .map_err(|_| MapError::Triangulation)?;
-    for (i, piece) in pieces.iter().enumerate() {
-        let [a, b] = piece.nodes.map(|node| spade::handles::FixedVertexHandle::from_index(node as usize));
-        let edge = cdt.get_edge_from_neighbors(a, b).ok_or(MapError::Triangulation)?;
-        let edge = edge.as_undirected().fix();
-        *cdt.undirected_edge_data_mut(edge).data_mut() = EdgeTag(i as u32 + 1);
-    }
-    let complete =
-        conflicts == 0 && cdt.num_constraints() == pieces.len() && cdt.num_vertices() == nodes.len();
-    complete.then_some(cdt).ok_or(MapError::Triangulation)
-}
-
-/// The triangles of `spade`'s structure as flat arrays, in its order.
-fn flatten(cdt: &Cdt, pieces: &[Piece]) -> Triangulation {
-    let points = cdt.vertices().map(|v| v.position());
-    let points = points.map(|p| kurbo::Point::new(p.x - SHIFT_DU, p.y - SHIFT_DU)).collect();
-    let mut half_edge_of = vec![u32::MAX; cdt.num_directed_edges()];
-    let edges = || cdt.inner_faces().flat_map(|face| face.adjacent_edges());
-    for (h, edge) in edges().enumerate() {
-        half_edge_of[edge.fix().index()] = h as u32;
-    }
-    Triangulation::from_half_edges(
-        points,
-        edges().map(|edge| {
-            let side = edge.as_undirected().data().data().0.checked_sub(1).map(|piece| {
-                let from = edge.from().fix().index() as u32;
-                SideId::of(piece as usize, pieces[piece as usize].nodes[0] != from)
-            });
-            (edge.from().fix().index() as u32, half_edge_of[edge.rev().fix().index()], side)
-        }),
-    )
 }

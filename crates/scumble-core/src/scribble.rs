@@ -1,16 +1,85 @@
 //! A scribble: a stroke of colour that a person drew over the lines.
 
-use kurbo::Point;
+use kurbo::{Line, ParamCurveNearest, Point};
 
-use crate::color::Srgb8;
+use crate::color::Paint;
 
 /// A stroke of colour. A single point is a dab.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Scribble {
-    /// The colour as picked.
-    pub color: Srgb8,
+    /// The colour as picked, or nothing.
+    pub color: Paint,
     /// Width of the drawn stroke in du; positive.
     pub width_du: f64,
     /// The pen's way, in du; at least one point, all finite.
     pub points: Vec<Point>,
+}
+
+impl Scribble {
+    /// Whether a straight way touches the stroke as it is drawn, or comes within a distance of it, in du.
+    pub fn is_touched(&self, way: Line, reach_du: f64) -> bool {
+        let most_du = 0.5 * self.width_du + reach_du;
+        let dab = self.points.first().map(|&point| Line::new(point, point));
+        let segments = self.points.windows(2).map(|ends| Line::new(ends[0], ends[1]));
+        dab.into_iter().chain(segments).any(|segment| distance_sq(segment, way) <= most_du * most_du)
+    }
+}
+
+/// The square of the least distance between two segments.
+fn distance_sq(a: Line, b: Line) -> f64 {
+    if cross(a, b) {
+        return 0.0;
+    }
+    let from_ends = |ends: Line, to: Line| distance_sq_to(ends.p0, to).min(distance_sq_to(ends.p1, to));
+    from_ends(a, b).min(from_ends(b, a))
+}
+
+/// Whether each segment has the ends of the other strictly on either side of it.
+fn cross(a: Line, b: Line) -> bool {
+    let parts = |a: Line, b: Line| {
+        let side = |point: Point| (a.p1 - a.p0).cross(point - a.p0);
+        side(b.p0) * side(b.p1) < 0.0
+    };
+    parts(a, b) && parts(b, a)
+}
+
+fn distance_sq_to(point: Point, segment: Line) -> f64 {
+    if segment.p0 == segment.p1 {
+        // Nearest-point search divides by the length.
+        return (point - segment.p0).hypot2();
+    }
+    segment.nearest(point, 0.0).distance_sq
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn scribble(points: &[(f64, f64)]) -> Scribble {
+        Scribble { color: Paint::Clear, width_du: 10.0, points: points.iter().map(|&p| p.into()).collect() }
+    }
+
+    fn way(from: (f64, f64), to: (f64, f64)) -> Line {
+        Line::new(from, to)
+    }
+
+    #[test]
+    fn a_way_touches_what_it_crosses_or_comes_near() {
+        let stroke = scribble(&[(0.0, 0.0), (100.0, 0.0), (100.0, 100.0)]);
+        assert!(stroke.is_touched(way((50.0, -80.0), (50.0, 80.0)), 0.0), "across");
+        assert!(stroke.is_touched(way((10.0, 4.9), (90.0, 4.9)), 0.0), "along its rim");
+        assert!(!stroke.is_touched(way((10.0, 5.1), (90.0, 5.1)), 0.0), "beside it");
+        assert!(stroke.is_touched(way((10.0, 7.9), (90.0, 7.9)), 3.0), "within reach");
+        assert!(stroke.is_touched(way((101.0, 50.0), (101.0, 50.0)), 0.0), "a click");
+        assert!(!stroke.is_touched(way((-8.0, 0.0), (-80.0, 0.0)), 0.0), "beyond its end, in line with it");
+    }
+
+    #[test]
+    fn a_dab_is_touched_like_a_stroke() {
+        let dab = scribble(&[(50.0, 50.0)]);
+        assert!(dab.is_touched(way((50.0, 50.0), (50.0, 50.0)), 0.0));
+        assert!(dab.is_touched(way((0.0, 54.0), (100.0, 54.0)), 0.0));
+        assert!(!dab.is_touched(way((0.0, 56.0), (100.0, 56.0)), 0.0));
+        assert!(!scribble(&[]).is_touched(way((0.0, 0.0), (9.0, 9.0)), 99.0));
+    }
 }

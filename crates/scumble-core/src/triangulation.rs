@@ -67,8 +67,20 @@ impl SideId {
     }
 }
 
-/// Absent neighbour or side in the flat arrays.
+/// Absent neighbour in the flat arrays.
 const NONE: u32 = u32::MAX;
+
+/// What an edge is to the half-edge that asks.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(crate) enum Edge {
+    /// No curve, and no gap.
+    #[default]
+    Plain,
+    /// One side of a piece of curve.
+    Side(SideId),
+    /// A gap, by its index, or a part of one.
+    Gap(u32),
+}
 
 /// Triangles over nodes, some of whose edges are sides of curve pieces.
 #[derive(Clone, Debug, Default)]
@@ -77,7 +89,7 @@ pub struct Triangulation {
     /// The node that each half-edge starts from.
     origins: Vec<u32>,
     twins: Vec<u32>,
-    sides: Vec<u32>,
+    edges: Vec<Edge>,
 }
 
 impl Triangulation {
@@ -91,8 +103,8 @@ impl Triangulation {
         side_of: impl Fn(u32, u32) -> Option<SideId>,
     ) -> Self {
         let origins = triangles.as_flattened().to_vec();
-        let mut mesh =
-            Self { points, twins: vec![NONE; origins.len()], sides: vec![NONE; origins.len()], origins };
+        let edges = vec![Edge::default(); origins.len()];
+        let mut mesh = Self { points, twins: vec![NONE; origins.len()], edges, origins };
         let mut by_ends: Vec<_> = mesh.half_edges().map(|h| (mesh.ends_sorted(h), h)).collect();
         by_ends.sort_unstable();
         for pair in by_ends.windows(2).filter(|pair| pair[0].0 == pair[1].0) {
@@ -101,23 +113,37 @@ impl Triangulation {
         }
         for h in mesh.half_edges() {
             let [a, b] = mesh.ends(h);
-            mesh.sides[h.index()] = side_of(a, b).map_or(NONE, |side| side.0);
+            mesh.edges[h.index()] = side_of(a, b).map_or(Edge::Plain, Edge::Side);
         }
         mesh
     }
 
-    /// Takes half-edges in order, three to a triangle: origin, index of the twin (`u32::MAX` for none), side.
+    /// Takes half-edges in order, three to a triangle: origin, index of the twin (`u32::MAX` for none), edge.
     pub(crate) fn from_half_edges(
         points: Vec<Point>,
-        half_edges: impl Iterator<Item = (u32, u32, Option<SideId>)>,
+        half_edges: impl Iterator<Item = (u32, u32, Edge)>,
     ) -> Self {
         let mut mesh = Self { points, ..Self::default() };
-        for (origin, twin, side) in half_edges {
+        for (origin, twin, edge) in half_edges {
             mesh.origins.push(origin);
             mesh.twins.push(twin);
-            mesh.sides.push(side.map_or(NONE, |side| side.0));
+            mesh.edges.push(edge);
         }
         mesh
+    }
+
+    /// Makes the edges between the given pairs of nodes gaps, in the order of the pairs, and no other edges; sides of
+    /// curves stay what they are.
+    pub(crate) fn mark_gaps(&mut self, pairs: impl Iterator<Item = [u32; 2]>) {
+        let mut by_ends: Vec<_> = (0..).zip(pairs).map(|(gap, [a, b])| ([a.min(b), a.max(b)], gap)).collect();
+        by_ends.sort_unstable();
+        by_ends.dedup_by_key(|(ends, _)| *ends);
+        for h in self.half_edges() {
+            if self.side(h).is_none() {
+                let found = by_ends.binary_search_by_key(&self.ends_sorted(h), |(ends, _)| *ends);
+                self.edges[h.index()] = found.map_or(Edge::Plain, |i| Edge::Gap(by_ends[i].1));
+            }
+        }
     }
 
     /// All nodes, in du.
@@ -167,10 +193,15 @@ impl Triangulation {
 
     /// The side of a curve piece that it is, or `None` for an edge that is no curve.
     pub fn side(&self, h: HalfEdge) -> Option<SideId> {
-        some(self.sides[h.index()]).map(SideId)
+        if let Edge::Side(side) = self.edges[h.index()] { Some(side) } else { None }
     }
 
-    /// The twin, if the edge is no curve: the way from one triangle to the next.
+    /// The gap that it is or is a part of, as an index into [`crate::PlanarMap::gaps`]; `None` for any other edge.
+    pub fn gap(&self, h: HalfEdge) -> Option<u32> {
+        if let Edge::Gap(gap) = self.edges[h.index()] { Some(gap) } else { None }
+    }
+
+    /// The twin, if the edge is no curve: the way from one triangle to the next. Gaps are ways like others.
     pub fn passage(&self, h: HalfEdge) -> Option<HalfEdge> {
         if self.side(h).is_some() { None } else { self.twin(h) }
     }
@@ -178,6 +209,11 @@ impl Triangulation {
     /// Numbers the sets of triangles that are joined without crossing a curve: per triangle its region, counted
     /// from 0 in the order of each region's first triangle; and the number of regions.
     pub fn regions(&self) -> (Vec<u32>, usize) {
+        self.parts(|_| true)
+    }
+
+    /// The same, where passages that `is_open` denies part regions as well.
+    pub(crate) fn parts(&self, is_open: impl Fn(HalfEdge) -> bool) -> (Vec<u32>, usize) {
         let mut region_of = vec![NONE; self.triangle_count()];
         let mut count = 0;
         let mut stack = Vec::new();
@@ -188,7 +224,8 @@ impl Triangulation {
             region_of[first] = count;
             stack.push(first);
             while let Some(t) = stack.pop() {
-                for twin in (0..3).filter_map(|i| self.passage(HalfEdge::of(t, i))) {
+                let ways = (0..3).map(|i| HalfEdge::of(t, i)).filter(|&h| is_open(h));
+                for twin in ways.filter_map(|h| self.passage(h)) {
                     if region_of[twin.triangle()] == NONE {
                         region_of[twin.triangle()] = count;
                         stack.push(twin.triangle());

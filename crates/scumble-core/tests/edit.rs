@@ -1,18 +1,45 @@
 //! Gestures are transactions, and undo goes back by whole gestures.
 
 use kurbo::{Point, Rect};
-use scumble_core::{Blend, Document, Drawing, Editor, Scribble, Srgb8};
+use proptest::prelude::*;
+use scumble_core::{Blend, Document, Drawing, Editor, EngineKind, Paint, Scribble, Settings, Srgb8};
 
 fn editor() -> Editor {
     Editor::new(Document::new(Drawing::new(Rect::new(0.0, 0.0, 72.0, 72.0))))
 }
 
 fn begin(editor: &mut Editor, shade: u8) {
-    editor.begin_scribble(Scribble { color: Srgb8([shade; 3]), width_du: 5.0, points: vec![Point::ZERO] });
+    editor.begin_scribble(Scribble {
+        color: Srgb8([shade; 3]).into(),
+        width_du: 5.0,
+        points: vec![Point::ZERO],
+    });
 }
 
 fn shades(editor: &Editor) -> Vec<u8> {
-    editor.document().scribbles.iter().map(|scribble| scribble.color.0[0]).collect()
+    editor
+        .document()
+        .scribbles
+        .iter()
+        .map(|scribble| match scribble.color {
+            Paint::Color(color) => color.0[0],
+            Paint::Clear => panic!("a colour"),
+        })
+        .collect()
+}
+
+/// An editor with scribbles of shades 0, 1, 2 and so on.
+fn editor_with(count: u8) -> Editor {
+    let mut editor = editor();
+    for shade in 0..count {
+        begin(&mut editor, shade);
+    }
+    editor.commit();
+    editor
+}
+
+fn gap(gap_closing: f64) -> Settings {
+    Settings { gap_closing, ..Settings::default() }
 }
 
 #[test]
@@ -62,10 +89,10 @@ fn a_new_gesture_ends_what_could_be_redone() {
     begin(&mut editor, 1);
     editor.commit();
     editor.undo();
-    editor.set_blend(Blend::Srgb);
+    editor.set_settings(Settings { blend: Blend::Srgb, ..Settings::default() });
     assert!(!editor.can_redo());
     editor.undo();
-    assert_eq!(editor.document().blend, Blend::Oklab);
+    assert_eq!(editor.document().settings, Settings::default());
 }
 
 #[test]
@@ -79,4 +106,187 @@ fn points_that_are_no_numbers_are_left_out() {
     ]);
     editor.commit();
     assert_eq!(editor.document().scribbles[0].points, [Point::ZERO, Point::new(3.0, 3.0)]);
+}
+
+#[test]
+fn scribbles_are_erased_by_their_indices_and_come_back_to_their_places() {
+    let mut editor = editor_with(5);
+    assert_eq!(editor.erase_scribbles(&[3, 0, 3, 7]), 2);
+    assert_eq!(shades(&editor), [1, 2, 4]);
+    editor.undo();
+    assert_eq!(shades(&editor), [0, 1, 2, 3, 4]);
+    editor.redo();
+    assert_eq!(shades(&editor), [1, 2, 4]);
+}
+
+#[test]
+fn a_scribble_is_recoloured_in_its_place() {
+    let mut editor = editor_with(3);
+    editor.recolor_scribble(1, Srgb8([9; 3]).into());
+    assert_eq!(shades(&editor), [0, 9, 2]);
+    editor.undo();
+    assert_eq!(shades(&editor), [0, 1, 2]);
+}
+
+#[test]
+fn a_scribble_moves_to_an_index() {
+    let mut editor = editor_with(4);
+    editor.move_scribble(0, 2);
+    assert_eq!(shades(&editor), [1, 2, 0, 3]);
+    editor.move_scribble(3, 0);
+    assert_eq!(shades(&editor), [3, 1, 2, 0]);
+    editor.undo();
+    editor.undo();
+    assert_eq!(shades(&editor), [0, 1, 2, 3]);
+}
+
+#[test]
+fn what_changes_nothing_is_no_gesture() {
+    let mut editor = editor_with(2);
+    editor.undo();
+    editor.erase_scribbles(&[1, usize::MAX]);
+    editor.recolor_scribble(1, Srgb8([9; 3]).into());
+    editor.recolor_scribble(0, Srgb8([0; 3]).into());
+    editor.move_scribble(0, 1);
+    editor.move_scribble(1, 0);
+    editor.move_scribble(0, 0);
+    editor.set_settings(Settings::default());
+    editor.begin();
+    editor.commit();
+    assert_eq!(shades(&editor), [0]);
+    assert!(editor.can_redo());
+}
+
+#[test]
+fn a_slider_that_is_dragged_is_one_gesture() {
+    let mut editor = editor();
+    editor.begin();
+    for percent in 51..=80 {
+        editor.set_settings(gap(f64::from(percent) / 100.0));
+    }
+    editor.commit();
+    assert_eq!(editor.document().settings, gap(0.8));
+    assert!(editor.undo());
+    assert_eq!(editor.document().settings, gap(0.5));
+    assert!(!editor.can_undo());
+    assert!(editor.redo());
+    assert_eq!(editor.document().settings, gap(0.8));
+}
+
+#[test]
+fn a_slider_that_comes_back_to_where_it_was_has_done_nothing() {
+    let mut editor = editor();
+    editor.begin();
+    assert!(!editor.can_undo());
+    editor.set_settings(gap(0.7));
+    assert!(editor.can_undo());
+    editor.set_settings(gap(0.5));
+    assert!(!editor.can_undo());
+    editor.commit();
+    assert!(!editor.can_undo());
+}
+
+#[test]
+fn a_gesture_takes_its_changes_back_together() {
+    let mut editor = editor_with(4);
+    editor.begin();
+    editor.erase_scribbles(&[1]);
+    editor.erase_scribbles(&[0, 1]);
+    editor.commit();
+    assert_eq!(shades(&editor), [3]);
+    editor.undo();
+    assert_eq!(shades(&editor), [0, 1, 2, 3]);
+    editor.begin();
+    editor.erase_scribbles(&[2]);
+    editor.abort();
+    assert_eq!(shades(&editor), [0, 1, 2, 3]);
+    assert!(editor.can_redo());
+}
+
+/// What a person may do, with indices that may be those of no scribble.
+#[derive(Clone, Debug)]
+enum Act {
+    Scribble(u8),
+    Erase(Vec<usize>),
+    Recolor(usize, u8),
+    Move(usize, usize),
+    Set(Settings),
+    Begin,
+    Commit,
+    Abort,
+    Undo,
+    Redo,
+}
+
+fn settings() -> impl Strategy<Value = Settings> {
+    let engine = prop_oneof![Just(EngineKind::Global), Just(EngineKind::Progressive)];
+    let blend = prop_oneof![Just(Blend::Oklab), Just(Blend::Srgb)];
+    let gap_closing = prop_oneof![Just(0.25), Just(0.5), Just(2.0), Just(f64::NAN)];
+    (blend, engine, gap_closing, any::<bool>()).prop_map(|(blend, engine, gap_closing, spread)| Settings {
+        blend,
+        engine,
+        gap_closing,
+        spread,
+    })
+}
+
+fn act() -> impl Strategy<Value = Act> {
+    prop_oneof![
+        4 => any::<u8>().prop_map(Act::Scribble),
+        2 => prop::collection::vec(0..8_usize, 0..4).prop_map(Act::Erase),
+        2 => (0..8_usize, 0..4_u8).prop_map(|(index, shade)| Act::Recolor(index, shade)),
+        2 => (0..8_usize, 0..8_usize).prop_map(|(from, to)| Act::Move(from, to)),
+        2 => settings().prop_map(Act::Set),
+        1 => Just(Act::Begin),
+        1 => Just(Act::Commit),
+        1 => Just(Act::Abort),
+        2 => Just(Act::Undo),
+        1 => Just(Act::Redo),
+    ]
+}
+
+fn perform(editor: &mut Editor, act: &Act) {
+    match act {
+        Act::Scribble(shade) => begin(editor, *shade),
+        Act::Erase(indices) => assert!(editor.erase_scribbles(indices) <= indices.len()),
+        Act::Recolor(index, shade) => editor.recolor_scribble(*index, Srgb8([*shade; 3]).into()),
+        Act::Move(from, to) => editor.move_scribble(*from, *to),
+        Act::Set(settings) => editor.set_settings(*settings),
+        Act::Begin => editor.begin(),
+        Act::Commit => editor.commit(),
+        Act::Abort => editor.abort(),
+        Act::Undo => assert_eq!(editor.can_undo(), editor.undo()),
+        Act::Redo => assert_eq!(editor.can_redo(), editor.redo()),
+    }
+}
+
+fn source(editor: &Editor) -> (Vec<Scribble>, Settings) {
+    (editor.document().scribbles.clone(), editor.document().settings)
+}
+
+proptest! {
+    #[test]
+    fn undo_goes_back_to_the_start_and_redo_to_the_end(acts in prop::collection::vec(act(), 0..40)) {
+        let mut editor = editor();
+        let start = source(&editor);
+        for act in &acts {
+            perform(&mut editor, act);
+        }
+        editor.commit();
+        while editor.redo() {}
+        let end = source(&editor);
+        let mut ways = vec![end.clone()];
+        while editor.undo() {
+            ways.push(source(&editor));
+        }
+        prop_assert_eq!(ways.pop(), Some(start));
+        prop_assert!(!editor.can_undo());
+        while editor.redo() {
+            if let Some(before) = ways.pop() {
+                prop_assert_eq!(source(&editor), before);
+            }
+        }
+        prop_assert_eq!(source(&editor), end);
+        prop_assert!(!editor.can_redo());
+    }
 }

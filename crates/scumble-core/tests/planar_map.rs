@@ -2,7 +2,7 @@
 
 use kurbo::{BezPath, Circle, Point, Rect, Shape, Stroke};
 use proptest::prelude::*;
-use scumble_core::{Curve, Drawing, Line, PlanarMap, Rgba8, Sampling, Triangulation};
+use scumble_core::{Curve, Drawing, Gap, HalfEdge, Line, PlanarMap, Rgba8, Sampling, Triangulation};
 
 fn drawing(paths: impl IntoIterator<Item = BezPath>) -> Drawing {
     let line = Line { stroke: Stroke::new(4.0), color: Rgba8([0, 0, 0, 255]) };
@@ -121,6 +121,32 @@ fn a_thousand_lines_through_one_point() {
     assert!((0..1000).all(|curve| !map.steps(curve).is_empty()));
 }
 
+#[test]
+fn gaps_are_edges_of_the_map_and_chains_of_short_edges_of_the_refined_one() {
+    let map = map([polyline(&[(100.0, 300.0), (400.0, 310.0)]), polyline(&[(440.0, 303.0), (700.0, 300.0)])]);
+    let end = |curve: usize, p: Point| {
+        let nodes = map.steps(curve).iter().flat_map(|step| map.ends(step.left));
+        let at = |node: &u32| map.triangulation().points()[*node as usize].distance(p);
+        nodes.min_by(|a, b| at(a).total_cmp(&at(b))).expect("a node")
+    };
+    let nodes = [end(0, Point::new(400.0, 310.0)), end(1, Point::new(440.0, 303.0))];
+    let [a, b] = nodes.map(|node| map.triangulation().points()[node as usize]);
+    let map = map.with_gaps(vec![Gap { nodes, width_du: 36.0 }]);
+    assert_sound(&map);
+    let in_gap = |mesh: &Triangulation| {
+        let edges = mesh.half_edges().filter(|&h| mesh.gap(h) == Some(0));
+        edges.map(|h: HalfEdge| mesh.segment(h)).collect::<Vec<_>>()
+    };
+    assert_eq!(in_gap(map.triangulation()).len(), 2);
+    let refined = in_gap(&map.refined());
+    assert_eq!(refined.len(), 2 * 4);
+    for end in refined.iter().flatten() {
+        assert!(((*end - a).cross(b - a) / a.distance(b)).abs() < 1e-9);
+    }
+    assert!(refined.iter().all(|[p, q]| p.distance(*q) < 12.0));
+    assert!(in_gap(map.with_gaps(vec![]).triangulation()).is_empty());
+}
+
 fn coordinate() -> impl Strategy<Value = f64> {
     prop_oneof![
         4 => -50.0..1100.0_f64,
@@ -152,6 +178,18 @@ proptest! {
     #[test]
     fn any_curves_make_a_sound_map(paths in proptest::collection::vec(path(), 0..12)) {
         assert_sound(&map(paths));
+    }
+
+    #[test]
+    fn any_edges_may_be_gaps(paths in proptest::collection::vec(path(), 0..6), every in 1..20_usize) {
+        let map = map(paths);
+        let mesh = map.triangulation();
+        let inner = mesh.half_edges().filter(|&h| mesh.passage(h).is_some_and(|twin| h < twin));
+        let gaps: Vec<_> = inner.step_by(every).map(|h| Gap { nodes: mesh.ends(h), width_du: 1.0 }).collect();
+        let map = map.clone().with_gaps(gaps);
+        assert_sound(&map);
+        let mesh = map.triangulation();
+        prop_assert!((0..map.gaps().len()).all(|gap| mesh.half_edges().filter(|&h| mesh.gap(h) == Some(gap as u32)).count() == 2));
     }
 
     #[test]

@@ -3,7 +3,7 @@
 
 use kurbo::{BezPath, Circle, Point, Rect, Shape};
 use proptest::prelude::*;
-use scumble_core::{Curve, Drawing, Engine, Labels, PlanarMap, Progressive, Sampling, Scribble, Srgb8};
+use scumble_core::{Curve, Drawing, Engine, Labels, Paint, PlanarMap, Progressive, Sampling, Scribble};
 
 fn map(paths: impl IntoIterator<Item = BezPath>) -> PlanarMap {
     let curves = paths.into_iter().map(|path| Curve { path, line: None }).collect();
@@ -27,7 +27,7 @@ fn circle(x: f64, y: f64, radius: f64) -> BezPath {
 }
 
 fn scribble(points: &[(f64, f64)]) -> Scribble {
-    Scribble { color: Srgb8([9, 9, 9]), width_du: 4.0, points: points.iter().map(|&p| p.into()).collect() }
+    Scribble { color: Paint::Clear, width_du: 4.0, points: points.iter().map(|&p| p.into()).collect() }
 }
 
 fn label(map: &PlanarMap, scribbles: &[Scribble]) -> Labels {

@@ -8,7 +8,7 @@ use scumble_solve::{Field, Shape};
 #[repr(C)]
 pub(crate) struct FieldItem {
     corners: [[f32; 2]; 3],
-    colors: [[f32; 3]; 6],
+    colors: [[f32; 4]; 6],
 }
 
 /// Three corners of a shape.
@@ -35,8 +35,8 @@ pub(crate) const FIELD_LAYOUT: wgpu::VertexBufferLayout<'static> = wgpu::VertexB
     array_stride: size_of::<FieldItem>() as u64,
     step_mode: wgpu::VertexStepMode::Instance,
     attributes: &wgpu::vertex_attr_array![
-        0 => Float32x2, 1 => Float32x2, 2 => Float32x2, 3 => Float32x3, 4 => Float32x3,
-        5 => Float32x3, 6 => Float32x3, 7 => Float32x3, 8 => Float32x3,
+        0 => Float32x2, 1 => Float32x2, 2 => Float32x2, 3 => Float32x4, 4 => Float32x4,
+        5 => Float32x4, 6 => Float32x4, 7 => Float32x4, 8 => Float32x4,
     ],
 };
 

@@ -24,12 +24,11 @@ struct Kernel {
     label: &'static str,
     source: &'static str,
     layout: wgpu::VertexBufferLayout<'static>,
-    blend: Option<wgpu::BlendState>,
     depth_write: bool,
     depth_compare: wgpu::CompareFunction,
 }
 
-/// Draws triangles that do not overlap.
+/// Draws triangles that do not overlap, over the paper where they are not opaque.
 pub(crate) fn field(
     device: &wgpu::Device,
     view_layout: &wgpu::BindGroupLayout,
@@ -39,7 +38,6 @@ pub(crate) fn field(
         label: "field",
         source: shaders::FIELD,
         layout: items::FIELD_LAYOUT,
-        blend: None,
         depth_write: false,
         depth_compare: wgpu::CompareFunction::Always,
     };
@@ -56,7 +54,6 @@ pub(crate) fn shape(
         label: "shape",
         source: shaders::SHAPE,
         layout: items::SHAPE_LAYOUT,
-        blend: Some(wgpu::BlendState::PREMULTIPLIED_ALPHA_BLENDING),
         depth_write: true,
         depth_compare: wgpu::CompareFunction::Greater,
     };
@@ -78,7 +75,8 @@ impl Kernel {
             bind_group_layouts: &[Some(view_layout)],
             immediate_size: 0,
         });
-        let target = wgpu::ColorTargetState { format, blend: self.blend, write_mask: wgpu::ColorWrites::ALL };
+        let blend = Some(wgpu::BlendState::PREMULTIPLIED_ALPHA_BLENDING);
+        let target = wgpu::ColorTargetState { format, blend, write_mask: wgpu::ColorWrites::ALL };
         device.create_render_pipeline(&wgpu::RenderPipelineDescriptor {
             label,
             layout: Some(&layout),

@@ -1,7 +1,7 @@
 //! Whether a device draws what it should: a known picture, drawn and read back.
 //!
-//! It holds one of everything: paper, a flat and a curved triangle, the edge between them, a shape that overlaps
-//! itself, a layer over another. Drivers differ most in rounding, multisampling and depth; each has its pixel here.
+//! It holds one of everything: paper, a flat, a curved and a fading triangle, the edge between them, a shape that
+//! overlaps itself, a layer over another. Drivers differ most in rounding, multisampling and depth; each has its pixel here.
 
 use kurbo::Affine;
 use scumble_core::{Blend, Rgba8, Srgb8};
@@ -18,10 +18,11 @@ const SIDE_PX: u32 = 40;
 const LEVELS: u8 = 2;
 
 /// What is looked at: a name, and a pixel well inside of it or on an edge that halves it.
-const SPOTS: [(&str, [u32; 2]); 7] = [
+const SPOTS: [(&str, [u32; 2]); 8] = [
     ("paper", [37, 37]),
     ("a flat triangle", [3, 20]),
     ("a smooth triangle", [20, 3]),
+    ("a fading triangle", [36, 3]),
     ("an edge", [8, 28]),
     ("a translucent shape", [3, 5]),
     ("a shape that overlaps itself", [9, 5]),
@@ -45,7 +46,8 @@ pub fn probe(renderer: &mut Renderer) -> impl Future<Output = Result<(), GpuErro
     async move { compare(&expected, &drawn.await?) }
 }
 
-/// A square of two triangles, one red, one from blue over red to green; its lower edge halves pixels.
+/// A square of two triangles, one red, one from blue over red to green; its lower edge halves pixels. And beside it a
+/// triangle from red to nothing.
 fn field() -> Field {
     let oklab = |rgb| Blend::Oklab.from_srgb8(Srgb8(rgb)).map(|c| c as f32);
     let (red, blue, green) = (oklab(RED.0), oklab([0, 130, 200]), oklab([60, 180, 75]));
@@ -59,7 +61,13 @@ fn field() -> Field {
         colors: [blue, green, red, red, green, blue],
         side_edges: 0b111,
     };
-    Field { blend: Blend::Oklab, triangles: vec![flat, smooth] }
+    let (half, clear) = (red.map(|c| 0.5 * c), [0.0; 4]);
+    let fading = FieldTriangle {
+        corners: [[29.5, 0.5], [39.5, 0.5], [39.5, 10.5]],
+        colors: [red, half, clear, half, half, half],
+        side_edges: 0b111,
+    };
+    Field { blend: Blend::Oklab, triangles: vec![flat, smooth, fading] }
 }
 
 /// A band of two triangles that overlap around x = 9, and a triangle over its right part.

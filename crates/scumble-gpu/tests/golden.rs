@@ -99,7 +99,8 @@ fn flat_regions_have_the_picked_colour_to_the_last_bit() {
 fn a_pixel_whose_centre_is_outside_takes_the_nearest_colour_inside() {
     let Some(mut renderer) = renderer(Rgba8Unorm) else { return };
     let corners = [[10.6, -50.0], [10.9, 10.0], [10.6, 70.0]];
-    let [dark, mid, light] = [100.0, 140.0, 180.0].map(|level: f32| [level / 255.0; 3]);
+    let grey = |level: f32| [level / 255.0, level / 255.0, level / 255.0, 1.0];
+    let [dark, mid, light] = [100.0, 140.0, 180.0].map(grey);
     let colors = [dark, light, dark, mid, mid, dark];
     renderer.set_field(&Field {
         blend: Blend::Srgb,

@@ -49,7 +49,7 @@ impl fmt::Display for ImportNotes {
 pub struct ScribbleNotes {
     /// Fields that no scribble has.
     pub unknown_fields: usize,
-    /// Scribbles whose colour is not `#rrggbb`.
+    /// Scribbles whose colour is neither `#rrggbb` nor `none`.
     pub bad_colors: usize,
     /// Scribbles whose width is zero, negative, or wider than the page.
     pub bad_widths: usize,

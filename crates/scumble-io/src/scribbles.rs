@@ -1,11 +1,11 @@
 //! Scribbles as JSON: `{"scribbles":[{"color":"#rrggbb","width":1.5,"points":[[x,y],…]},…]}`, in page units and in
-//! drawing order.
+//! drawing order. The colour `none` is that of a scribble that keeps its place free.
 
 use std::collections::BTreeMap;
 
 use kurbo::{Affine, Point, Rect};
 use scumble_core::drawing::LONGER_SIDE_DU;
-use scumble_core::{Drawing, Scribble, Srgb8};
+use scumble_core::{Drawing, Paint, Scribble};
 use serde::Deserialize;
 use serde::de::IgnoredAny;
 
@@ -97,7 +97,7 @@ impl Reader {
     /// A scribble in du, or a note on why there is none.
     fn scribble(&mut self, text: ScribbleText) -> Option<Scribble> {
         self.notes.unknown_fields += text.unknown.len();
-        let color = count_none(text.color.parse::<Srgb8>().ok(), &mut self.notes.bad_colors)?;
+        let color = count_none(text.color.parse::<Paint>().ok(), &mut self.notes.bad_colors)?;
         let width_du = text.width * self.du_per_page_unit;
         let usable_width = (width_du > 0.0 && width_du <= LONGER_SIDE_DU).then_some(width_du);
         let width_du = count_none(usable_width, &mut self.notes.bad_widths)?;

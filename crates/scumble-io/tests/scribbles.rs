@@ -1,7 +1,7 @@
 //! What a file of scribbles becomes.
 
 use kurbo::{Point, Rect};
-use scumble_core::{Drawing, Scribble, Srgb8};
+use scumble_core::{Drawing, Paint, Scribble, Srgb8};
 use scumble_io::{ReadScribbles, ScribbleNotes, ScribblesError, read_scribbles};
 
 /// A page on which one page unit is 16 du.
@@ -24,13 +24,21 @@ fn scribbles_are_read_in_order_and_in_du() {
     let json = r##"{"scribbles":[{"color":"#E6194b","width":1.5,"points":[[10,20],[12.5,21]]},
         {"color":"#000000","width":1,"points":[[74,52]]}]}"##;
     let first = Scribble {
-        color: Srgb8([0xe6, 0x19, 0x4b]),
+        color: Srgb8([0xe6, 0x19, 0x4b]).into(),
         width_du: 24.0,
         points: vec![Point::new(0.0, 0.0), Point::new(40.0, 16.0)],
     };
-    let dab = Scribble { color: Srgb8([0; 3]), width_du: 16.0, points: vec![Point::new(1024.0, 512.0)] };
+    let dab =
+        Scribble { color: Srgb8([0; 3]).into(), width_du: 16.0, points: vec![Point::new(1024.0, 512.0)] };
     let expected = ReadScribbles { scribbles: vec![first, dab], notes: ScribbleNotes::default() };
     assert_eq!(read(json), Ok(expected));
+}
+
+#[test]
+fn a_scribble_without_colour_keeps_its_place_free() {
+    let read = read(r#"{"scribbles":[{"color":"none","width":1,"points":[[20,30]]}]}"#).unwrap();
+    assert_eq!(read.scribbles[0].color, Paint::Clear);
+    assert!(read.notes.is_empty());
 }
 
 #[test]
@@ -70,13 +78,16 @@ fn unknown_fields_are_counted_and_ignored() {
 #[test]
 fn faulty_scribbles_are_left_out_and_counted() {
     let json = r##"{"scribbles":[
-        {"color":"red","width":1,"points":[[20,30]]}, {"color":"#12345","width":1,"points":[[20,30]]},
+        {"color":"None","width":1,"points":[[20,30]]}, {"color":"#12345","width":1,"points":[[20,30]]},
         {"color":"#ff0000","width":0,"points":[[20,30]]}, {"color":"#ff0000","width":-1,"points":[[20,30]]},
         {"color":"#ff0000","width":1e308,"points":[[20,30]]},
         {"color":"#ff0000","width":1,"points":[]}, {"color":"#ff0000","width":1,"points":[[200,30],[1e308,30]]},
         {"color":"#00ff00","width":1,"points":[[20,30]]}]}"##;
     let read = read(json).unwrap();
-    assert_eq!(read.scribbles.iter().map(|s| s.color).collect::<Vec<_>>(), [Srgb8([0, 255, 0])]);
+    assert_eq!(
+        read.scribbles.iter().map(|s| s.color).collect::<Vec<_>>(),
+        [Paint::Color(Srgb8([0, 255, 0]))]
+    );
     let notes =
         ScribbleNotes { bad_colors: 2, bad_widths: 3, no_points: 1, off_page: 1, ..ScribbleNotes::default() };
     assert_eq!(read.notes, notes);

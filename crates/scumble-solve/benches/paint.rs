@@ -12,7 +12,7 @@ const CELLS: usize = 100;
 const CELLS_BETWEEN_SIDES: usize = 10;
 
 /// A mesh over the whole picture, in the shape of waves so that its edges lie at every angle.
-fn waves(color_at: impl Fn([f32; 2]) -> [f32; 3]) -> Field {
+fn waves(color_at: impl Fn([f32; 2]) -> [f32; 4]) -> Field {
     let at = |i: usize, j: usize| {
         let [x, y] = [i, j].map(|k| (k as f32 / CELLS as f32 - 0.02) * 1.04 * SIZE as f32);
         [x + 4.0 * (y / 20.0).sin(), y + 4.0 * (x / 20.0).sin()]
@@ -21,7 +21,8 @@ fn waves(color_at: impl Fn([f32; 2]) -> [f32; 3]) -> Field {
     let middle = |a: [f32; 2], b: [f32; 2]| [0.5 * (a[0] + b[0]), 0.5 * (a[1] + b[1])];
     let triangle = |corners: [[f32; 2]; 3], side_edges: u32| {
         let [a, b, c] = corners;
-        let colors = [a, b, c, middle(a, b), middle(b, c), middle(c, a)].map(&color_at);
+        let nodes = [a, b, c, middle(a, b), middle(b, c), middle(c, a)];
+        let colors = nodes.map(&color_at);
         FieldTriangle { corners, colors, side_edges }
     };
     let cell = |(i, j): (usize, usize)| {
@@ -37,7 +38,7 @@ fn waves(color_at: impl Fn([f32; 2]) -> [f32; 3]) -> Field {
 /// Strokes to and fro over the picture.
 fn scribbles() -> Vec<Shape> {
     let stroke = |k: usize| Scribble {
-        color: Srgb8([200, 40, 90]),
+        color: Srgb8([200, 40, 90]).into(),
         width_du: 12.0,
         points: (0..500)
             .map(|i| f64::from(i) * 2.0)
@@ -48,14 +49,21 @@ fn scribbles() -> Vec<Shape> {
 }
 
 fn benches(criterion: &mut Criterion) {
-    let smooth = waves(|[x, y]| [0.6 + 0.2 * (x / 90.0).sin(), 0.1 * (y / 70.0).cos(), 0.0001 * x]);
-    let flat = waves(|_| [0.6, 0.1, 0.05]);
+    let smooth = waves(|[x, y]| [0.6 + 0.2 * (x / 90.0).sin(), 0.1 * (y / 70.0).cos(), 0.0001 * x, 1.0]);
+    let flat = waves(|_| [0.6, 0.1, 0.05, 1.0]);
+    let fading = waves(|[x, y]| {
+        let opacity = 0.5 + 0.5 * (y / 90.0).sin();
+        [0.6 * opacity, 0.1 * opacity, 0.0001 * x * opacity, opacity]
+    });
     let empty = Field::default();
     let scribbles = scribbles();
     let view = View { px_from_du: Affine::IDENTITY, width_px: SIZE, height_px: SIZE };
-    for (name, field, shapes) in
-        [("smooth field", &smooth, &[][..]), ("flat field", &flat, &[]), ("scribbles", &empty, &scribbles)]
-    {
+    for (name, field, shapes) in [
+        ("smooth field", &smooth, &[][..]),
+        ("flat field", &flat, &[]),
+        ("fading field", &fading, &[]),
+        ("scribbles", &empty, &scribbles),
+    ] {
         let scene = Scene { paper: Some(Srgb8([255; 3])), field, shapes };
         criterion.bench_function(name, |bencher| bencher.iter(|| paint(&scene, &view)));
     }

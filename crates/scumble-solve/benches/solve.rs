@@ -2,7 +2,7 @@
 
 use criterion::{BatchSize, Criterion, criterion_group, criterion_main};
 use kurbo::{BezPath, Circle, Line, Rect, Shape};
-use scumble_core::{Blend, Curve, Drawing, PlanarMap, Sampling, SideColors, Triangulation};
+use scumble_core::{Blend, Boundary, Curve, Drawing, PlanarMap, Sampling, Triangulation};
 use scumble_solve::MeshSolver;
 
 /// Rings of circles and lines across them: about 45,000 unknowns, more than nearly all drawings of emoji have.
@@ -14,18 +14,22 @@ fn curves() -> Vec<BezPath> {
 }
 
 /// Waves of colour along all sides.
-fn colored_mesh() -> (Triangulation, SideColors) {
+fn colored_mesh() -> (Triangulation, Boundary) {
     let curves = curves().into_iter().map(|path| Curve { path, line: None }).collect();
     let drawing = Drawing { curves, ..Drawing::new(Rect::new(0.0, 0.0, 1024.0, 1024.0)) };
     let map = PlanarMap::build(&drawing, &Sampling::default()).expect("a map");
-    let wave = |i: usize| [0.5 + 0.5 * (i as f64 / 50.0).sin(), 0.5, 0.5 + 0.5 * (i as f64 / 70.0).cos()];
-    (map.refined(), (0..map.side_count()).map(|i| Some([wave(i), wave(i), wave(i + 1)])).collect())
+    let wave = |i: usize| {
+        let i = i as f64;
+        [0.5 + 0.5 * (i / 50.0).sin(), 0.5 + 0.1 * (i / 60.0).sin(), 0.5 + 0.5 * (i / 70.0).cos(), 1.0]
+    };
+    let sides: Vec<_> = (0..map.side_count()).map(|i| Some([wave(i), wave(i), wave(i + 1)])).collect();
+    (map.refined(), sides.into())
 }
 
 fn stages(c: &mut Criterion) {
     let (mesh, colors) = colored_mesh();
     let mut recolored = colors.clone();
-    recolored.iter_mut().flatten().flatten().for_each(|color| color[1] = 0.0);
+    recolored.sides.iter_mut().flatten().flatten().for_each(|color| color[1] *= 0.5);
     let numbered = || MeshSolver::new(mesh.clone());
     let analysed = || {
         let mut solver = numbered();

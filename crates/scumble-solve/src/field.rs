@@ -17,8 +17,9 @@ pub struct Field {
 pub struct FieldTriangle {
     /// Corners in du, turning left.
     pub corners: [[f32; 2]; 3],
-    /// Blend-space colours at corners 0, 1, 2 and in the middle of edges 01, 12, 20.
-    pub colors: [[f32; 3]; 6],
+    /// Blend-space colours times their opacity, and the opacity, at corners 0, 1, 2 and in the middle of edges 01,
+    /// 12, 20.
+    pub colors: [[f32; 4]; 6],
     /// Bit `i` is set where the edge from corner `i` to corner `i + 1` is a side of a curve: the picture may jump
     /// there, so painters anti-alias these edges and no others.
     pub side_edges: u32,

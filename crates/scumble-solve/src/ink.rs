@@ -6,7 +6,7 @@
 mod soup;
 
 use kurbo::{BezPath, Cap, Join, PathEl, Point, Rect, Shape as _, Stroke};
-use scumble_core::{Drawing, Fill, Line, PlanarMap, Rgba8, Scribble, Srgb8, Triangulation};
+use scumble_core::{Drawing, Fill, Line, Paint, PlanarMap, Rgba8, Scribble, Srgb8, Triangulation};
 
 use crate::scene::Shape;
 use soup::{Pen, Soup, Stop};
@@ -30,6 +30,9 @@ pub fn line_shapes(drawing: &Drawing, map: &PlanarMap, tolerance_du: f64) -> Vec
     shapes
 }
 
+/// How a scribble is drawn that has no colour: mid grey.
+const CLEAR: Srgb8 = Srgb8([128; 3]);
+
 /// A scribble as it was drawn: round caps and joins, a disc for a single point. Round parts lie within
 /// `tolerance_du` of their true place.
 pub fn scribble_shape(scribble: &Scribble, opacity: u8, tolerance_du: f64) -> Shape {
@@ -39,7 +42,10 @@ pub fn scribble_shape(scribble: &Scribble, opacity: u8, tolerance_du: f64) -> Sh
     if let Some(pen) = pen(&stroke, tolerance_du.max(LEAST_TOLERANCE_DU)) {
         pen.draw(&stops, false, &mut triangles);
     }
-    let Srgb8([r, g, b]) = scribble.color;
+    let Srgb8([r, g, b]) = match scribble.color {
+        Paint::Color(color) => color,
+        Paint::Clear => CLEAR,
+    };
     Shape { triangles, color: Rgba8([r, g, b, opacity]) }
 }
 
@@ -281,9 +287,14 @@ mod tests {
 
     #[test]
     fn a_scribble_is_round_and_a_single_point_a_disc() {
-        let scribble = |points| Scribble { color: Srgb8([9, 8, 7]), width_du: 20.0, points };
+        let scribble = |points| Scribble { color: Srgb8([9, 8, 7]).into(), width_du: 20.0, points };
         let disc = scribble_shape(&scribble(vec![Point::new(40.0, 40.0)]), 128, 0.1);
         assert_eq!(disc.color, Rgba8([9, 8, 7, 128]));
+        let clear = Scribble { color: Paint::Clear, ..scribble(vec![Point::new(40.0, 40.0)]) };
+        assert_eq!(
+            scribble_shape(&clear, 77, 0.1),
+            Shape { color: Rgba8([128, 128, 128, 77]), ..disc.clone() }
+        );
         assert_bounds(&disc.triangles, 30.0, 30.0, 50.0, 50.0);
         let hook = scribble(vec![Point::new(40.0, 40.0), Point::new(90.0, 40.0), Point::new(60.0, 40.0)]);
         assert_bounds(&scribble_shape(&hook, 255, 0.1).triangles, 30.0, 30.0, 100.0, 50.0);
@@ -295,7 +306,7 @@ mod tests {
             .map(f64::from)
             .map(|i| Point::new(300.0 + 9.1 * i, 500.0 + 30.0 * (i / 3.0).sin()))
             .collect();
-        let scribble = Scribble { color: Srgb8([9, 8, 7]), width_du: 20.0, points: way.clone() };
+        let scribble = Scribble { color: Srgb8([9, 8, 7]).into(), width_du: 20.0, points: way.clone() };
         let shapes = [scribble_shape(&scribble, 255, 0.1)];
         let scene = Scene { paper: None, field: &Field::default(), shapes: &shapes };
         for (point, zoom) in way.iter().flat_map(|point| [64.0, 2000.0].map(|zoom| (point, zoom))) {
@@ -311,7 +322,7 @@ mod tests {
 
     #[test]
     fn tolerances_of_any_kind_give_bounded_output() {
-        let scribble = Scribble { color: Srgb8([0; 3]), width_du: 500.0, points: vec![Point::ORIGIN] };
+        let scribble = Scribble { color: Srgb8([0; 3]).into(), width_du: 500.0, points: vec![Point::ORIGIN] };
         for tolerance_du in [0.0, -1.0, f64::NAN, 1e9] {
             let count = scribble_shape(&scribble, 255, tolerance_du).triangles.len();
             assert!((4..=256).contains(&count), "{count}");

@@ -3,22 +3,27 @@
 //! Quadratic finite elements on the refined triangulation (after S. Boyé, P. Barla, G. Guennebaud, *A vectorial
 //! solver for free-form vector gradients*, 2012). There is one unknown for each sector of a node, one for each
 //! edge inside a region and one for each side of a curve, so no colour leaks from one side to the other. Coloured
-//! sides are fixed; the others, and the frame, are no-flux barriers. A region without a coloured side stays paper.
+//! sides are fixed; the others, the frame, and closed gaps are no-flux barriers. A region without a coloured side stays
+//! paper.
 //!
-//! Every region is a linear system of its own. Its geometry is looked at once, its matrix is factored when the set
-//! of its coloured sides changes, and a change of colours costs two triangular solves. All arithmetic is scalar
-//! and in a fixed order, so a picture is the same on every machine.
+//! Every region is a linear system of its own. Its geometry is looked at when one of its gaps is closed or opened, its
+//! matrix is factored when the set of its coloured sides changes, and a change of colours costs two triangular
+//! solves. All arithmetic is scalar and in a fixed order, so a picture is the same on every machine.
 
+mod barriers;
 mod dofs;
 mod element;
 mod order;
 mod region;
 mod system;
 
-use scumble_core::{Blend, SideColors, Triangulation};
+use std::mem;
+
+use scumble_core::{Blend, Boundary, Triangulation};
 use thiserror::Error;
 
 use crate::field::Field;
+use barriers::Barriers;
 use region::Region;
 
 /// Why a drawing has no colour field.
@@ -36,20 +41,25 @@ pub enum SolveError {
 
 /// Spreads the colours of sides over a mesh, and remembers what it can for the next time.
 ///
-/// The three stages can be called one by one, with the same colours, to time them; each does the earlier ones if
-/// they are missing, and each looks only at the regions whose colours changed.
+/// The three stages can be called one by one, with the same boundary, to time them; each does the earlier ones if
+/// they are missing, and each looks only at the regions whose boundary changed.
 #[derive(Debug)]
 pub struct MeshSolver {
     mesh: Triangulation,
+    /// As of the last look at the boundary.
+    closed_gaps: Vec<bool>,
+    /// By the first triangle of each.
     regions: Vec<Region>,
     field: Field,
 }
 
 impl MeshSolver {
-    /// Numbers the unknowns of a mesh.
+    /// Numbers the unknowns of a mesh, all gaps being open.
     pub fn new(mesh: Triangulation) -> Self {
-        let regions = dofs::number(&mesh).into_iter().map(Region::new).collect();
-        Self { mesh, regions, field: Field::default() }
+        let triangles: Vec<_> = (0..mesh.triangle_count() as u32).collect();
+        let mut solver = Self { mesh, closed_gaps: Vec::new(), regions: Vec::new(), field: Field::default() };
+        solver.regions = solver.numbered(&triangles);
+        solver
     }
 
     /// Number of triangles of the mesh.
@@ -62,42 +72,110 @@ impl MeshSolver {
         self.regions.iter().map(Region::unknown_count).sum()
     }
 
-    /// Sets up the systems of the regions whose set of coloured sides changed.
-    ///
-    /// Sides that `colors` is too short for have no colour.
-    pub fn analyse(&mut self, colors: &SideColors) {
+    /// Sets up the systems of the regions whose gaps or set of coloured sides changed.
+    pub fn analyse(&mut self, boundary: &Boundary) {
+        self.close_gaps(&boundary.closed_gaps);
         for region in &mut self.regions {
-            region.analyse(&self.mesh, colors);
+            region.analyse(&self.mesh, &boundary.sides);
         }
+    }
+
+    /// Numbers the regions anew that have a part in a gap which was closed or opened.
+    fn close_gaps(&mut self, closed_gaps: &[bool]) {
+        let is_changed = differences(&self.closed_gaps, closed_gaps);
+        if !is_changed.contains(&true) {
+            return;
+        }
+        self.closed_gaps = closed_gaps.to_vec();
+        let regions = mem::take(&mut self.regions).into_iter();
+        let (touched, kept): (Vec<_>, Vec<_>) = regions.partition(|region| region.touches(&is_changed));
+        let mut triangles: Vec<_> = touched.iter().flat_map(Region::triangles).copied().collect();
+        triangles.sort_unstable();
+        self.regions = kept;
+        self.regions.extend(self.numbered(&triangles));
+        self.regions.sort_by_key(|region| region.triangles().first().copied());
+    }
+
+    fn numbered(&self, triangles: &[u32]) -> Vec<Region> {
+        dofs::number(self.barriers(), triangles).into_iter().map(Region::new).collect()
+    }
+
+    fn barriers(&self) -> Barriers<'_> {
+        Barriers { mesh: &self.mesh, closed_gaps: &self.closed_gaps }
     }
 
     /// Factors the systems that are not factored yet.
     ///
     /// # Errors
     /// See [`SolveError`].
-    pub fn factor(&mut self, colors: &SideColors) -> Result<(), SolveError> {
-        self.analyse(colors);
+    pub fn factor(&mut self, boundary: &Boundary) -> Result<(), SolveError> {
+        self.analyse(boundary);
         self.regions.iter_mut().try_for_each(Region::factor)
     }
 
-    /// The colour field. `colors` are in the space `blend`; every value lies within the range of the colours that
-    /// are given to its region, channel by channel, and is exact where that is a single colour.
+    /// The colour field. The colours of the sides are in the space `blend`; every value lies within the range of the
+    /// colours that are given to its region, channel by channel, and is exact where that is a single colour. Regions
+    /// that are clear have no triangles.
     ///
     /// # Errors
     /// See [`SolveError`].
-    pub fn solve(&mut self, colors: &SideColors, blend: Blend) -> Result<&Field, SolveError> {
-        self.factor(colors)?;
+    pub fn solve(&mut self, boundary: &Boundary, blend: Blend) -> Result<&Field, SolveError> {
+        self.factor(boundary)?;
         let mut changed = false;
         for region in &mut self.regions {
             changed |= region.solve();
         }
         if changed {
-            self.field.triangles.clear();
-            for region in &self.regions {
-                region.emit(&self.mesh, &mut self.field.triangles);
-            }
+            let mut triangles = mem::take(&mut self.field.triangles);
+            triangles.clear();
+            self.regions.iter().for_each(|region| region.emit(self.barriers(), &mut triangles));
+            self.field.triangles = triangles;
         }
         self.field.blend = blend;
         Ok(&self.field)
+    }
+}
+
+/// Where two lists differ, each taken to go on with `false`.
+fn differences(a: &[bool], b: &[bool]) -> Vec<bool> {
+    let at = |list: &[bool], i: usize| list.get(i).copied().unwrap_or(false);
+    (0..a.len().max(b.len())).map(|i| at(a, i) != at(b, i)).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use kurbo::{Circle, Line, Rect, Shape};
+    use scumble_core::{Curve, Drawing, Gap, PlanarMap, Sampling};
+
+    /// A circle with two lines in it, with a gap between them, and a circle elsewhere.
+    fn map() -> PlanarMap {
+        let circles = [(300.0, 300.0), (800.0, 800.0)].map(|at| Circle::new(at, 200.0).to_path(1e-6));
+        let lines = [(100.0, 290.0), (310.0, 500.0)]
+            .map(|(x0, x1)| Line::new((x0, 300.0), (x1, 300.0)).to_path(1e-6));
+        let curves = circles.into_iter().chain(lines).map(|path| Curve { path, line: None }).collect();
+        let drawing = Drawing { curves, ..Drawing::new(Rect::new(0.0, 0.0, 1024.0, 1024.0)) };
+        let map = PlanarMap::build(&drawing, &Sampling::default()).expect("a map");
+        let (last, first) = (map.steps(2).last().expect("a step"), map.steps(3).first().expect("a step"));
+        let nodes = [map.ends(last.left)[1], map.ends(first.left)[0]];
+        map.with_gaps(vec![Gap { nodes, width_du: 20.0 }])
+    }
+
+    #[test]
+    fn only_the_regions_at_a_gap_lose_their_factors() {
+        let map = map();
+        let sides = (0..map.side_count()).map(|i| Some([[i as f64; 4]; 3])).collect::<Vec<_>>();
+        let mut solver = MeshSolver::new(map.refined());
+        let mut factored_after = |closed: bool| {
+            let boundary = Boundary { sides: sides.clone(), closed_gaps: vec![closed] };
+            solver.close_gaps(&boundary.closed_gaps);
+            let kept = solver.regions.iter().filter(|region| region.is_factored()).count();
+            solver.factor(&boundary).expect("factors");
+            (kept, solver.regions.len())
+        };
+        assert_eq!(
+            [false, false, true, true, false].map(&mut factored_after),
+            [(0, 3), (3, 3), (2, 4), (4, 4), (2, 3)]
+        );
     }
 }

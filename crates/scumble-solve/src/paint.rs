@@ -6,11 +6,12 @@
 //!   holds the pixel's centre, at that centre. The quadratic is evaluated in the blend space; for OKLab its cone
 //!   responses are cubed and taken to linear sRGB; each channel is clamped to `0..=1`, given the sRGB transfer
 //!   function and rounded to the nearest of 255 levels. A triangle whose colours differ by less than 1e-6 has one
-//!   colour.
+//!   colour. Colours are blended times their opacity, and divided by the opacity that comes out; where it is below 1,
+//!   the paper shows through in straight sRGB values.
 //! - **Rim pixels**, which a side passes through, are the mean of 16 samples on a rotated grid. All samples that one
 //!   triangle covers have the 8-bit colour that it has at the pixel's centre, its negative corner weights taken as
 //!   zero (and the others scaled to a sum of 1); samples without a triangle are paper. The mean is of 8-bit sRGB
-//!   values; over transparent paper it is weighted by coverage, and the coverage is the alpha.
+//!   values, weighted by opacity; over transparent paper the mean opacity is the alpha.
 //! - **Shapes** cover the samples that any of their triangles covers, and are mixed in with straight sRGB values,
 //!   opacity times coverage, in order.
 //!

@@ -2,8 +2,7 @@
 //! changed.
 
 use scumble_core::{
-    Blend, Document, Drawing, Engine, MapError, PlanarMap, Sampling, Scribble, SideColors, Sight,
-    color_spans, side_colors,
+    Boundary, Document, Drawing, Engine, Labels, MapError, PlanarMap, Sampling, Scribble, Settings, boundary,
 };
 
 use crate::field::Field;
@@ -16,7 +15,9 @@ use crate::mesh::{MeshSolver, SolveError};
 #[derive(Debug)]
 pub struct Picture {
     map: PlanarMap,
-    engine: Sight,
+    /// The engine and the settings that it was made for.
+    engine: Box<dyn Engine>,
+    settings: Settings,
     solver: Option<MeshSolver>,
 }
 
@@ -26,8 +27,9 @@ impl Picture {
     /// # Errors
     /// When the drawing has too many pieces.
     pub fn new(drawing: &Drawing) -> Result<Self, MapError> {
-        let map = PlanarMap::build(drawing, &Sampling::default())?;
-        Ok(Self { map, engine: Sight::default(), solver: None })
+        let settings = Settings::default();
+        let map = PlanarMap::build(drawing, &Sampling::default())?.with_gaps_closed(settings.gap_closing);
+        Ok(Self { map, engine: settings.engine(), settings, solver: None })
     }
 
     /// The planar map of the drawing.
@@ -41,14 +43,24 @@ impl Picture {
         self.solver.get_or_insert_with(|| MeshSolver::new(map.refined()))
     }
 
-    /// The colours that scribbles give the sides.
-    pub fn color(&mut self, scribbles: &[Scribble], blend: Blend) -> SideColors {
-        let labels = self.engine.label(&self.map, scribbles);
-        let color_of = |side: scumble_core::SideId| {
-            let label = labels.sides.get(side.index()).copied().flatten()?;
-            scribbles.get(label as usize).map(|scribble| scribble.color)
-        };
-        side_colors(&self.map, &color_spans(&self.map, color_of), blend)
+    /// The labels of the sides and gaps.
+    pub fn label(&mut self, scribbles: &[Scribble], settings: &Settings) -> Labels {
+        let known = std::mem::replace(&mut self.settings, *settings);
+        if known.gap_closing != settings.gap_closing {
+            // Other gaps make another map: all that was derived from it begins anew.
+            self.map = self.map.clone().with_gaps_closed(settings.gap_closing);
+            self.solver = None;
+            self.engine = settings.engine();
+        } else if !known.share_engine(settings) {
+            self.engine = settings.engine();
+        }
+        self.engine.label(&self.map, scribbles)
+    }
+
+    /// The colours that scribbles give the sides, and the gaps that they leave closed.
+    pub fn color(&mut self, scribbles: &[Scribble], settings: &Settings) -> Boundary {
+        let labels = self.label(scribbles, settings);
+        boundary(&self.map, &labels, scribbles, settings.blend)
     }
 
     /// The colour field of a document with the drawing that this picture was made for.
@@ -56,7 +68,7 @@ impl Picture {
     /// # Errors
     /// When the solver fails.
     pub fn update(&mut self, document: &Document) -> Result<&Field, SolveError> {
-        let colors = self.color(&document.scribbles, document.blend);
-        self.mesh().solve(&colors, document.blend)
+        let boundary = self.color(&document.scribbles, &document.settings);
+        self.mesh().solve(&boundary, document.settings.blend)
     }
 }

@@ -8,7 +8,7 @@
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 use kurbo::{Arc, BezPath, Circle, Line, Point, Rect, Shape, Vec2};
-use scumble_core::{Blend, Curve, Drawing, PlanarMap, Sampling, SideColors};
+use scumble_core::{Blend, Boundary, Curve, Drawing, PlanarMap, Sampling};
 use scumble_solve::{Field, FieldTriangle, MeshSolver};
 
 const CENTRE: Point = Point::new(512.0, 512.0);
@@ -34,10 +34,10 @@ impl Problem<'_> {
         let chord_du = Sampling::default().chord_du * spacing_du / DEFAULT_DU;
         let map = PlanarMap::build(&drawing, &Sampling { spacing_du, chord_du }).expect("a map");
         let mut solver = MeshSolver::new(map.refined());
-        solver.solve(&self.colors(&map), Blend::Srgb).expect("a field").clone()
+        solver.solve(&self.boundary(&map), Blend::Srgb).expect("a field").clone()
     }
 
-    fn colors(&self, map: &PlanarMap) -> SideColors {
+    fn boundary(&self, map: &PlanarMap) -> Boundary {
         let mut colors = vec![None; map.side_count()];
         for curve in 0..map.curve_count() {
             for side in map.steps(curve).iter().flat_map(|step| [step.left, step.left.opposite()]) {
@@ -47,10 +47,10 @@ impl Problem<'_> {
                 colors[side.index()] = start
                     .zip(middle)
                     .zip(end)
-                    .map(|((start, middle), end)| [start, middle, end].map(|v| [v; 3]));
+                    .map(|((start, middle), end)| [start, middle, end].map(|v| [v, v, v, 1.0]));
             }
         }
-        colors
+        colors.into()
     }
 
     /// The largest error at the nodes of the field and at points within its triangles.
@@ -295,7 +295,7 @@ fn a_diagonal_with_two_colours_leaks_nothing_at_all() {
     };
     for triangle in &problem.solve(DEFAULT_DU).triangles {
         let color = colors[usize::from(above(at(triangle, [1.0 / 3.0; 3])))] as f32;
-        assert_eq!(triangle.colors, [[color; 3]; 6]);
+        assert_eq!(triangle.colors, [[color, color, color, 1.0]; 6]);
     }
 }
 

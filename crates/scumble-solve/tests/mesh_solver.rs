@@ -3,7 +3,7 @@
 use kurbo::{BezPath, Circle, Line, Point, Rect, Shape};
 use proptest::prelude::*;
 use scumble_core::{
-    Blend, BlendColor, Curve, Drawing, PlanarMap, Sampling, SideColors, SideId, Triangulation,
+    Blend, BlendColor, Boundary, Curve, Drawing, PlanarMap, Sampling, SideColors, SideId, Triangulation,
 };
 use scumble_solve::{Field, FieldTriangle, MeshSolver, SolveError};
 
@@ -16,7 +16,15 @@ fn map(curves: impl IntoIterator<Item = BezPath>) -> PlanarMap {
 }
 
 fn solved(map: &PlanarMap, colors: &SideColors) -> Field {
-    MeshSolver::new(map.refined()).solve(colors, Blend::Srgb).expect("a field").clone()
+    MeshSolver::new(map.refined()).solve(&colors.clone().into(), Blend::Srgb).expect("a field").clone()
+}
+
+fn opaque([a, b, c]: [f64; 3]) -> BlendColor {
+    [a, b, c, 1.0]
+}
+
+fn grey(value: f64) -> BlendColor {
+    opaque([value; 3])
 }
 
 fn centre(triangle: &FieldTriangle) -> Point {
@@ -24,7 +32,7 @@ fn centre(triangle: &FieldTriangle) -> Point {
     ((a.to_vec2() + b.to_vec2() + c.to_vec2()) / 3.0).to_point()
 }
 
-fn all_colors(field: &Field) -> impl Iterator<Item = [f32; 3]> + '_ {
+fn all_colors(field: &Field) -> impl Iterator<Item = [f32; 4]> + '_ {
     field.triangles.iter().flat_map(|triangle| triangle.colors)
 }
 
@@ -49,10 +57,45 @@ fn a_drawing_without_colour_is_paper() {
 }
 
 #[test]
+fn a_region_with_clear_sides_alone_is_paper() {
+    let (middle, radius) = (Point::new(500.0, 500.0), 200.0);
+    let map = map([Circle::new(middle, radius).to_path(1e-6)]);
+    let inside = |p: Point| p.distance(middle) < radius;
+    let field = solved(&map, &flat_colors(&map, |p| Some(if inside(p) { [0.0; 4] } else { grey(0.5) })));
+    assert!(!field.triangles.is_empty() && !field.triangles.iter().any(|triangle| inside(centre(triangle))));
+}
+
+#[test]
+fn towards_a_clear_side_a_colour_fades_evenly_and_keeps_its_hue() {
+    let color = Blend::Oklab.from_srgb8("#e6194b".parse().expect("a colour"));
+    let map = map([200.0, 800.0].map(|y| Line::new((0.0, y), (1024.0, y)).to_path(1e-6)));
+    let mut colors = vec![None; map.side_count()];
+    for (curve, color) in [color, [0.0; 4]].into_iter().enumerate() {
+        for step in map.steps(curve) {
+            let inner = if curve == 0 { step.left } else { step.left.opposite() };
+            colors[inner.index()] = Some([color; 3]);
+        }
+    }
+    let field = solved(&map, &colors);
+    let nodes = field.triangles.iter().flat_map(|t| t.corners.into_iter().zip(t.colors));
+    let mut by_height: Vec<_> = nodes.map(|([_, y], color)| (y, color)).collect();
+    by_height.sort_by(|a, b| a.0.total_cmp(&b.0));
+    assert_eq!((by_height[0].1[3], by_height[by_height.len() - 1].1), (1.0, [0.0; 4]));
+    for pair in by_height.windows(2) {
+        assert!(pair[1].1[3] <= pair[0].1[3] + 1e-6, "{pair:?}");
+    }
+    for (y, [a, b, c, opacity]) in by_height {
+        assert!((opacity - (800.0 - y) / 600.0).abs() < 1e-3, "{y} {opacity}");
+        let straight = [a, b, c].map(|channel| f64::from(channel / opacity.max(0.01)));
+        assert!(opacity < 0.01 || (0..3).all(|i| (straight[i] - color[i]).abs() < 1e-4), "{y}");
+    }
+}
+
+#[test]
 fn sides_beyond_the_end_of_the_colours_have_none() {
     let map = map([Circle::new((500.0, 500.0), 200.0).to_path(1e-6)]);
     assert!(solved(&map, &Vec::new()).triangles.is_empty());
-    let full = flat_colors(&map, |_| Some([0.1, 0.2, 0.3]));
+    let full = flat_colors(&map, |_| Some(opaque([0.1, 0.2, 0.3])));
     assert!(!solved(&map, &full[..full.len() / 2].to_vec()).triangles.is_empty());
 }
 
@@ -71,9 +114,9 @@ fn one_colour_fills_its_region_to_the_last_bit_and_no_other() {
 fn a_coloured_side_that_is_alone_in_its_region_gives_that_colour_everywhere() {
     let map = map([Line::new((300.0, 300.0), (320.0, 300.0)).to_path(1e-6)]);
     let mut colors = vec![None; map.side_count()];
-    colors[map.steps(0)[0].left.index()] = Some([[0.1, 0.7, 0.3]; 3]);
+    colors[map.steps(0)[0].left.index()] = Some([opaque([0.1, 0.7, 0.3]); 3]);
     let field = solved(&map, &colors);
-    assert!(all_colors(&field).all(|color| color == [0.1, 0.7, 0.3]));
+    assert!(all_colors(&field).all(|color| color == [0.1, 0.7, 0.3, 1.0]));
     assert_eq!(field.triangles.len(), map.refined().triangle_count());
 }
 
@@ -83,8 +126,8 @@ fn at_the_tip_of_a_curve_its_two_sides_meet_in_their_mean() {
     let map = map([Line::new(tips[0], tips[1]).to_path(1e-6)]);
     let mut colors = vec![None; map.side_count()];
     for step in map.steps(0) {
-        colors[step.left.index()] = Some([[0.0; 3]; 3]);
-        colors[step.left.opposite().index()] = Some([[1.0; 3]; 3]);
+        colors[step.left.index()] = Some([grey(0.0); 3]);
+        colors[step.left.opposite().index()] = Some([grey(1.0); 3]);
     }
     let at = |p: Point| {
         let triangles = solved(&map, &colors).triangles;
@@ -93,17 +136,17 @@ fn at_the_tip_of_a_curve_its_two_sides_meet_in_their_mean() {
     };
     for tip in tips {
         let colors: Vec<_> = at(tip);
-        assert!(!colors.is_empty() && colors.iter().all(|&color| color == [0.5; 3]));
+        assert!(!colors.is_empty() && colors.iter().all(|&color| color == [0.5, 0.5, 0.5, 1.0]));
     }
     let node = map.ends(map.steps(0)[1].left)[0];
     let colors: Vec<_> = at(map.triangulation().points()[node as usize]);
-    assert!(colors.contains(&[0.0; 3]) && colors.contains(&[1.0; 3]));
+    assert!(colors.contains(&[0.0, 0.0, 0.0, 1.0]) && colors.contains(&[1.0; 4]));
 }
 
 #[test]
 fn side_edges_are_those_along_curves_and_the_frame() {
     let map = map([Line::new((0.0, 500.0), (1024.0, 500.0)).to_path(1e-6)]);
-    let field = solved(&map, &flat_colors(&map, |_| Some([0.5; 3])));
+    let field = solved(&map, &flat_colors(&map, |_| Some(grey(0.5))));
     for triangle in &field.triangles {
         for i in 0..3 {
             let (a, b) = (triangle.corners[i], triangle.corners[(i + 1) % 3]);
@@ -130,7 +173,7 @@ fn the_counts_are_those_of_the_mesh() {
 
 /// A strip of triangles whose lower nodes are at the given heights below its upper edge. Its left end is black, its
 /// right end white.
-fn strip(depths: &[f64]) -> (Triangulation, SideColors) {
+fn strip(depths: &[f64]) -> (Triangulation, Boundary) {
     let columns = depths.len() as u32;
     let upper = (0..columns).map(|i| Point::new(f64::from(i), 1.0));
     let lower = depths.iter().enumerate().map(|(i, depth)| Point::new(i as f64, 1.0 - depth));
@@ -144,15 +187,15 @@ fn strip(depths: &[f64]) -> (Triangulation, SideColors) {
         _ => None,
     };
     let mesh = Triangulation::new(upper.chain(lower).collect(), &cells.collect::<Vec<_>>(), side);
-    (mesh, vec![Some([[0.0; 3]; 3]), Some([[1.0; 3]; 3])])
+    (mesh, vec![Some([grey(0.0); 3]), Some([grey(1.0); 3])].into())
 }
 
 #[test]
 fn triangles_without_area_do_no_harm() {
     for least in [0.0, 1e-300, 1e-18, 1e-9, 1e-4] {
-        let (mesh, colors) = strip(&[1.0, least, 1.0, 1e-5, least, least, 2.0]);
+        let (mesh, boundary) = strip(&[1.0, least, 1.0, 1e-5, least, least, 2.0]);
         let mut solver = MeshSolver::new(mesh);
-        let field = solver.solve(&colors, Blend::Srgb).expect("a field");
+        let field = solver.solve(&boundary, Blend::Srgb).expect("a field");
         assert_eq!(field.triangles.len(), 12);
         assert!(all_colors(field).flatten().all(|c| (0.0..=1.0).contains(&c)));
     }
@@ -161,8 +204,8 @@ fn triangles_without_area_do_no_harm() {
 #[test]
 fn corners_that_are_not_finite_are_an_error() {
     for bad in [f64::NAN, f64::INFINITY, 1e200] {
-        let (mesh, colors) = strip(&[1.0, bad, 1.0]);
-        assert_eq!(MeshSolver::new(mesh).solve(&colors, Blend::Srgb), Err(SolveError::NotPositive));
+        let (mesh, boundary) = strip(&[1.0, bad, 1.0]);
+        assert_eq!(MeshSolver::new(mesh).solve(&boundary, Blend::Srgb), Err(SolveError::NotPositive));
     }
 }
 
@@ -170,8 +213,8 @@ fn corners_that_are_not_finite_are_an_error() {
 fn a_triangle_with_three_colours_has_nothing_to_solve() {
     let corners = [(0.0, 0.0), (1.0, 0.0), (0.0, 1.0)].map(Point::from);
     let mesh = Triangulation::new(corners.to_vec(), &[[0, 1, 2]], |a, _| Some(SideId(a)));
-    let colors = [0.0, 0.5, 1.0].map(|value| Some([[value; 3]; 3])).to_vec();
-    let field = MeshSolver::new(mesh).solve(&colors, Blend::Srgb).expect("a field").clone();
+    let colors = [0.0, 0.5, 1.0].map(|value| Some([grey(value); 3])).to_vec();
+    let field = MeshSolver::new(mesh).solve(&colors.into(), Blend::Srgb).expect("a field").clone();
     let values = field.triangles[0].colors.map(|color| color[0]);
     assert_eq!(values, [0.5, 0.25, 0.75, 0.0, 0.5, 1.0]);
 }
@@ -187,7 +230,8 @@ fn curves() -> impl Strategy<Value = Vec<BezPath>> {
 
 /// Colours for as many sides as there are, in runs, some without colour.
 fn colorings() -> impl Strategy<Value = Vec<Option<[BlendColor; 3]>>> {
-    let color = || prop_oneof![Just([0.0; 3]), Just([1.0, 0.5, 0.25]), [0.0..1.0_f64, 0.0..1.0, 0.0..1.0]];
+    let any = [0.0..1.0_f64, 0.0..1.0, 0.0..1.0].prop_map(opaque);
+    let color = || prop_oneof![Just([0.0; 4]), Just(opaque([1.0, 0.5, 0.25])), any.clone()];
     let flat = color().prop_map(|color| Some([color; 3]));
     let side = prop_oneof![1 => Just(None), 2 => flat, 2 => [color(), color(), color()].prop_map(Some)];
     proptest::collection::vec((side, 1..40_usize), 1..12)
@@ -215,7 +259,7 @@ proptest! {
     #[test]
     fn one_colour_on_any_sides_is_that_colour_everywhere(curves in curves(), coloring in colorings()) {
         let map = map(curves);
-        let color = [0.123_456_789, 0.3, 0.7];
+        let color = opaque([0.123_456_789, 0.3, 0.7]);
         let colors: SideColors = repeated(&coloring, &map).into_iter().map(|side| side.map(|_| [color; 3])).collect();
         prop_assert!(all_colors(&solved(&map, &colors)).all(|c| c == color.map(|channel| channel as f32)));
     }
@@ -223,8 +267,9 @@ proptest! {
     #[test]
     fn colours_scale(curves in curves(), coloring in colorings(), scale in 0.1..4.0_f64, shift in -1.0..1.0_f64) {
         let map = map(curves);
-        let colors = repeated(&coloring, &map);
-        let scaled: SideColors = colors.iter().map(|side| side.map(|side| side.map(|color| color.map(|c| scale * c + shift)))).collect();
+        let of_side = |side: [BlendColor; 3], f: &dyn Fn(f64) -> f64| side.map(|[a, b, c, _]| opaque([a, b, c].map(f)));
+        let mapped = |f: &dyn Fn(f64) -> f64| repeated(&coloring, &map).into_iter().map(|side| side.map(|side| of_side(side, f))).collect();
+        let (colors, scaled): (SideColors, SideColors) = (mapped(&|c| c), mapped(&|c| scale * c + shift));
         for (a, b) in all_colors(&solved(&map, &colors)).zip(all_colors(&solved(&map, &scaled))) {
             for i in 0..3 {
                 prop_assert!((scale * f64::from(a[i]) + shift - f64::from(b[i])).abs() < 1e-5);
@@ -240,7 +285,7 @@ proptest! {
         let field = |value: &dyn Fn(Point) -> f64| {
             let side = |i: usize| {
                 let [a, b] = map.ends(SideId(i as u32)).map(|node| map.triangulation().points()[node as usize]);
-                colored[i].map(|_| [a, a.midpoint(b), b].map(|p| [value(p); 3]))
+                colored[i].map(|_| [a, a.midpoint(b), b].map(|p| grey(value(p))))
             };
             solved(&map, &(0..map.side_count()).map(side).collect())
         };
@@ -255,10 +300,11 @@ proptest! {
     fn stages_make_no_difference(curves in curves(), coloring in colorings()) {
         let map = map(curves);
         let colors = repeated(&coloring, &map);
+        let boundary = colors.clone().into();
         let mut staged = MeshSolver::new(map.refined());
-        staged.analyse(&colors);
-        prop_assert_eq!(staged.factor(&colors), Ok(()));
-        prop_assert_eq!(staged.solve(&colors, Blend::Srgb), Ok(&solved(&map, &colors)));
+        staged.analyse(&boundary);
+        prop_assert_eq!(staged.factor(&boundary), Ok(()));
+        prop_assert_eq!(staged.solve(&boundary, Blend::Srgb), Ok(&solved(&map, &colors)));
     }
 
     #[test]
@@ -267,7 +313,7 @@ proptest! {
         let mut solver = MeshSolver::new(map.refined());
         for coloring in colorings.iter().chain(&colorings) {
             let colors = repeated(coloring, &map);
-            prop_assert_eq!(solver.solve(&colors, Blend::Srgb), Ok(&solved(&map, &colors)));
+            prop_assert_eq!(solver.solve(&colors.clone().into(), Blend::Srgb), Ok(&solved(&map, &colors)));
         }
     }
 

@@ -60,7 +60,8 @@ impl App {
         Ok(Self { shared: Rc::new(RefCell::new(shared)) })
     }
 
-    /// Takes pointer samples (see [`Session::pointer`]) of a phase: "down", "move", "up" or "cancel".
+    /// Takes pointer samples (see [`Session::pointer`]) of a phase: "down", "erase", "move", "up"
+    /// or "cancel".
     ///
     /// # Errors
     /// For a phase of another name.

@@ -4,12 +4,12 @@
 
 use js_sys::{Array, Float64Array, Object, Reflect, Uint8Array};
 use kurbo::{Point, Vec2};
-use scumble_core::{Blend, Srgb8};
+use scumble_core::{Blend, EngineKind, Paint, Settings, Srgb8};
 use scumble_io::MAX_FILE_BYTES;
 use scumble_solve::Pixmap;
 use wasm_bindgen::{JsCast, JsValue};
 
-use crate::command::{Command, ViewChange};
+use crate::command::{Command, Setting, Tool, ViewChange};
 use crate::effect::Effect;
 
 /// The command of a name, or `None` where there is none of it that takes these arguments.
@@ -19,14 +19,19 @@ pub(crate) fn command_from_js(name: &str, args: &JsValue) -> Option<Command> {
             name: field(args, "name").as_string()?,
             bytes: file(&field(args, "bytes").dyn_into().ok()?),
         },
-        "color" => Command::Color(color(args)?),
+        "tool" => Command::Tool(tool_from_name(&args.as_string()?)?),
+        "color" => Command::Color(paint(args)?),
         "swap-colors" => Command::SwapColors,
         "brush-size" => Command::BrushSize(args.as_f64()?),
         "brush-larger" => Command::BrushLarger,
         "brush-smaller" => Command::BrushSmaller,
         "undo" => Command::Undo,
         "redo" => Command::Redo,
-        "blend" => Command::Blend(blend_from_name(&args.as_string()?)?),
+        "blend" => Command::Set(Setting::Blend(blend_from_name(&args.as_string()?)?)),
+        "engine" => Command::Set(Setting::Engine(engine_from_name(&args.as_string()?)?)),
+        "gap-closing" => Command::Set(Setting::GapClosing(args.as_f64()?)),
+        "spread" => Command::Set(Setting::Spread(args.as_bool()?)),
+        "settle" => Command::Settle,
         "lines" => Command::Lines(args.as_bool()?),
         "scribbles" => Command::Scribbles(args.as_bool()?),
         "desk" => Command::Desk(color(args)?),
@@ -66,6 +71,11 @@ pub(crate) fn color(value: &JsValue) -> Option<Srgb8> {
     value.as_string()?.parse().ok()
 }
 
+/// A colour written as #rrggbb, or none.
+fn paint(value: &JsValue) -> Option<Paint> {
+    value.as_string()?.parse().ok()
+}
+
 /// The bytes of a file, or so many of them that it is plain that there are too many.
 fn file(bytes: &Uint8Array) -> Vec<u8> {
     bytes.subarray(0, MAX_FILE_BYTES as u32 + 1).to_vec()
@@ -80,11 +90,36 @@ fn numbers<const N: usize>(value: &JsValue) -> Option<[f64; N]> {
     Some(numbers)
 }
 
+fn tool_from_name(name: &str) -> Option<Tool> {
+    [Tool::Scribble, Tool::Erase].into_iter().find(|tool| tool_name(*tool) == name)
+}
+
+fn tool_name(tool: Tool) -> &'static str {
+    match tool {
+        Tool::Scribble => "scribble",
+        Tool::Erase => "erase",
+    }
+}
+
+fn engine_from_name(name: &str) -> Option<EngineKind> {
+    [EngineKind::Global, EngineKind::Progressive].into_iter().find(|engine| engine_name(*engine) == name)
+}
+
+fn engine_name(engine: EngineKind) -> &'static str {
+    match engine {
+        EngineKind::Global => "global",
+        EngineKind::Progressive => "progressive",
+    }
+}
+
 fn blend_from_name(name: &str) -> Option<Blend> {
-    match name {
-        "oklab" => Some(Blend::Oklab),
-        "srgb" => Some(Blend::Srgb),
-        _ => None,
+    [Blend::Oklab, Blend::Srgb].into_iter().find(|blend| blend_name(*blend) == name)
+}
+
+fn blend_name(blend: Blend) -> &'static str {
+    match blend {
+        Blend::Oklab => "oklab",
+        Blend::Srgb => "srgb",
     }
 }
 
@@ -105,16 +140,20 @@ fn js_from_effect(effect: Effect) -> (&'static str, JsValue) {
         Effect::Redo(possible) => ("redo", possible.into()),
         Effect::Zoom(zoom) => ("zoom", zoom.into()),
         Effect::View(css_from_du) => ("view", Float64Array::from(&css_from_du.as_coeffs()[..]).into()),
+        Effect::Tool(tool) => ("tool", tool_name(tool).into()),
         Effect::Color(color) => ("color", color.to_string().into()),
         Effect::BrushSize(size_du) => ("brush-size", size_du.into()),
         Effect::Lines(shown) => ("lines", shown.into()),
         Effect::Scribbles(shown) => ("scribbles", shown.into()),
-        Effect::Blend(Blend::Oklab) => ("blend", "oklab".into()),
-        Effect::Blend(Blend::Srgb) => ("blend", "srgb".into()),
+        Effect::Settings(settings) => ("settings", js_from_settings(settings)),
         Effect::Opened { name, notes } => {
             ("opened", object(&[("name", name.into()), ("notes", notes.to_string().into())]))
         }
         Effect::ScribbleAdded { count } => ("scribble-added", object(&[("count", (count as f64).into())])),
+        Effect::ScribblesErased { erased, count } => (
+            "scribbles-erased",
+            object(&[("erased", (erased as f64).into()), ("count", (count as f64).into())]),
+        ),
         Effect::ScribbleDropped => ("scribble-dropped", object(&[])),
         Effect::Undone => ("undone", object(&[])),
         Effect::Redone => ("redone", object(&[])),
@@ -123,6 +162,15 @@ fn js_from_effect(effect: Effect) -> (&'static str, JsValue) {
         Effect::Renderer(name) => ("renderer", name.into()),
         Effect::Lost(next) => ("lost", next.map_or(JsValue::NULL, JsValue::from)),
     }
+}
+
+fn js_from_settings(settings: Settings) -> JsValue {
+    object(&[
+        ("blend", blend_name(settings.blend).into()),
+        ("engine", engine_name(settings.engine).into()),
+        ("gapClosing", settings.gap_closing.into()),
+        ("spread", settings.spread.into()),
+    ])
 }
 
 fn exported(name: String, picture: &Pixmap) -> JsValue {

@@ -1,15 +1,17 @@
 //! What the page can ask for.
 
 use kurbo::{Point, Vec2};
-use scumble_core::{Blend, Srgb8};
+use scumble_core::{Blend, EngineKind, Paint, Settings, Srgb8};
 
 use crate::view::Viewport;
 
 /// Where a gesture of the pen is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Phase {
-    /// It begins.
+    /// It begins, with the tool of the moment.
     Down,
+    /// It begins, with the eraser at the other end of the pen.
+    Erase,
     /// It goes on.
     Move,
     /// It ends, and is kept.
@@ -23,10 +25,50 @@ impl Phase {
     pub fn from_name(name: &str) -> Option<Self> {
         match name {
             "down" => Some(Self::Down),
+            "erase" => Some(Self::Erase),
             "move" => Some(Self::Move),
             "up" => Some(Self::Up),
             "cancel" => Some(Self::Cancel),
             _ => None,
+        }
+    }
+}
+
+/// What the pen does.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Tool {
+    /// It draws scribbles.
+    #[default]
+    Scribble,
+    /// It takes scribbles away that it touches.
+    Erase,
+}
+
+/// One of the settings of a drawing.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Setting {
+    /// The space in which colours are blended.
+    Blend(Blend),
+    /// What labels the sides.
+    Engine(EngineKind),
+    /// How readily gaps count as closed, in `0..=1`.
+    GapClosing(f64),
+    /// Whether colours go on into what nobody scribbled.
+    Spread(bool),
+}
+
+impl Setting {
+    /// Whether it has a slider: its changes are one gesture until [`Command::Settle`].
+    pub(crate) fn is_slid(self) -> bool {
+        matches!(self, Self::GapClosing(_))
+    }
+
+    pub(crate) fn put_into(self, settings: Settings) -> Settings {
+        match self {
+            Self::Blend(blend) => Settings { blend, ..settings },
+            Self::Engine(engine) => Settings { engine, ..settings },
+            Self::GapClosing(gap_closing) => Settings { gap_closing, ..settings },
+            Self::Spread(spread) => Settings { spread, ..settings },
         }
     }
 }
@@ -41,8 +83,10 @@ pub enum Command {
         /// An SVG file.
         bytes: Vec<u8>,
     },
-    /// The colour of the next scribbles.
-    Color(Srgb8),
+    /// What the pen does from here on.
+    Tool(Tool),
+    /// The colour of the next scribbles, or none.
+    Color(Paint),
     /// Back to the colour before.
     SwapColors,
     /// The width of the next scribbles, in du.
@@ -55,8 +99,10 @@ pub enum Command {
     Undo,
     /// Do it again.
     Redo,
-    /// The space in which colours are blended.
-    Blend(Blend),
+    /// Another setting of the drawing.
+    Set(Setting),
+    /// A slider is let go.
+    Settle,
     /// Whether lines are shown.
     Lines(bool),
     /// Whether scribbles are shown.

@@ -1,9 +1,11 @@
 //! What the page must know, as a short list after each call: what of its state has changed, and what happened.
 
 use kurbo::Affine;
-use scumble_core::{Blend, Srgb8};
+use scumble_core::{Paint, Settings};
 use scumble_io::ImportNotes;
 use scumble_solve::Pixmap;
+
+use crate::command::Tool;
 
 /// One thing that the page must know.
 #[derive(Clone, Debug, PartialEq)]
@@ -16,16 +18,18 @@ pub enum Effect {
     Zoom(f64),
     /// Takes du to CSS pixels of the canvas.
     View(Affine),
-    /// The colour of the next scribble.
-    Color(Srgb8),
+    /// What the pen does.
+    Tool(Tool),
+    /// The colour of the next scribble, or none.
+    Color(Paint),
     /// The width of the next scribble, in du.
     BrushSize(f64),
     /// Whether lines are shown.
     Lines(bool),
     /// Whether scribbles are shown.
     Scribbles(bool),
-    /// The space in which colours are blended.
-    Blend(Blend),
+    /// How the drawing is coloured.
+    Settings(Settings),
     /// A drawing was opened.
     Opened {
         /// Its name, as the page gave it.
@@ -36,6 +40,13 @@ pub enum Effect {
     /// A scribble was kept.
     ScribbleAdded {
         /// How many there are with it.
+        count: usize,
+    },
+    /// Scribbles were taken away.
+    ScribblesErased {
+        /// How many; at least one.
+        erased: usize,
+        /// How many are left.
         count: usize,
     },
     /// A scribble was abandoned.
@@ -67,11 +78,12 @@ pub(crate) struct State {
     pub(crate) redo: Option<bool>,
     pub(crate) zoom: Option<f64>,
     pub(crate) view: Option<Affine>,
-    pub(crate) color: Option<Srgb8>,
+    pub(crate) tool: Option<Tool>,
+    pub(crate) color: Option<Paint>,
     pub(crate) brush_du: Option<f64>,
     pub(crate) lines: Option<bool>,
     pub(crate) scribbles: Option<bool>,
-    pub(crate) blend: Option<Blend>,
+    pub(crate) settings: Option<Settings>,
 }
 
 impl State {
@@ -82,11 +94,12 @@ impl State {
             news(self.redo, known.redo, Effect::Redo),
             news(self.zoom, known.zoom, Effect::Zoom),
             news(self.view, known.view, Effect::View),
+            news(self.tool, known.tool, Effect::Tool),
             news(self.color, known.color, Effect::Color),
             news(self.brush_du, known.brush_du, Effect::BrushSize),
             news(self.lines, known.lines, Effect::Lines),
             news(self.scribbles, known.scribbles, Effect::Scribbles),
-            news(self.blend, known.blend, Effect::Blend),
+            news(self.settings, known.settings, Effect::Settings),
         ];
         each.into_iter().flatten().collect()
     }

@@ -2,7 +2,8 @@
 //!
 //! | noun | file |
 //! |---|---|
-//! | a document under gestures and commands, and what there is to paint | [`session`] |
+//! | a document under gestures and commands | [`session`] |
+//! | what there is to paint | [`painting`] |
 //! | what the page can ask for | [`command`] |
 //! | what the page must know | [`effect`] |
 //! | pan, zoom, fit | [`view`] |
@@ -16,6 +17,7 @@
 pub mod command;
 pub mod effect;
 pub mod layers;
+pub mod painting;
 pub mod session;
 pub mod view;
 

@@ -14,7 +14,7 @@ use thiserror::Error;
 use wasm_bindgen::{Clamped, JsCast, JsValue};
 use web_sys::{CanvasRenderingContext2d, HtmlCanvasElement, ImageData};
 
-use crate::session::{Changed, PAPER, Painter, Painting};
+use crate::painting::{Changed, PAPER, Painter, Painting};
 
 /// The name of the painter on the CPU.
 pub const CPU: &str = "cpu";

@@ -5,18 +5,20 @@
 
 use std::mem::take;
 
-use kurbo::{Affine, Point, Rect};
-use scumble_core::{Blend, Document, Drawing, Editor, MapError, Scribble, Srgb8};
+use kurbo::{Affine, Rect};
+use scumble_core::{Document, Drawing, Editor, MapError, Paint, Srgb8};
 use scumble_io::import_svg;
-use scumble_solve::{Field, Picture, Scene, View};
+use scumble_solve::{Field, Picture, View};
 
-use crate::command::{Command, Phase};
+use crate::command::{Command, Setting, Tool};
 use crate::effect::{Effect, State};
 use crate::layers::Layers;
+use crate::painting::{Changed, Export, Painter, Painting};
 use crate::view::Viewport;
 
-/// The colour of the page where nothing is coloured.
-pub const PAPER: Srgb8 = Srgb8([255; 3]);
+mod gestures;
+
+use gestures::Eraser;
 
 /// Smallest and largest width of a scribble, in du.
 const BRUSH_DU: [f64; 2] = [2.0, 96.0];
@@ -30,63 +32,6 @@ const SHELF_SIZE: usize = 8;
 /// The page that is there before a drawing is opened, in du.
 const BLANK: Rect = Rect::new(0.0, 0.0, 1024.0, 768.0);
 
-/// A picture to show or to keep.
-#[derive(Debug)]
-pub struct Painting<'a> {
-    /// The coloured regions.
-    pub field: &'a Field,
-    /// What lies over them.
-    pub layers: &'a Layers,
-    /// Which part of the plane, at which size.
-    pub view: View,
-}
-
-impl Painting<'_> {
-    /// The same, for a painter that takes it as a whole.
-    pub fn scene(&self) -> Scene<'_> {
-        Scene { paper: Some(PAPER), field: self.field, shapes: self.layers.shapes() }
-    }
-}
-
-/// What of a painting is not what it was in the frame before.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Changed {
-    /// The colour field.
-    pub field: bool,
-    /// The layer of scribbles.
-    pub scribbles: bool,
-    /// The layer of ink.
-    pub ink: bool,
-}
-
-impl Changed {
-    /// Everything, as for a painter that has painted nothing yet.
-    pub const ALL: Self = Self { field: true, scribbles: true, ink: true };
-}
-
-/// Puts paintings on the screen.
-pub trait Painter {
-    /// Shows a painting. A painter may keep what has not changed since the call before.
-    fn paint(&mut self, painting: &Painting<'_>, changed: Changed);
-}
-
-/// A picture for a file.
-#[derive(Debug)]
-pub struct Export<'a> {
-    /// Name of the file.
-    pub name: String,
-    field: &'a Field,
-    layers: Layers,
-    view: View,
-}
-
-impl Export<'_> {
-    /// What is to be painted.
-    pub fn painting(&self) -> Painting<'_> {
-        Painting { field: self.field, layers: &self.layers, view: self.view }
-    }
-}
-
 /// A document in work.
 #[derive(Debug)]
 pub struct Session {
@@ -96,8 +41,11 @@ pub struct Session {
     field: Field,
     layers: Layers,
     viewport: Viewport,
-    color: Srgb8,
-    previous_color: Srgb8,
+    tool: Tool,
+    /// The eraser in hand.
+    eraser: Option<Eraser>,
+    color: Paint,
+    previous_color: Paint,
     brush_du: f64,
     lines_shown: bool,
     scribbles_shown: bool,
@@ -142,8 +90,10 @@ impl Session {
             shelf: Vec::new(),
             field: Field::default(),
             layers: Layers::default(),
-            color: Srgb8([0xe5, 0x48, 0x4d]),
-            previous_color: Srgb8([0x3b, 0x82, 0xf6]),
+            tool: Tool::default(),
+            eraser: None,
+            color: Srgb8([0xe5, 0x48, 0x4d]).into(),
+            previous_color: Srgb8([0x3b, 0x82, 0xf6]).into(),
             brush_du: 16.0,
             lines_shown: true,
             scribbles_shown: true,
@@ -174,24 +124,11 @@ impl Session {
         effects
     }
 
-    /// Takes one batch of pointer samples: x and y in CSS pixels from the canvas' corner, and pressure, in turn.
-    ///
-    /// Samples that are not finite are left out. Pressure changes nothing: a scribble has one width.
-    pub fn pointer(&mut self, phase: Phase, samples: &[f32]) {
-        let points = self.points_du(samples);
-        match phase {
-            Phase::Down => self.begin_scribble(&points),
-            Phase::Move => self.sheet.editor.extend_scribble(&points),
-            Phase::Up => self.end_scribble(&points),
-            Phase::Cancel => self.drop_scribble(),
-        }
-        self.scribbles_changed();
-    }
-
     /// Does what a control of the page asks for.
     pub fn command(&mut self, command: Command) {
         match command {
             Command::Open { name, bytes } => self.open(name, &bytes),
+            Command::Tool(tool) => self.tool = tool,
             Command::Color(color) => self.set_color(color),
             Command::SwapColors => self.set_color(self.previous_color),
             Command::BrushSize(size_du) => self.set_brush(size_du),
@@ -199,7 +136,8 @@ impl Session {
             Command::BrushSmaller => self.set_brush((self.brush_du / BRUSH_STEP).min(self.brush_du - 1.0)),
             Command::Undo => self.undo(),
             Command::Redo => self.redo(),
-            Command::Blend(blend) => self.set_blend(blend),
+            Command::Set(setting) => self.set(setting),
+            Command::Settle => self.sheet.editor.commit(),
             Command::Lines(shown) => self.show_lines(shown),
             Command::Scribbles(shown) => self.show_scribbles(shown),
             Command::Desk(desk) => self.set_desk(desk),
@@ -273,44 +211,14 @@ impl Session {
     }
 
     fn show(&mut self, sheet: Sheet) -> Sheet {
+        self.eraser = None;
         self.viewport.show_page(sheet.editor.document().drawing.frame());
         self.stale = Stale::ALL;
         std::mem::replace(&mut self.sheet, sheet)
     }
 
-    fn begin_scribble(&mut self, points: &[Point]) {
-        if !points.is_empty() {
-            let points = points.to_vec();
-            self.sheet.editor.begin_scribble(Scribble { color: self.color, width_du: self.brush_du, points });
-        }
-    }
-
-    fn end_scribble(&mut self, points: &[Point]) {
-        if self.sheet.editor.is_scribbling() {
-            self.sheet.editor.extend_scribble(points);
-            if !self.is_on_page() {
-                return self.drop_scribble();
-            }
-            self.sheet.editor.commit();
-            self.tell(Effect::ScribbleAdded { count: self.document().scribbles.len() });
-        }
-    }
-
-    /// Whether the last scribble may touch the page: it colours nothing where it does not.
-    fn is_on_page(&self) -> bool {
-        let points = self.document().scribbles.last().into_iter().flat_map(|scribble| &scribble.points);
-        let bounds = points.map(|p| Rect::from_points(*p, *p)).reduce(|a, b| a.union(b));
-        bounds.is_some_and(|bounds| bounds.overlaps(self.document().drawing.frame()))
-    }
-
-    fn drop_scribble(&mut self) {
-        if self.sheet.editor.is_scribbling() {
-            self.sheet.editor.abort();
-            self.tell(Effect::ScribbleDropped);
-        }
-    }
-
     fn undo(&mut self) {
+        self.eraser = None;
         if self.sheet.editor.undo() {
             self.scribbles_changed();
         } else if let Some(sheet) = self.shelf.pop() {
@@ -328,12 +236,21 @@ impl Session {
         }
     }
 
-    fn set_blend(&mut self, blend: Blend) {
-        self.sheet.editor.set_blend(blend);
-        self.scribbles_changed();
+    fn set(&mut self, setting: Setting) {
+        let editor = &mut self.sheet.editor;
+        if !setting.is_slid() {
+            editor.commit();
+        } else if !editor.is_changing() {
+            editor.begin();
+        }
+        let before = editor.document().settings;
+        editor.set_settings(setting.put_into(before));
+        self.stale.field |= editor.document().settings != before;
     }
 
-    fn set_color(&mut self, color: Srgb8) {
+    /// Who picks a colour wants to scribble with it.
+    fn set_color(&mut self, color: Paint) {
+        self.tool = Tool::Scribble;
         if color != self.color {
             self.previous_color = self.color;
             self.color = color;
@@ -364,12 +281,6 @@ impl Session {
     fn scribbles_changed(&mut self) {
         self.stale.field = true;
         self.stale.scribbles = true;
-    }
-
-    fn points_du(&self, samples: &[f32]) -> Vec<Point> {
-        let du_from_css = self.viewport.css_from_du().inverse();
-        let points = samples.chunks_exact(3).map(|sample| Point::new(sample[0].into(), sample[1].into()));
-        points.map(|point| du_from_css * point).filter(|point| point.is_finite()).collect()
     }
 
     fn refresh(&mut self) {
@@ -422,11 +333,12 @@ impl Session {
             redo: Some(self.sheet.editor.can_redo()),
             zoom: Some(self.viewport.zoom()),
             view: Some(self.viewport.css_from_du()),
+            tool: Some(self.tool),
             color: Some(self.color),
             brush_du: Some(self.brush_du),
             lines: Some(self.lines_shown),
             scribbles: Some(self.scribbles_shown),
-            blend: Some(self.document().blend),
+            settings: Some(self.document().settings),
         }
     }
 }

@@ -1,11 +1,12 @@
 //! The editor without a browser: gestures and commands in, paintings and effects out.
 
 use kurbo::{Point, Vec2};
-use scumble_core::{Blend, Srgb8};
+use scumble_core::{Blend, EngineKind, Paint, Settings, Srgb8};
 use scumble_solve::{Pixmap, paint};
-use scumble_web::command::{Command, Phase, ViewChange};
+use scumble_web::command::{Command, Phase, Setting, Tool, ViewChange};
 use scumble_web::effect::Effect;
-use scumble_web::session::{Changed, Painter, Painting, Session};
+use scumble_web::painting::{Changed, Painter, Painting};
+use scumble_web::session::Session;
 
 const RED: Srgb8 = Srgb8([230, 25, 75]);
 const BLUE: Srgb8 = Srgb8([0, 90, 200]);
@@ -51,7 +52,7 @@ impl Page {
 
     /// A stroke of the pen through places in du, one batch of samples each.
     fn stroke(&mut self, color: Srgb8, points_du: &[(f64, f64)]) {
-        self.session.command(Command::Color(color));
+        self.session.command(Command::Color(color.into()));
         for (i, &point) in points_du.iter().enumerate() {
             self.pen(if i == 0 { Phase::Down } else { Phase::Move }, point);
         }
@@ -97,7 +98,7 @@ fn a_scribble_colours_its_square_and_nothing_else() {
 #[test]
 fn colour_follows_the_pen_before_it_is_lifted_and_escape_takes_it_back() {
     let mut page = Page::open(SQUARE);
-    page.session.command(Command::Color(RED));
+    page.session.command(Command::Color(RED.into()));
     page.pen(Phase::Down, ACROSS[0]);
     assert_eq!(page.color_at(INSIDE), RED);
     page.pen(Phase::Move, ACROSS[1]);
@@ -129,8 +130,8 @@ fn effects_tell_what_has_changed_and_only_that() {
     assert!(first.contains(&Effect::Undo(false)) && first.contains(&Effect::Zoom(1.0)));
     assert!(first.iter().any(|effect| matches!(effect, Effect::Opened { name, .. } if name == "square.svg")));
     assert_eq!(page.session.take_effects(), []);
-    page.session.command(Command::Color(RED));
-    assert_eq!(page.session.take_effects(), [Effect::Color(RED)]);
+    page.session.command(Command::Color(RED.into()));
+    assert_eq!(page.session.take_effects(), [Effect::Color(RED.into())]);
     page.stroke(RED, &ACROSS);
     assert_eq!(page.session.take_effects(), [Effect::Undo(true), Effect::ScribbleAdded { count: 1 }]);
     page.session.command(Command::Undo);
@@ -176,7 +177,7 @@ fn the_exported_picture_is_the_canvas_at_100_percent() {
 #[test]
 fn lines_and_scribbles_can_be_hidden() {
     let mut page = Page::open(SQUARE);
-    page.session.command(Command::Blend(Blend::Srgb));
+    page.session.command(Command::Set(Setting::Blend(Blend::Srgb)));
     page.stroke(RED, &[(50.0, 50.0), (90.0, 50.0)]);
     page.stroke(BLUE, &[(60.0, 40.0), (60.0, 60.0)]);
     page.session.command(Command::Lines(false));
@@ -236,12 +237,12 @@ fn the_brush_stays_within_its_bounds_and_colours_swap() {
         page.session.command(Command::BrushLarger);
     }
     assert_eq!(page.session.take_effects(), [Effect::BrushSize(96.0)]);
-    page.session.command(Command::Color(RED));
-    page.session.command(Command::Color(BLUE));
+    page.session.command(Command::Color(RED.into()));
+    page.session.command(Command::Color(BLUE.into()));
     page.session.command(Command::SwapColors);
-    assert_eq!(page.session.take_effects(), [Effect::Color(RED)]);
+    assert_eq!(page.session.take_effects(), [Effect::Color(RED.into())]);
     page.session.command(Command::SwapColors);
-    assert_eq!(page.session.take_effects(), [Effect::Color(BLUE)]);
+    assert_eq!(page.session.take_effects(), [Effect::Color(BLUE.into())]);
 }
 
 #[test]
@@ -284,4 +285,151 @@ fn a_stroke_off_the_page_is_no_scribble() {
     page.session.take_effects();
     page.session.command(Command::Undo);
     assert!(page.session.take_effects().is_empty(), "there is nothing to undo");
+}
+
+const BY_ENGINE: Setting = Setting::Engine(EngineKind::Progressive);
+
+fn set(page: &mut Page, setting: Setting) {
+    page.session.command(Command::Set(setting));
+}
+
+#[test]
+fn each_setting_is_a_step_of_undo() {
+    let mut page = Page::open(SQUARE);
+    page.session.take_effects();
+    let start = Settings::default();
+    let ways = [
+        (Setting::Blend(Blend::Srgb), Settings { blend: Blend::Srgb, ..start }),
+        (BY_ENGINE, Settings { engine: EngineKind::Progressive, ..start }),
+        (Setting::GapClosing(0.8), Settings { gap_closing: 0.8, ..start }),
+        (Setting::Spread(true), Settings { spread: true, ..start }),
+    ];
+    for (setting, settings) in ways {
+        set(&mut page, setting);
+        page.session.command(Command::Settle);
+        assert_eq!(page.session.document().settings, settings);
+        assert!(page.session.take_effects().contains(&Effect::Settings(settings)));
+        page.session.command(Command::Undo);
+        assert_eq!(page.session.document().settings, start);
+    }
+}
+
+#[test]
+fn a_slider_is_followed_while_it_is_dragged_and_is_one_step_of_undo() {
+    let mut page = Page::open(SQUARE);
+    page.stroke(RED, &ACROSS);
+    for percent in [52.0, 60.0, 71.0] {
+        set(&mut page, Setting::GapClosing(percent / 100.0));
+        page.session.frame(&mut page.canvas);
+        assert!(page.canvas.frames.last().is_some_and(|changed| changed.field), "the picture follows");
+    }
+    page.session.command(Command::Settle);
+    set(&mut page, BY_ENGINE);
+    page.session.command(Command::Undo);
+    assert_eq!(page.session.document().settings, Settings { gap_closing: 0.71, ..Settings::default() });
+    page.session.command(Command::Undo);
+    assert_eq!(page.session.document().settings, Settings::default());
+    assert_eq!(page.session.document().scribbles.len(), 1);
+}
+
+#[test]
+fn a_slider_that_is_not_a_number_or_out_of_range_does_no_harm() {
+    let mut page = Page::open(SQUARE);
+    for gap_closing in [f64::NAN, f64::INFINITY, -3.0] {
+        set(&mut page, Setting::GapClosing(gap_closing));
+        assert!((0.0..=1.0).contains(&page.session.document().settings.gap_closing));
+    }
+}
+
+/// Three scribbles side by side, at x = 300, 400 and 500 du, from y = 300 to 400 du.
+fn page_with_three() -> Page {
+    let mut page = Page::open(SQUARE);
+    for (x, color) in [(300.0, RED), (400.0, BLUE), (500.0, WHITE)] {
+        page.stroke(color, &[(x, 300.0), (x, 400.0)]);
+    }
+    page.session.command(Command::Tool(Tool::Erase));
+    page.session.take_effects();
+    page
+}
+
+fn colors(page: &Page) -> Vec<Paint> {
+    page.session.document().scribbles.iter().map(|scribble| scribble.color).collect()
+}
+
+#[test]
+fn a_click_with_the_eraser_takes_the_scribble_under_it_away() {
+    let mut page = page_with_three();
+    page.pen(Phase::Down, (402.0, 350.0));
+    page.session.pointer(Phase::Up, &[]);
+    assert_eq!(colors(&page), [RED, WHITE].map(Paint::Color));
+    let told = page.session.take_effects();
+    assert!(told.contains(&Effect::ScribblesErased { erased: 1, count: 2 }), "{told:?}");
+    page.session.command(Command::Undo);
+    assert_eq!(colors(&page), [RED, BLUE, WHITE].map(Paint::Color));
+    page.session.command(Command::Redo);
+    assert_eq!(colors(&page), [RED, WHITE].map(Paint::Color));
+}
+
+#[test]
+fn an_eraser_that_is_dragged_takes_all_that_it_crosses_in_one_gesture() {
+    let mut page = page_with_three();
+    page.pen(Phase::Down, (450.0, 350.0));
+    page.pen(Phase::Move, (380.0, 350.0));
+    assert_eq!(colors(&page), [RED, WHITE].map(Paint::Color), "while it is dragged");
+    page.pen(Phase::Move, (250.0, 350.0));
+    page.session.pointer(Phase::Up, &[]);
+    assert_eq!(colors(&page), [WHITE].map(Paint::Color));
+    page.session.command(Command::Undo);
+    assert_eq!(colors(&page), [RED, BLUE, WHITE].map(Paint::Color));
+}
+
+#[test]
+fn an_eraser_that_touches_nothing_or_is_dropped_leaves_all_as_it_was() {
+    let mut page = page_with_three();
+    page.pen(Phase::Down, (450.0, 350.0));
+    page.pen(Phase::Move, (450.0, 500.0));
+    page.session.pointer(Phase::Up, &[]);
+    assert_eq!(page.session.take_effects(), []);
+    page.pen(Phase::Down, (300.0, 350.0));
+    assert_eq!(colors(&page), [BLUE, WHITE].map(Paint::Color));
+    page.session.pointer(Phase::Cancel, &[]);
+    assert_eq!(colors(&page), [RED, BLUE, WHITE].map(Paint::Color));
+    page.pen(Phase::Move, (400.0, 350.0));
+    assert_eq!(colors(&page), [RED, BLUE, WHITE].map(Paint::Color));
+}
+
+#[test]
+fn a_click_erases_the_uppermost_of_scribbles_that_overlap() {
+    let mut page = Page::open(SQUARE);
+    page.stroke(RED, &[(300.0, 350.0), (500.0, 350.0)]);
+    page.stroke(BLUE, &[(400.0, 300.0), (400.0, 400.0)]);
+    page.session.command(Command::Tool(Tool::Erase));
+    page.pen(Phase::Down, (400.0, 350.0));
+    page.pen(Phase::Move, (401.0, 351.0));
+    page.session.pointer(Phase::Up, &[]);
+    assert_eq!(colors(&page), [RED].map(Paint::Color));
+}
+
+#[test]
+fn the_other_end_of_the_pen_erases_whatever_the_tool_and_a_colour_is_for_scribbling() {
+    let mut page = page_with_three();
+    page.session.command(Command::Color(BLUE.into()));
+    assert!(page.session.take_effects().contains(&Effect::Tool(Tool::Scribble)));
+    page.pen(Phase::Erase, (300.0, 350.0));
+    page.session.pointer(Phase::Up, &[]);
+    assert_eq!(colors(&page), [BLUE, WHITE].map(Paint::Color));
+}
+
+#[test]
+fn a_scribble_of_no_colour_keeps_its_place_free() {
+    let mut page = Page::open(SQUARE);
+    page.session.command(Command::Scribbles(false));
+    page.stroke(RED, &ACROSS);
+    page.session.command(Command::Color(Paint::Clear));
+    page.pen(Phase::Down, ACROSS[0]);
+    assert_eq!(page.color_at(INSIDE), WHITE);
+    page.session.pointer(Phase::Cancel, &[]);
+    assert_eq!(page.color_at(INSIDE), RED);
+    page.session.command(Command::SwapColors);
+    assert!(page.session.take_effects().contains(&Effect::Color(RED.into())));
 }

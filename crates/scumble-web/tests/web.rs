@@ -37,7 +37,7 @@ fn scribbled() -> Session {
         (Srgb8([230, 25, 75]), (400.0, 200.0), (600.0, 220.0)),
         (Srgb8([0, 130, 200]), (400.0, 560.0), (600.0, 540.0)),
     ] {
-        session.command(Command::Color(color));
+        session.command(Command::Color(color.into()));
         session.pointer(Phase::Down, &sample(&session, from));
         session.pointer(Phase::Up, &sample(&session, to));
     }
@@ -96,9 +96,19 @@ async fn javascript_sees_effects_by_name_and_errors_for_what_does_not_exist() {
     let bytes = Uint8Array::from(DRAWING);
     let open = object(&[("name", "circle.svg".into()), ("bytes", bytes.into())]);
     let effects = names(&app.command("open", &open).expect("effects"));
-    for name in
-        ["undo", "redo", "zoom", "view", "color", "brush-size", "lines", "scribbles", "blend", "opened"]
-    {
+    for name in [
+        "undo",
+        "redo",
+        "zoom",
+        "view",
+        "color",
+        "brush-size",
+        "lines",
+        "scribbles",
+        "settings",
+        "tool",
+        "opened",
+    ] {
         assert!(effects.contains(&name.to_owned()), "{name} is missing in {effects:?}");
     }
     app.command("resize", &numbers(&[800.0, 600.0, 1.0])).expect("effects");

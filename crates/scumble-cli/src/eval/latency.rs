@@ -1,15 +1,15 @@
 //! How long labelling takes.
 
-use scumble_core::{Engine, PlanarMap, Scribble};
+use scumble_core::{Engine, Labels, Scribble, Settings, Sight};
 
-use super::method::{Manner, Method, Way};
+use super::method::{Method, Way};
 use super::subject::Subject;
 use crate::clock::{Times, print_head, print_row, timed};
 
 /// Times of labelling, one or more for each drawing.
 #[derive(Debug, Default)]
 pub(crate) struct Latency {
-    /// All scribbles of a drawing at once, by an engine that knows nothing of the drawing yet.
+    /// All scribbles of a drawing at once, from none.
     at_once: Times,
     /// One more scribble, from the second on.
     one_more: Times,
@@ -19,24 +19,32 @@ pub(crate) struct Latency {
 
 impl Latency {
     /// Times the labelling of one drawing. On pixels every scribble means to begin anew.
-    pub(crate) fn take(&mut self, subject: &Subject, method: Method, manner: Manner) {
-        let map = subject.opened.picture.map();
+    pub(crate) fn take(&mut self, subject: &mut Subject, method: Method, settings: Settings) {
         match method.way {
-            Way::Engine(engine) => {
-                let mut fresh = engine(manner);
-                self.at_once.push(timed(|| fresh.label(map, &subject.scribbles)).1);
-                self.take_one_by_one(engine(manner), map, &subject.scribbles);
+            Way::Engine(kind) => {
+                let Subject { opened, scribbles, .. } = subject;
+                let settings = Settings { engine: kind, ..settings };
+                self.take_labels(scribbles, |scribbles| opened.picture.label(scribbles, &settings));
+            }
+            Way::Sight => {
+                let mut engine = Sight::default();
+                let map = subject.opened.picture.map();
+                self.take_labels(&subject.scribbles, |scribbles| engine.label(map, scribbles));
             }
             Way::Pixels(label) => {
                 let sketch = subject.sketch(&subject.scribbles);
-                self.at_once.push(timed(|| label(&sketch, manner)).1);
+                self.at_once.push(timed(|| label(&sketch, settings)).1);
             }
         }
     }
 
-    fn take_one_by_one(&mut self, mut engine: Box<dyn Engine>, map: &PlanarMap, scribbles: &[Scribble]) {
+    fn take_labels(&mut self, scribbles: &[Scribble], mut label: impl FnMut(&[Scribble]) -> Labels) {
+        // What depends on the drawing alone is done before a person can scribble.
+        label(&[]);
+        self.at_once.push(timed(|| label(scribbles)).1);
+        label(&[]);
         for count in 1..=scribbles.len() {
-            let (_, ms) = timed(|| engine.label(map, &scribbles[..count]));
+            let (_, ms) = timed(|| label(&scribbles[..count]));
             if count > 1 {
                 self.one_more.push(ms);
             }

@@ -86,3 +86,51 @@ fn class([r, g, b, alpha]: [u8; 4], targets: &[(BlendColor, Class)]) -> Class {
 fn oklab(color: Srgb8) -> BlendColor {
     Blend::Oklab.from_srgb8(color)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Two rows of five pixels: true colours 0 0 0 1 1 in each; the upper row lies beside a curve.
+    fn truth() -> Truth {
+        let colors = [0, 0, 0, 1, 1].repeat(2);
+        let marks = [[Mark::Side; 5], [Mark::Area; 5]].concat();
+        Truth { width_px: 5, height_px: 2, colors, marks }
+    }
+
+    #[test]
+    fn figures_are_parts_of_the_scored_pixels() {
+        let mut truth = truth();
+        let classes: [Class; 10] =
+            [Some(0), Some(1), None, Some(1), Some(1), Some(0), Some(0), Some(0), None, Some(1)];
+        let score = Score::new(&truth, &classes);
+        assert_eq!(score, Score { side: 3.0 / 5.0, area: 7.0 / 10.0, cover: 8.0 / 10.0 });
+        truth.marks[1] = Mark::Unscored;
+        truth.marks[8] = Mark::Unscored;
+        let score = Score::new(&truth, &classes);
+        assert_eq!(score, Score { side: 3.0 / 4.0, area: 7.0 / 8.0, cover: 7.0 / 8.0 });
+    }
+
+    #[test]
+    fn the_mean_is_that_of_the_drawings() {
+        let score = |side| Score { side, area: 1.0, cover: 0.5 };
+        assert_eq!(Score::mean(&[score(0.25), score(0.75)]), score(0.5));
+        assert_eq!(Score::mean(&[]), Score::default());
+    }
+
+    #[test]
+    fn pixels_take_the_nearest_colour_in_use_and_white_counts_as_none() {
+        let pixels = [
+            [0xe6, 0x19, 0x4b, 255],
+            [0xd0, 0x30, 0x40, 255],
+            [250, 250, 255, 255],
+            [0xe6, 0x19, 0x4b, 127],
+            [0x3c, 0xb4, 0x4b, 128],
+        ];
+        let picture = |rgba: Vec<u8>| Pixmap { width_px: 5, height_px: 1, rgba };
+        let rgba = picture(pixels.concat());
+        assert_eq!(classes(&rgba, &[0, 1]), [Some(0), Some(0), None, None, Some(1)]);
+        assert_eq!(classes(&rgba, &[1])[4], Some(1));
+        assert_eq!(classes(&rgba, &[]), [None; 5]);
+    }
+}

@@ -170,3 +170,44 @@ const GLYPHS: [(char, u16); 18] = [
     ('.', 0b000_000_000_000_010),
     ('-', 0b000_000_111_000_000),
 ];
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn cell(side: f64, color: [u8; 4]) -> Cell {
+        let tile = || Tile { width: 2, pixels: vec![color; 4] };
+        Cell { text: "1F-9".into(), side, pictures: [tile(), tile(), tile()] }
+    }
+
+    #[test]
+    fn the_worst_comes_first() {
+        let (good, bad) = ([0, 255, 0, 255], [255, 0, 0, 255]);
+        let sheet = sheet(vec![cell(0.9, good), cell(0.1, bad), cell(0.9, good), cell(0.9, good)]);
+        assert_eq!(sheet.width_px as usize, COLUMNS * CELL_WIDTH_PX);
+        assert_eq!(sheet.height_px as usize, 2 * CELL_HEIGHT_PX);
+        let (pixels, _) = sheet.rgba.as_chunks::<4>();
+        let first = pixels.iter().find(|pixel| **pixel == good || **pixel == bad);
+        assert_eq!(first, Some(&bad));
+        let count = |color| pixels.iter().filter(|pixel| **pixel == color).count();
+        assert_eq!((count(good), count(bad)), (3 * 3 * 4, 3 * 4));
+        assert!(count([0, 0, 0, 255]) > 0, "there is text");
+    }
+
+    #[test]
+    fn pictures_are_laid_over_each_other_by_their_opacity() {
+        let mut tile = Tile { width: 3, pixels: vec![[255; 4]; 3] };
+        let rgba = [[0, 0, 0, 0], [0, 0, 0, 255], [255, 0, 0, 51]].concat();
+        tile.lay(&Pixmap { width_px: 3, height_px: 1, rgba });
+        assert_eq!(tile.pixels, [[255, 255, 255, 255], [0, 0, 0, 255], [255, 204, 204, 255]]);
+    }
+
+    #[test]
+    fn another_size_takes_the_nearest_pixels() {
+        let rgba: Vec<u8> = (0..4).flat_map(|i| [i; 4]).collect();
+        let picture = Pixmap { width_px: 4, height_px: 1, rgba };
+        let small = resized(&picture, 2, 1);
+        assert_eq!((small.width_px, small.rgba), (2, vec![1, 1, 1, 1, 3, 3, 3, 3]));
+        assert_eq!(resized(&picture, 8, 1).rgba[..12], [0, 0, 0, 0, 0, 0, 0, 0, 1, 1, 1, 1]);
+    }
+}

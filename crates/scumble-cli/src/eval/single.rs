@@ -4,10 +4,12 @@
 //! with it by the edges of pixels. Unscored pixels count for that: truth pictures have colours under the lines
 //! too, so that an area stays one where lines cross it.
 
+use scumble_core::Settings;
+
+use super::Method;
 use super::score::{self, Class};
 use super::subject::Subject;
 use super::truth::{Mark, Truth, palette_index};
-use super::{Manner, Method};
 use crate::rivals::SketchPixel;
 
 /// How one scribble did; parts from 0 to 1.
@@ -35,12 +37,12 @@ impl Singles {
     ///
     /// # Errors
     /// When the solver fails.
-    pub(crate) fn add(&mut self, subject: &mut Subject, gap_closing: f64) -> anyhow::Result<()> {
-        let manner = Manner { gap_closing, spread: false };
+    pub(crate) fn add(&mut self, subject: &mut Subject, settings: Settings) -> anyhow::Result<()> {
+        let settings = Settings { spread: false, ..settings };
         for i in 0..subject.scribbles.len() {
             let alone = [subject.scribbles[i].clone()];
             let color = palette_index(&alone[0])?;
-            let picture = subject.paint(self.method, manner, &alone)?;
+            let picture = subject.paint(self.method, settings, &alone)?;
             let classes = score::classes(&picture, &[color]);
             let meant = meant_area(&subject.truth, &subject.sketch(&alone).seeds);
             self.scores.push(SingleScore::new(&subject.truth, color, &classes, &meant));
@@ -48,22 +50,17 @@ impl Singles {
         Ok(())
     }
 
-    /// Prints the means, and how many scribbles ran out or stopped short badly.
+    /// Prints the means, and for how many scribbles each figure is below one half.
     pub(crate) fn print(&self) {
-        let count = self.scores.len();
-        let mean =
-            |of: fn(&SingleScore) -> f64| self.scores.iter().map(of).sum::<f64>() / count.max(1) as f64;
-        let below = |of: fn(&SingleScore) -> f64| self.scores.iter().filter(|score| of(score) < 0.5).count();
-        let (precision, recall): (fn(&SingleScore) -> f64, fn(&SingleScore) -> f64) =
-            (|score| score.precision, |score| score.recall);
-        println!(
-            "{:<12} alone: {count} scribbles: precision {:.4} recall {:.4}; below one half {} and {}",
-            self.method.name,
-            mean(precision),
-            mean(recall),
-            below(precision),
-            below(recall)
-        );
+        let [precision, recall] = [self.summary(|score| score.precision), self.summary(|score| score.recall)];
+        let (name, count) = (self.method.name, self.scores.len());
+        println!("{name:<12} alone, {count} scribbles: precision {precision}, recall {recall}");
+    }
+
+    fn summary(&self, of: fn(&SingleScore) -> f64) -> String {
+        let mean = self.scores.iter().map(of).sum::<f64>() / self.scores.len().max(1) as f64;
+        let below = self.scores.iter().filter(|score| of(score) < 0.5).count();
+        format!("{mean:.4} ({below} below 0.5)")
     }
 }
 
@@ -97,4 +94,42 @@ fn meant_area(truth: &Truth, scribble: &[SketchPixel]) -> Vec<bool> {
         }
     }
     meant
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// One row: an area of colour 0 that a line (unscored) crosses, one of colour 1, and another of colour 0.
+    fn truth() -> Truth {
+        let marks = [1, 1, 0, 1, 1, 1, 1, 1].map(|scored| [Mark::Unscored, Mark::Area][scored]);
+        Truth { width_px: 8, height_px: 1, colors: vec![0, 0, 0, 0, 1, 1, 0, 0], marks: marks.to_vec() }
+    }
+
+    #[test]
+    fn an_area_goes_on_across_lines_but_not_across_another_colour() {
+        let mut scribble = [None; 8];
+        scribble[1] = Some(0);
+        let meant = meant_area(&truth(), &scribble);
+        assert_eq!(meant, [true, true, true, true, false, false, false, false]);
+        scribble[5] = Some(0);
+        assert_eq!(meant_area(&truth(), &scribble), meant, "what it covers of other colours means nothing");
+        scribble[7] = Some(0);
+        assert_eq!(meant_area(&truth(), &scribble)[6..], [true, true]);
+    }
+
+    #[test]
+    fn precision_and_recall_are_parts_of_scored_pixels() {
+        let meant = [true, true, true, true, false, false, false, false];
+        let score = |colored: [u8; 8]| {
+            let classes = colored.map(|colored| (colored == 1).then_some(0));
+            let SingleScore { precision, recall } = SingleScore::new(&truth(), 0, &classes, &meant);
+            (precision, recall)
+        };
+        assert_eq!(score([1, 1, 1, 1, 0, 0, 0, 0]), (1.0, 1.0));
+        assert_eq!(score([1, 1, 1, 0, 0, 0, 0, 0]), (1.0, 2.0 / 3.0));
+        assert_eq!(score([0, 1, 1, 1, 1, 1, 0, 0]), (0.5, 2.0 / 3.0));
+        assert_eq!(score([0, 0, 0, 0, 0, 0, 1, 1]), (1.0, 0.0), "the right colour of another area");
+        assert_eq!(score([0; 8]), (0.0, 0.0));
+    }
 }

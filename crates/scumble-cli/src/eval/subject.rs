@@ -3,10 +3,10 @@
 use anyhow::{Context, ensure};
 use kurbo::Affine;
 use scumble_core::drawing::LONGER_SIDE_DU;
-use scumble_core::{Blend, Engine, Scribble, SideId, Srgb8, color_spans, side_colors};
+use scumble_core::{Blend, Boundary, Engine, EngineKind, Scribble, Settings, Sight, Srgb8, boundary};
 use scumble_solve::{Field, Pixmap, Scene, Shape, View, line_shapes, paint, scribble_shape};
 
-use super::method::{Manner, Method, Way};
+use super::method::{Method, Way};
 use super::truth::{PALETTE, Truth, palette_index};
 use crate::files;
 use crate::rivals::{Sketch, SketchPixel};
@@ -58,25 +58,36 @@ impl Subject {
     pub(crate) fn paint(
         &mut self,
         method: Method,
-        manner: Manner,
+        settings: Settings,
         scribbles: &[Scribble],
     ) -> anyhow::Result<Pixmap> {
         match method.way {
-            Way::Engine(engine) => self.paint_sides(engine(manner), scribbles),
-            Way::Pixels(label) => Ok(self.paint_pixels(&label(&self.sketch(scribbles), manner))),
+            Way::Engine(kind) => self.paint_sides(kind, settings, scribbles),
+            Way::Sight => self.paint_sight(scribbles),
+            Way::Pixels(label) => Ok(self.paint_pixels(&label(&self.sketch(scribbles), settings))),
         }
     }
 
-    fn paint_sides(&mut self, mut engine: Box<dyn Engine>, scribbles: &[Scribble]) -> anyhow::Result<Pixmap> {
+    fn paint_sides(
+        &mut self,
+        kind: EngineKind,
+        settings: Settings,
+        scribbles: &[Scribble],
+    ) -> anyhow::Result<Pixmap> {
+        let boundary = self.opened.picture.color(scribbles, &Settings { engine: kind, ..settings });
+        self.paint_boundary(&boundary)
+    }
+
+    fn paint_sight(&mut self, scribbles: &[Scribble]) -> anyhow::Result<Pixmap> {
         let map = self.opened.picture.map();
-        let labels = engine.label(map, scribbles);
-        let color_of = |side: SideId| {
-            let label = labels.sides.get(side.index()).copied().flatten()?;
-            scribbles.get(label as usize).map(|scribble| scribble.color)
-        };
-        let colors = side_colors(map, &color_spans(map, color_of), Blend::Oklab);
+        let labels = Sight::default().label(map, scribbles);
+        let boundary = boundary(map, &labels, scribbles, Blend::Oklab);
+        self.paint_boundary(&boundary)
+    }
+
+    fn paint_boundary(&mut self, boundary: &Boundary) -> anyhow::Result<Pixmap> {
         let view = self.view(self.truth.longer_side_px());
-        let field = self.opened.picture.mesh().solve(&colors, Blend::Oklab)?;
+        let field = self.opened.picture.mesh().solve(boundary, Blend::Oklab)?;
         Ok(stages::paint_page(field, &[], &view, None))
     }
 

@@ -4,7 +4,7 @@ use std::io::Cursor;
 
 use anyhow::{Context, ensure};
 use png::{BitDepth, ColorType, Decoder};
-use scumble_core::{Scribble, Srgb8};
+use scumble_core::{Paint, Scribble, Srgb8};
 
 use crate::rivals::neighbors;
 
@@ -95,7 +95,7 @@ fn mark(green: u8) -> Mark {
 /// # Errors
 /// When it is not in the palette, so that no pixel of a truth picture can have it.
 pub(crate) fn palette_index(scribble: &Scribble) -> anyhow::Result<u8> {
-    let index = PALETTE.iter().position(|color| *color == scribble.color);
+    let index = PALETTE.iter().position(|color| Paint::Color(*color) == scribble.color);
     let index = index.with_context(|| {
         format!("the colour {} of a scribble is not in the palette of quality sets", scribble.color)
     })?;

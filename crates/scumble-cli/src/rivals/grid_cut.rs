@@ -297,3 +297,57 @@ impl GridCut {
         self.nodes[node].tree = Tree::Free;
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const WIDTH: usize = 4;
+    const HEIGHT: usize = 3;
+    const COUNT: usize = WIDTH * HEIGHT;
+
+    /// A small problem with capacities from a fixed sequence.
+    struct Problem {
+        pulls: [i32; COUNT],
+        /// Pairs of neighbours.
+        joins: Vec<(usize, usize, i32)>,
+    }
+
+    impl Problem {
+        fn new(seed: u32) -> Self {
+            let mut state = seed;
+            let mut next = |below: u32| {
+                state = state.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
+                (state >> 16) % below
+            };
+            let pulls = [(); COUNT].map(|()| if next(3) == 0 { next(21) as i32 - 10 } else { 0 });
+            let right = (0..COUNT).filter(|pixel| pixel % WIDTH + 1 < WIDTH).map(|pixel| (pixel, pixel + 1));
+            let down = (0..COUNT - WIDTH).map(|pixel| (pixel, pixel + WIDTH));
+            let joins = right.chain(down).map(|(a, b)| (a, b, next(7) as i32)).collect();
+            Self { pulls, joins }
+        }
+
+        /// What it costs to cut off these pixels with the source.
+        fn cost(&self, with_source: impl Fn(usize) -> bool) -> i32 {
+            let pulled = |pixel: usize| match self.pulls[pixel] {
+                pull if with_source(pixel) => (-pull).max(0),
+                pull => pull.max(0),
+            };
+            let cut = self.joins.iter().filter(|(a, b, _)| with_source(*a) != with_source(*b));
+            (0..COUNT).map(pulled).sum::<i32>() + cut.map(|(_, _, capacity)| capacity).sum::<i32>()
+        }
+    }
+
+    #[test]
+    fn no_cut_is_cheaper() {
+        for seed in 0..60 {
+            let problem = Problem::new(seed);
+            let mut grid = GridCut::new(WIDTH, HEIGHT);
+            problem.pulls.iter().enumerate().for_each(|(pixel, pull)| grid.pull(pixel, *pull));
+            problem.joins.iter().for_each(|(a, b, capacity)| grid.join(*a, *b, *capacity));
+            let cut = grid.cut();
+            let least = (0..1_u32 << COUNT).map(|set| problem.cost(|pixel| set >> pixel & 1 == 1)).min();
+            assert_eq!(Some(problem.cost(|pixel| cut[pixel])), least, "problem {seed}");
+        }
+    }
+}

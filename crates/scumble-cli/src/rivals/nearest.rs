@@ -75,3 +75,31 @@ fn crossing(first: &Parabola, apex: usize, site: &Site) -> f64 {
     let (p, q) = (first.apex as f64, apex as f64);
     0.5 * (p + q + (site.distance2 - first.site.distance2) / (q - p))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_pixel_takes_a_label_at_the_least_distance() {
+        let (width, height) = (19_usize, 13_usize);
+        let mut labels = vec![None; width * height];
+        for (label, pixel) in [3, 47, 48, 101, 140, 171, 230].into_iter().enumerate() {
+            labels[pixel] = Some(label as u8);
+        }
+        let distance2 = |a: usize, b: usize| {
+            (a % width).abs_diff(b % width).pow(2) + (a / width).abs_diff(b / width).pow(2)
+        };
+        let sites = || (0..labels.len()).filter(|&site| labels[site].is_some());
+        for (pixel, found) in spread(&labels, width).into_iter().enumerate() {
+            let least = sites().map(|site| distance2(pixel, site)).min();
+            let to_found = sites().filter(|&site| labels[site] == found).map(|site| distance2(pixel, site));
+            assert_eq!(to_found.min(), least, "pixel {pixel}");
+        }
+    }
+
+    #[test]
+    fn without_labels_there_are_none() {
+        assert_eq!(spread(&[None; 6], 3), [None; 6]);
+    }
+}

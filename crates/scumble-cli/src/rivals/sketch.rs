@@ -76,3 +76,35 @@ pub(crate) fn neighbors(
 fn pixels(from: f64, to: f64, count: usize) -> std::ops::Range<usize> {
     from.max(0.0) as usize..((to.max(0.0) + 1.0) as usize).min(count)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use scumble_core::Srgb8;
+
+    fn scribble(width_du: f64, points: &[(f64, f64)]) -> Scribble {
+        let points = points.iter().map(|&p| p.into()).collect();
+        Scribble { color: Srgb8([0; 3]).into(), width_du, points }
+    }
+
+    #[test]
+    fn a_scribble_covers_the_pixels_whose_centres_it_covers() {
+        let mut sketch = Sketch::new(6, 4, vec![0; 24]);
+        sketch.draw(&scribble(4.0, &[(4.0, 4.0), (8.0, 4.0)]), 2, Affine::scale(0.5));
+        sketch.draw(&scribble(1e-3, &[(11.0, 7.0)]), 3, Affine::scale(0.5));
+        sketch.draw(&scribble(9.0, &[(-90.0, 90.0)]), 4, Affine::scale(0.5));
+        let rows: Vec<String> = sketch
+            .seeds
+            .chunks(6)
+            .map(|row| row.iter().map(|seed| seed.map_or('.', |seed| (b'0' + seed) as char)).collect())
+            .collect();
+        assert_eq!(rows, ["......", ".2222.", ".2222.", ".....3"]);
+    }
+
+    #[test]
+    fn neighbours_are_those_within_the_picture() {
+        let of = |pixel| neighbors(pixel, 3, 2).collect::<Vec<_>>();
+        assert_eq!((of(0), of(4), of(5)), (vec![1, 3], vec![1, 3, 5], vec![2, 4]));
+        assert_eq!(neighbors(0, 1, 1).count(), 0);
+    }
+}

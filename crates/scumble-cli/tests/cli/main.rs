@@ -5,4 +5,5 @@
 mod bad_input;
 mod color;
 mod corpus;
+mod eval;
 mod folder;

@@ -1,18 +1,20 @@
 //! Degrees of freedom: which unknowns a triangle has at its corners and in the middle of its edges.
 //!
-//! Around a node the triangles fall into sectors, separated by curves; all corners of one sector share an unknown.
-//! At the tip of a curve the sector goes all the way round, so there the two sides meet. The two triangles at an
-//! edge share the unknown in its middle, unless the edge is a side of a curve.
+//! Around a node the triangles fall into sectors, separated by curves and closed gaps; all corners of one sector share
+//! an unknown. At the tip of a curve the sector goes all the way round, so there the two sides meet. The two triangles
+//! at an edge share the unknown in its middle, unless the edge is a side of a curve or a part of a closed gap.
 
 use std::iter;
 
 use scumble_core::{HalfEdge, SideId, Triangulation};
 
+use super::barriers::Barriers;
+
 /// Unknown that is not numbered yet.
 const NONE: u32 = u32::MAX;
 
 /// The triangles of one region and their unknowns, counted from 0 in each region.
-#[derive(Debug, Default)]
+#[derive(Debug)]
 pub(super) struct Dofs {
     /// Triangles of the mesh, in ascending order.
     pub(super) triangles: Vec<u32>,
@@ -20,24 +22,20 @@ pub(super) struct Dofs {
     pub(super) of_triangle: Vec<[u32; 6]>,
     /// The sides of curves that bound the region, and the unknowns at their start, middle and end.
     pub(super) sides: Vec<(SideId, [u32; 3])>,
+    /// The gaps that it has a part in, open or closed, in ascending order.
+    pub(super) gaps: Vec<u32>,
     /// Number of unknowns at corners; they are numbered first.
     pub(super) corner_count: usize,
     /// Number of unknowns.
     pub(super) count: usize,
 }
 
-/// Numbers the unknowns of all regions of a mesh.
-pub(super) fn number(mesh: &Triangulation) -> Vec<Dofs> {
-    let (region_of, count) = mesh.regions();
-    let mut regions: Vec<Dofs> = iter::repeat_with(Dofs::default).take(count).collect();
-    for (t, &region) in (0..).zip(&region_of) {
-        regions[region as usize].triangles.push(t);
-    }
-    let mut numbers = Numbers { mesh, of_triangle: vec![[NONE; 6]; mesh.triangle_count()], next: 0 };
-    for region in &mut regions {
-        numbers.fill(region);
-    }
-    regions
+/// Numbers the unknowns of all regions of a set of triangles, which is made of whole regions and ascends.
+pub(super) fn number(barriers: Barriers<'_>, triangles: &[u32]) -> Vec<Dofs> {
+    let mesh = barriers.mesh;
+    let mut numbers = Numbers { barriers, of_triangle: vec![[NONE; 6]; mesh.triangle_count()], next: 0 };
+    let regions = barriers.regions(triangles).into_iter();
+    regions.map(|triangles| numbers.region(triangles)).collect()
 }
 
 impl Dofs {
@@ -52,26 +50,31 @@ impl Dofs {
 
 /// The unknowns given out so far.
 struct Numbers<'a> {
-    mesh: &'a Triangulation,
+    barriers: Barriers<'a>,
     of_triangle: Vec<[u32; 6]>,
     next: u32,
 }
 
 impl Numbers<'_> {
-    fn fill(&mut self, region: &mut Dofs) {
+    fn region(&mut self, triangles: Vec<u32>) -> Dofs {
         self.next = 0;
-        half_edges(&region.triangles).for_each(|h| self.number_sector(h));
-        region.corner_count = self.next as usize;
-        half_edges(&region.triangles).for_each(|h| self.number_middle(h));
-        region.count = self.next as usize;
-        region.of_triangle = region.triangles.iter().map(|&t| self.of_triangle[t as usize]).collect();
-        region.sides = self.sides(&region.triangles);
+        half_edges(&triangles).for_each(|h| self.number_sector(h));
+        let corner_count = self.next as usize;
+        half_edges(&triangles).for_each(|h| self.number_middle(h));
+        Dofs {
+            of_triangle: triangles.iter().map(|&t| self.of_triangle[t as usize]).collect(),
+            sides: self.sides(&triangles),
+            gaps: gaps(self.barriers.mesh, &triangles),
+            corner_count,
+            count: self.next as usize,
+            triangles,
+        }
     }
 
     /// Gives one unknown to all corners in the sector of the node that a half-edge starts from.
     fn number_sector(&mut self, h: HalfEdge) {
         if *self.corner(h) == NONE {
-            for corner in sector(self.mesh, h) {
+            for corner in sector(self.barriers, h) {
                 *self.corner(corner) = self.next;
             }
             self.next += 1;
@@ -81,7 +84,7 @@ impl Numbers<'_> {
     fn number_middle(&mut self, h: HalfEdge) {
         if *self.middle(h) == NONE {
             *self.middle(h) = self.next;
-            if let Some(twin) = self.mesh.passage(h) {
+            if let Some(twin) = self.barriers.passage(h) {
                 *self.middle(twin) = self.next;
             }
             self.next += 1;
@@ -89,7 +92,7 @@ impl Numbers<'_> {
     }
 
     fn sides(&mut self, triangles: &[u32]) -> Vec<(SideId, [u32; 3])> {
-        let sides = half_edges(triangles).filter_map(|h| self.mesh.side(h).map(|side| (side, h)));
+        let sides = half_edges(triangles).filter_map(|h| self.barriers.mesh.side(h).map(|side| (side, h)));
         sides.map(|(side, h)| (side, [*self.corner(h), *self.middle(h), *self.corner(h.next())])).collect()
     }
 
@@ -106,12 +109,19 @@ fn half_edges(triangles: &[u32]) -> impl Iterator<Item = HalfEdge> {
     triangles.iter().flat_map(|&t| (0..3).map(move |i| HalfEdge::of(t as usize, i)))
 }
 
-/// The half-edges that start from the same node as `h`, without a curve between them and `h`.
-fn sector(mesh: &Triangulation, h: HalfEdge) -> impl Iterator<Item = HalfEdge> + use<'_> {
-    let clockwise = |h: HalfEdge| mesh.passage(h).map(HalfEdge::next);
+fn gaps(mesh: &Triangulation, triangles: &[u32]) -> Vec<u32> {
+    let mut gaps: Vec<_> = half_edges(triangles).filter_map(|h| mesh.gap(h)).collect();
+    gaps.sort_unstable();
+    gaps.dedup();
+    gaps
+}
+
+/// The half-edges that start from the same node as `h`, without a barrier between them and `h`.
+fn sector(barriers: Barriers<'_>, h: HalfEdge) -> impl Iterator<Item = HalfEdge> {
+    let clockwise = |h: HalfEdge| barriers.passage(h).map(HalfEdge::next);
     let mut first = h;
     while let Some(next) = clockwise(first).filter(|&next| next != h) {
         first = next;
     }
-    iter::successors(Some(first), move |h| mesh.passage(h.prev()).filter(|&next| next != first))
+    iter::successors(Some(first), move |h| barriers.passage(h.prev()).filter(|&next| next != first))
 }

@@ -3,6 +3,7 @@
 use scumble_core::{BlendColor, HalfEdge, SideColors, Triangulation};
 
 use super::SolveError;
+use super::barriers::Barriers;
 use super::dofs::Dofs;
 use super::order::elimination_rank;
 use super::system::System;
@@ -20,14 +21,14 @@ pub(super) struct Region {
     /// The last system, and which sides were coloured then; `None` also where it does not fit into memory.
     system: Option<(Vec<bool>, System)>,
     /// The colour of each unknown, where the region is neither paper nor flat.
-    values: Vec<[f32; 3]>,
+    values: Vec<[f32; 4]>,
     is_solved: bool,
 }
 
 /// How much there is to solve.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Coloring {
-    /// No side has a colour.
+    /// No side has a colour, or all are clear.
     Paper,
     /// All given colours are the same.
     Flat(BlendColor),
@@ -45,12 +46,27 @@ impl Region {
             coloring: Coloring::Paper,
             system: None,
             values: Vec::new(),
-            is_solved: true,
+            is_solved: false,
         }
+    }
+
+    /// Its triangles, in ascending order; one at least.
+    pub(super) fn triangles(&self) -> &[u32] {
+        &self.dofs.triangles
+    }
+
+    /// Whether it has a part in one of the gaps that are marked.
+    pub(super) fn touches(&self, is_marked: &[bool]) -> bool {
+        self.dofs.gaps.iter().any(|&gap| is_marked.get(gap as usize).copied().unwrap_or(false))
     }
 
     pub(super) fn unknown_count(&self) -> usize {
         self.dofs.count
+    }
+
+    #[cfg(test)]
+    pub(super) fn is_factored(&self) -> bool {
+        self.system.as_ref().is_some_and(|(_, system)| system.is_factored())
     }
 
     /// Takes in the colours; sets up the system if it is needed and the set of coloured sides is another one.
@@ -81,13 +97,16 @@ impl Region {
     }
 
     /// Computes the values if the colours changed, and says whether they did. The system is factored.
+    ///
+    /// A channel of one value is not solved for: in opaque regions the opacity costs nothing.
     pub(super) fn solve(&mut self) -> bool {
         let changed = !self.is_solved;
         if let (true, Coloring::Blended, Some((_, system))) = (changed, self.coloring, &self.system) {
             let mut values = self.fixed_values();
-            system.solve(&mut values);
             let [least, most] = self.range();
-            let clamp = |value: BlendColor| [0, 1, 2].map(|i| value[i].max(least[i]).min(most[i]) as f32);
+            let channels: Vec<_> = (0..4).filter(|&i| least[i] != most[i]).collect();
+            system.solve(&mut values, &channels);
+            let clamp = |value: BlendColor| [0, 1, 2, 3].map(|i| value[i].max(least[i]).min(most[i]) as f32);
             self.values = values.into_iter().map(clamp).collect();
         }
         self.is_solved = true;
@@ -95,7 +114,7 @@ impl Region {
     }
 
     /// Adds the triangles of a coloured region.
-    pub(super) fn emit(&self, mesh: &Triangulation, triangles: &mut Vec<FieldTriangle>) {
+    pub(super) fn emit(&self, barriers: Barriers<'_>, triangles: &mut Vec<FieldTriangle>) {
         let color = |dof: u32| self.values[dof as usize];
         let colors = |dofs: &[u32; 6]| match self.coloring {
             Coloring::Flat(color) => [color.map(|c| c as f32); 6],
@@ -103,7 +122,7 @@ impl Region {
         };
         if self.coloring != Coloring::Paper {
             let pairs = self.dofs.triangles.iter().zip(&self.dofs.of_triangle);
-            triangles.extend(pairs.map(|(&t, dofs)| field_triangle(mesh, t as usize, colors(dofs))));
+            triangles.extend(pairs.map(|(&t, dofs)| field_triangle(barriers, t as usize, colors(dofs))));
         }
     }
 
@@ -140,9 +159,9 @@ impl Region {
 
     /// The least and the greatest value given, channel by channel.
     fn range(&self) -> [BlendColor; 2] {
-        let start = [[f64::INFINITY; 3], [f64::NEG_INFINITY; 3]];
+        let start = [[f64::INFINITY; 4], [f64::NEG_INFINITY; 4]];
         self.conditions().fold(start, |[least, most], (_, color)| {
-            [[0, 1, 2].map(|i| color[i].min(least[i])), [0, 1, 2].map(|i| color[i].max(most[i]))]
+            [[0, 1, 2, 3].map(|i| color[i].min(least[i])), [0, 1, 2, 3].map(|i| color[i].max(most[i]))]
         })
     }
 }
@@ -151,19 +170,25 @@ fn coloring(given: &[Option<[BlendColor; 3]>]) -> Coloring {
     let mut colors = given.iter().flatten().flatten();
     match colors.next() {
         None => Coloring::Paper,
-        Some(&first) if colors.all(|&color| color == first) => Coloring::Flat(first),
+        Some(&first) if colors.all(|&color| color == first) => {
+            if first == [0.0; 4] {
+                Coloring::Paper
+            } else {
+                Coloring::Flat(first)
+            }
+        }
         Some(_) => Coloring::Blended,
     }
 }
 
 fn mean(a: BlendColor, b: BlendColor) -> BlendColor {
-    [0, 1, 2].map(|i| 0.5 * (a[i] + b[i]))
+    [0, 1, 2, 3].map(|i| 0.5 * (a[i] + b[i]))
 }
 
-fn field_triangle(mesh: &Triangulation, t: usize, colors: [[f32; 3]; 6]) -> FieldTriangle {
-    let side_bit = |i: usize| u32::from(mesh.side(HalfEdge::of(t, i)).is_some()) << i;
+fn field_triangle(barriers: Barriers<'_>, t: usize, colors: [[f32; 4]; 6]) -> FieldTriangle {
+    let side_bit = |i: usize| u32::from(barriers.is_barrier(HalfEdge::of(t, i))) << i;
     FieldTriangle {
-        corners: mesh.corners(t).map(|p| [p.x as f32, p.y as f32]),
+        corners: barriers.mesh.corners(t).map(|p| [p.x as f32, p.y as f32]),
         colors,
         side_edges: (0..3).map(side_bit).sum(),
     }

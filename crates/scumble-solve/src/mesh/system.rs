@@ -47,6 +47,11 @@ impl System {
         Ok(Self { row_of, matrix, couplings, symbolic, factor: Vec::new() })
     }
 
+    #[cfg(test)]
+    pub(super) fn is_factored(&self) -> bool {
+        !self.factor.is_empty()
+    }
+
     /// Computes the factor if that is not done yet.
     pub(super) fn factor(&mut self) -> Result<(), SolveError> {
         if self.factor.is_empty() {
@@ -55,23 +60,25 @@ impl System {
         Ok(())
     }
 
-    /// Computes the free values of a factored system from the fixed ones.
-    pub(super) fn solve(&self, values: &mut [BlendColor]) {
+    /// Computes some channels of the free values of a factored system from the fixed ones.
+    pub(super) fn solve(&self, values: &mut [BlendColor], channels: &[usize]) {
         let size = self.matrix.size();
-        let mut channels = vec![0.0; 3 * size];
+        let mut columns = vec![0.0; channels.len() * size];
         for &(row, fixed, entry) in &self.couplings {
-            for (i, value) in values[fixed as usize].into_iter().enumerate() {
-                channels[i * size + row as usize] -= entry * value;
+            for (i, &channel) in channels.iter().enumerate() {
+                columns[i * size + row as usize] -= entry * values[fixed as usize][channel];
             }
         }
         SimplicialLltRef::new(&self.symbolic, &self.factor).solve_in_place_with_conj(
             Conj::No,
-            MatMut::from_column_major_slice_mut(&mut channels, size, 3),
+            MatMut::from_column_major_slice_mut(&mut columns, size, channels.len()),
             Par::Seq,
             MemStack::new(&mut []),
         );
         for (value, &row) in values.iter_mut().zip(&self.row_of).filter(|(_, row)| **row != FIXED) {
-            *value = [0, 1, 2].map(|i| channels[i * size + row as usize]);
+            for (i, &channel) in channels.iter().enumerate() {
+                value[channel] = columns[i * size + row as usize];
+            }
         }
     }
 }

@@ -5,6 +5,7 @@ use std::ops::Range;
 use scumble_core::Srgb8;
 
 use super::Pixmap;
+use super::raster::SAMPLES;
 use crate::scene::View;
 
 /// Rows of pixels: red, green, blue and straight alpha.
@@ -41,4 +42,21 @@ impl Canvas {
     pub(super) fn into_pixmap(self) -> Pixmap {
         Pixmap { width_px: self.width, height_px: self.height, rgba: self.pixels.into_flattened() }
     }
+}
+
+/// A colour over a pixel of which it covers some samples; both with straight alpha.
+pub(super) fn over(below: [u8; 4], color: [u8; 4], samples: u32) -> [u8; 4] {
+    const WHOLE: u32 = 255 * SAMPLES as u32;
+    let alpha = u32::from(color[3]) * samples;
+    if alpha == WHOLE {
+        return color;
+    }
+    let weight = 255 * alpha;
+    let weight_below = u32::from(below[3]) * (WHOLE - alpha);
+    let sum = weight + weight_below;
+    let mix = |c: usize| {
+        let mixed = u32::from(color[c]) * weight + u32::from(below[c]) * weight_below + sum / 2;
+        mixed.checked_div(sum).unwrap_or(0) as u8
+    };
+    [mix(0), mix(1), mix(2), ((sum + WHOLE / 2) / WHOLE) as u8]
 }

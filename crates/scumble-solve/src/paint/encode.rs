@@ -1,10 +1,14 @@
 //! From blend-space colours to 8-bit sRGB, rounded exactly and without a power per pixel.
 
 use scumble_core::Blend;
-use scumble_core::color::{LINEAR_FROM_LMS, LMS_FROM_OKLAB, linear_from_srgb};
+use scumble_core::color::{LEAST_OPACITY, LINEAR_FROM_LMS, LMS_FROM_OKLAB, linear_from_srgb};
 
 /// Three channels of several colours.
 pub(super) type Lanes<const N: usize> = [[f32; N]; 3];
+
+/// What is blended: three channels times the opacity, and the transparency, which is what the opacity lacks to 1. So
+/// opaque colours stay opaque to the last bit, however they are blended.
+pub(super) type Blended = [f64; 4];
 
 /// Linear light is counted in steps of 2⁻²².
 const STEPS: f32 = 4_194_304.0;
@@ -27,7 +31,7 @@ pub(super) struct CodeTable {
 /// Turns what is blended into bytes.
 ///
 /// What is blended is linear in the blend-space colour: sRGB itself, or, for OKLab, the cube roots of the cone
-/// responses.
+/// responses; and the transparency.
 #[derive(Clone, Debug)]
 pub(super) enum Encoder {
     Oklab(Box<CodeTable>),
@@ -43,20 +47,36 @@ impl Encoder {
     }
 
     /// What to blend for a blend-space colour.
-    pub(super) fn blended(&self, color: [f32; 3]) -> [f64; 3] {
-        let [l, a, b] = color.map(f64::from);
-        match self {
+    pub(super) fn blended(&self, color: [f32; 4]) -> Blended {
+        let [l, a, b, opacity] = color.map(f64::from);
+        let [l, m, s] = match self {
             Self::Oklab(_) => LMS_FROM_OKLAB.map(|row| row[0] * l + row[1] * a + row[2] * b),
             Self::Srgb => [l, a, b],
-        }
+        };
+        [l, m, s, 1.0 - opacity]
     }
 
-    /// The bytes of one colour.
-    pub(super) fn encode(&self, blended: [f64; 3]) -> [u8; 3] {
+    /// The bytes of one colour, with straight alpha.
+    pub(super) fn encode(&self, blended: Blended) -> [u8; 4] {
         let mut pixel = [[0; 4]];
-        self.encode_to(&mut pixel, &blended.map(|c| [c as f32]));
-        let [[r, g, b, _]] = pixel;
-        [r, g, b]
+        self.encode_fading_to(&mut pixel, &blended.map(|c| [c as f32]));
+        let [pixel] = pixel;
+        pixel
+    }
+
+    /// Writes up to `N` pixels, with straight alpha, of what is blended.
+    pub(super) fn encode_fading_to<const N: usize>(&self, pixels: &mut [[u8; 4]], blended: &[[f32; N]; 4]) {
+        let [l, m, s, transparency] = blended;
+        let mut straight = [*l, *m, *s];
+        for channel in &mut straight {
+            for (c, transparency) in channel.iter_mut().zip(transparency) {
+                *c /= (1.0 - transparency).max(LEAST_OPACITY as f32);
+            }
+        }
+        self.encode_to(pixels, &straight);
+        for (pixel, transparency) in pixels.iter_mut().zip(transparency) {
+            pixel[3] = rounded(unit(1.0 - transparency) * 255.0) as u8;
+        }
     }
 
     /// Writes up to `N` opaque pixels of the colours given channel by channel; what lies outside sRGB is clamped.
@@ -160,7 +180,9 @@ mod tests {
             for rgb in (0..=0xff_ffff_u32).step_by(7) {
                 let [_, r, g, b] = rgb.to_be_bytes();
                 let field_color = blend.from_srgb8(Srgb8([r, g, b])).map(|c| c as f32);
-                assert_eq!(encoder.encode(encoder.blended(field_color)), [r, g, b], "{blend:?}");
+                assert_eq!(encoder.encode(encoder.blended(field_color)), [r, g, b, 255], "{blend:?}");
+                let half = encoder.encode(encoder.blended(field_color.map(|c| 0.5 * c)));
+                assert_eq!(half, [r, g, b, 128], "{blend:?}");
             }
         }
     }
@@ -178,10 +200,12 @@ mod tests {
     #[test]
     fn what_lies_outside_srgb_is_clamped() {
         let oklab = Encoder::new(Blend::Oklab);
-        assert_eq!(oklab.encode(oklab.blended([1.7, 0.0, 0.0])), [255; 3]);
-        assert_eq!(oklab.encode(oklab.blended([-0.3, 0.0, 0.0])), [0; 3]);
-        assert_eq!(oklab.encode([f64::NAN; 3]), [0; 3]);
+        assert_eq!(oklab.encode(oklab.blended([1.7, 0.0, 0.0, 1.0])), [255; 4]);
+        assert_eq!(oklab.encode(oklab.blended([-0.3, 0.0, 0.0, 1.0])), [0, 0, 0, 255]);
+        assert_eq!(oklab.encode([f64::NAN; 4]), [0; 4]);
         let srgb = Encoder::new(Blend::Srgb);
-        assert_eq!(srgb.encode([-1.0, 2.0, 0.5]), [0, 255, 128]);
+        assert_eq!(srgb.encode([-1.0, 2.0, 0.5, 0.0]), [0, 255, 128, 255]);
+        assert_eq!(srgb.encode([0.1, 0.1, 0.1, 7.0])[3], 0);
+        assert_eq!(srgb.encode([0.1, 0.1, 0.1, -7.0])[3], 255);
     }
 }

@@ -3,9 +3,9 @@
 use kurbo::{Affine, Point};
 use scumble_core::Srgb8;
 
-use super::canvas::Canvas;
+use super::canvas::{Canvas, over};
 use super::encode::Encoder;
-use super::gradient::{LANES, Paint, RowGradient};
+use super::gradient::{LANES, RowGradient, Shade};
 use super::pixel_set::PixelSet;
 use super::raster::{SAMPLES, ScanTriangle};
 use crate::field::{Field, FieldTriangle};
@@ -13,14 +13,14 @@ use crate::field::{Field, FieldTriangle};
 /// Pixels that sides pass through, and what has been painted into them.
 struct RimPixels {
     set: PixelSet,
-    /// For each member the sums over its covered samples of red, green and blue, and their number.
+    /// For each member the sums over its covered samples of red, green and blue, times alpha, and of alpha.
     sums: Vec<[u32; 4]>,
 }
 
 /// A triangle, ready to paint.
 struct Prepared {
     scan: ScanTriangle,
-    paint: Paint,
+    shade: Shade,
 }
 
 /// Paints a field over a canvas of bare paper.
@@ -30,7 +30,7 @@ pub(super) fn paint_field(canvas: &mut Canvas, field: &Field, px_from_du: Affine
     for triangle in &field.triangles {
         let corners = px_corners(&triangle.corners, px_from_du);
         let Some(scan) = ScanTriangle::new(corners, canvas.width(), canvas.height()) else { continue };
-        let prepared = Prepared { scan, paint: Paint::new(triangle, &corners, &encoder) };
+        let prepared = Prepared { scan, shade: Shade::new(triangle, &corners, &encoder) };
         prepared.paint(canvas, &mut rim, &encoder);
     }
     rim.resolve(canvas, paper);
@@ -69,12 +69,12 @@ impl Prepared {
         if span.is_empty() {
             return;
         }
-        match &self.paint {
-            Paint::Flat([r, g, b]) => canvas.span_mut(row, span).fill([*r, *g, *b, 255]),
-            Paint::Smooth(gradient) => {
-                let colors = gradient.row_from(span.start as f64 + 0.5, f64::from(row) + 0.5);
-                paint_smooth(canvas.span_mut(row, span), &colors, encoder);
-            }
+        let (x, y) = (span.start as f64 + 0.5, f64::from(row) + 0.5);
+        let pixels = canvas.span_mut(row, span);
+        match &self.shade {
+            Shade::Flat(color) => paint_flat(pixels, *color),
+            Shade::Smooth(gradient) => paint_smooth(pixels, &gradient.row_from(x, y), encoder),
+            Shade::Fading(gradient) => paint_fading(pixels, &gradient.row_from(x, y), encoder),
         }
     }
 
@@ -83,22 +83,41 @@ impl Prepared {
         rim.set.for_each_in(row, &spans.touched(), |column, member| {
             let count = spans.count_at(column);
             if count > 0 {
-                let color = self.paint.at(column as f64 + 0.5, f64::from(row) + 0.5, encoder);
-                add(&mut rim.sums[member], color, count);
+                let [r, g, b, alpha] = self.shade.at(column as f64 + 0.5, f64::from(row) + 0.5, encoder);
+                add(&mut rim.sums[member], [r, g, b], u32::from(alpha) * count);
             }
         });
     }
 }
 
-fn paint_smooth(pixels: &mut [[u8; 4]], colors: &RowGradient, encoder: &Encoder) {
+fn paint_flat(pixels: &mut [[u8; 4]], color: [u8; 4]) {
+    if color[3] == 255 {
+        pixels.fill(color);
+    } else {
+        pixels.iter_mut().for_each(|pixel| *pixel = over(*pixel, color, SAMPLES as u32));
+    }
+}
+
+fn paint_smooth(pixels: &mut [[u8; 4]], colors: &RowGradient<3>, encoder: &Encoder) {
     for (i, chunk) in pixels.chunks_mut(LANES).enumerate() {
         encoder.encode_to(chunk, &colors.lanes(i * LANES));
     }
 }
 
-fn add(sum: &mut [u32; 4], [r, g, b]: [u8; 3], count: u32) {
+fn paint_fading(pixels: &mut [[u8; 4]], colors: &RowGradient<4>, encoder: &Encoder) {
+    for (i, chunk) in pixels.chunks_mut(LANES).enumerate() {
+        let mut fading = [[0; 4]; LANES];
+        encoder.encode_fading_to(&mut fading, &colors.lanes(i * LANES));
+        for (pixel, color) in chunk.iter_mut().zip(fading) {
+            *pixel = over(*pixel, color, SAMPLES as u32);
+        }
+    }
+}
+
+/// Adds samples of one colour, `alpha` being their alphas in all.
+fn add(sum: &mut [u32; 4], [r, g, b]: [u8; 3], alpha: u32) {
     for (sum, c) in sum.iter_mut().zip([r, g, b, 1]) {
-        *sum += u32::from(c) * count;
+        *sum = sum.saturating_add(u32::from(c) * alpha);
     }
 }
 
@@ -123,12 +142,13 @@ impl RimPixels {
 
 /// The mean of the samples of a pixel.
 fn mean(mut sum: [u32; 4], paper: Option<Srgb8>) -> [u8; 4] {
-    let bare = (SAMPLES as u32).saturating_sub(sum[3]);
+    const WHOLE: u32 = 255 * SAMPLES as u32;
+    let bare = WHOLE.saturating_sub(sum[3]);
     if let Some(Srgb8(paper)) = paper {
         add(&mut sum, paper, bare);
     }
-    let [r, g, b, count] = sum;
-    let alpha = (255 * count.min(SAMPLES as u32) + SAMPLES as u32 / 2) / SAMPLES as u32;
-    let [r, g, b] = [r, g, b].map(|c| ((c + count / 2).checked_div(count).unwrap_or(0)) as u8);
+    let [r, g, b, weight] = sum;
+    let alpha = (weight.min(WHOLE) + SAMPLES as u32 / 2) / SAMPLES as u32;
+    let [r, g, b] = [r, g, b].map(|c| ((c + weight / 2).checked_div(weight).unwrap_or(0)) as u8);
     [r, g, b, alpha as u8]
 }

@@ -4,7 +4,7 @@ use std::ops::Range;
 
 use kurbo::Affine;
 
-use super::canvas::Canvas;
+use super::canvas::{Canvas, over};
 use super::field_painter::px_corners;
 use super::raster::{SAMPLES, SampleSpans, ScanTriangle};
 use crate::scene::Shape;
@@ -91,21 +91,4 @@ fn set(masks: &mut [u16], columns: Range<usize>, sample: usize) {
     for mask in masks.get_mut(columns).into_iter().flatten() {
         *mask |= 1 << sample;
     }
-}
-
-/// A colour over a pixel of which it covers some samples; both with straight alpha.
-fn over(below: [u8; 4], color: [u8; 4], samples: u32) -> [u8; 4] {
-    const WHOLE: u32 = 255 * SAMPLES as u32;
-    let alpha = u32::from(color[3]) * samples;
-    if alpha == WHOLE {
-        return color;
-    }
-    let weight = 255 * alpha;
-    let weight_below = u32::from(below[3]) * (WHOLE - alpha);
-    let sum = weight + weight_below;
-    let mix = |c: usize| {
-        let mixed = u32::from(color[c]) * weight + u32::from(below[c]) * weight_below + sum / 2;
-        mixed.checked_div(sum).unwrap_or(0) as u8
-    };
-    [mix(0), mix(1), mix(2), ((sum + WHOLE / 2) / WHOLE) as u8]
 }

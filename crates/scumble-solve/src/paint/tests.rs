@@ -65,6 +65,11 @@ fn shaken_mesh(size: f64, cells: usize, color_at: impl Fn([f64; 2]) -> [f32; 3])
     triangles
 }
 
+/// A blend-space colour without transparency.
+fn opaque_at([a, b, c]: [f32; 3]) -> [f32; 4] {
+    [a, b, c, 1.0]
+}
+
 fn colored(
     corners: [[f32; 2]; 3],
     side_edges: u32,
@@ -73,7 +78,7 @@ fn colored(
     let [a, b, c] = corners.map(|p| p.map(f64::from));
     let middle = |a: [f64; 2], b: [f64; 2]| [0.5 * (a[0] + b[0]), 0.5 * (a[1] + b[1])];
     let nodes = [a, b, c, middle(a, b), middle(b, c), middle(c, a)];
-    FieldTriangle { corners, colors: nodes.map(color_at), side_edges }
+    FieldTriangle { corners, colors: nodes.map(|p| opaque_at(color_at(p))), side_edges }
 }
 
 #[test]
@@ -86,7 +91,7 @@ fn an_empty_scene_is_bare_paper() {
 
 #[test]
 fn a_mesh_of_one_colour_shows_no_seam_and_no_gap_at_any_angle_and_zoom() {
-    let [r, g, b] = Blend::Oklab.from_srgb8(RED).map(|c| c as f32);
+    let [r, g, b, _] = Blend::Oklab.from_srgb8(RED).map(|c| c as f32);
     for (cells, turn, zoom) in
         [(7, 0.0, 1.0), (40, 0.3, 1.0), (150, 1.1, 1.7), (90, 2.0, 40.0), (5, 0.7, 3e4)]
     {
@@ -175,7 +180,7 @@ fn inner_pixels_are_the_quadratic_at_their_centre() {
         let field = Field { blend, triangles: shaken_mesh(64.0, 9, hills) };
         let picture = paint(&Scene { paper: None, field: &field, shapes: &[] }, &view(Affine::IDENTITY));
         for (y, x) in (0..48).flat_map(|y| (0..64).map(move |x| (y, x))) {
-            let exact = opaque(blend.to_srgb8(value_at(&field, Point::new(x as f64 + 0.5, y as f64 + 0.5))));
+            let Rgba8(exact) = blend.to_rgba8(value_at(&field, Point::new(x as f64 + 0.5, y as f64 + 0.5)));
             let found = pixel(&picture, x, y);
             let difference = (0..4).map(|c| found[c].abs_diff(exact[c])).max();
             assert!(difference <= Some(1), "{blend:?} {x} {y}: {found:?} {exact:?}");
@@ -184,7 +189,7 @@ fn inner_pixels_are_the_quadratic_at_their_centre() {
 }
 
 /// The field's colour at a point, straight from the definition.
-fn value_at(field: &Field, p: Point) -> [f64; 3] {
+fn value_at(field: &Field, p: Point) -> [f64; 4] {
     let weights = |t: &FieldTriangle| {
         let [a, b, c] = t.corners.map(|[x, y]| Point::new(x.into(), y.into()));
         let area = (b - a).cross(c - a);
@@ -201,13 +206,13 @@ fn value_at(field: &Field, p: Point) -> [f64; 3] {
         4.0 * v * w,
         4.0 * w * u,
     ];
-    [0, 1, 2].map(|c| triangle.colors.iter().zip(shares).map(|(color, s)| f64::from(color[c]) * s).sum())
+    [0, 1, 2, 3].map(|c| triangle.colors.iter().zip(shares).map(|(color, s)| f64::from(color[c]) * s).sum())
 }
 
 #[test]
 fn solver_noise_does_not_move_a_picked_colour() {
-    let exact = Blend::Oklab.from_srgb8(GREEN);
-    let noisy = |[x, y]: [f64; 2]| exact.map(|c| (c + 3e-6 * (x * 1.7 + y * 2.3).sin()) as f32);
+    let [l, a, b, _] = Blend::Oklab.from_srgb8(GREEN);
+    let noisy = |[x, y]: [f64; 2]| [l, a, b].map(|c| (c + 3e-6 * (x * 1.7 + y * 2.3).sin()) as f32);
     let picture = painted(shaken_mesh(64.0, 20, noisy), &[], None, view(Affine::IDENTITY));
     assert!(picture.rgba.as_chunks().0.iter().all(|p| *p == opaque(GREEN)));
 }
@@ -313,4 +318,49 @@ fn half_covered_twice_is_three_quarters() {
     let shape = square_shape(10.5, 10.0, 20.0, [200, 100, 50, 255]);
     let picture = painted(vec![], &[shape.clone(), shape], None, view(Affine::IDENTITY));
     assert_eq!(pixel(&picture, 10, 15), [200, 100, 50, 192]);
+}
+
+/// From a colour on the left to nothing on the right.
+fn fading(color: Srgb8) -> Vec<FieldTriangle> {
+    let color = Blend::Oklab.from_srgb8(color);
+    let mut triangles = shaken_mesh(64.0, 9, |_| [0.0; 3]);
+    for triangle in &mut triangles {
+        let [a, b, c] = triangle.corners;
+        let middle = |a: [f32; 2], b: [f32; 2]| [0.5 * (a[0] + b[0]), 0.5 * (a[1] + b[1])];
+        let nodes = [a, b, c, middle(a, b), middle(b, c), middle(c, a)];
+        triangle.colors = nodes.map(|[x, _]| color.map(|c| (c * (1.0 - f64::from(x) / 64.0)) as f32));
+    }
+    triangles
+}
+
+#[test]
+fn a_colour_that_fades_keeps_its_hue_and_lets_the_paper_through() {
+    let without = painted(fading(RED), &[], None, view(Affine::IDENTITY));
+    let with = painted(fading(RED), &[], Some(WHITE), view(Affine::IDENTITY));
+    for (y, x) in (0..48).flat_map(|y| (0..64).map(move |x| (y, x))) {
+        let opacity = 1.0 - (x as f64 + 0.5) / 64.0;
+        let [r, g, b, a] = pixel(&without, x, y);
+        assert!((f64::from(a) - 255.0 * opacity).abs() <= 1.0, "{x} {y}: {a}");
+        assert!([r, g, b].iter().zip(RED.0).all(|(c, red)| c.abs_diff(red) <= 1), "{x} {y}: {r} {g} {b}");
+        let over_white = RED.0.map(|c| opacity * f64::from(c) + (1.0 - opacity) * 255.0);
+        let found = pixel(&with, x, y);
+        assert!((0..3).all(|c| (f64::from(found[c]) - over_white[c]).abs() <= 2.0), "{x} {y}: {found:?}");
+        assert_eq!(found[3], 255);
+    }
+}
+
+#[test]
+fn the_rim_of_something_faint_is_fainter_still() {
+    let faint = |color: Srgb8| Blend::Oklab.from_srgb8(color).map(|c| 0.4 * c as f32);
+    let mut square = rectangle([10.5, 20.0], [8.0, 30.0], RED);
+    square.iter_mut().for_each(|triangle| triangle.colors = [faint(RED); 6]);
+    let [r, g, b] = RED.0;
+    let picture = painted(square.to_vec(), &[], None, view(Affine::IDENTITY));
+    assert_eq!(pixel(&picture, 15, 20), [r, g, b, 102]);
+    assert_eq!(pixel(&picture, 10, 20), [r, g, b, 51]);
+    let picture = painted(square.to_vec(), &[], Some(WHITE), view(Affine::IDENTITY));
+    let mixed =
+        |opacity: f64| RED.0.map(|c| (f64::from(c) * opacity + 255.0 * (1.0 - opacity)).round() as u8);
+    assert_eq!(pixel(&picture, 15, 20)[..3], mixed(0.4));
+    assert_eq!(pixel(&picture, 10, 20)[..3], mixed(0.2));
 }

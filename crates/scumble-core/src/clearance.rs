@@ -1,0 +1,202 @@
+//! Clearance: how much room the drawn lines leave to what passes between them.
+//!
+//! The nodes of the map are samples of its curves, so the Delaunay triangulation tells the width of each passage: from
+//! one triangle to the next, along the Voronoi edge between their circumcentres, the narrowest place is the common
+//! edge where it lies between the centres (a Gabriel edge), and the nearer centre's own place otherwise. Widths are
+//! clear widths: what is left beside the drawn lines.
+//!
+//! A passage at the tip of a line is more of a gap in an outline than one between two curves that go on, all the more
+//! so where the line points across it: such widths are scaled down. The border of the page is no line; passages along
+//! it count as wide.
+
+use kurbo::{Point, Vec2};
+
+use crate::planar_map::PlanarMap;
+use crate::triangulation::{HalfEdge, Triangulation};
+
+/// What a passage beside the tip of a line counts, as a part of its width, where the line points along it.
+const BESIDE_TIP: f64 = 0.7;
+
+/// The same where the line points across it.
+const AHEAD_OF_TIP: f64 = 0.3;
+
+/// How much wider a passage between a line and the border of the page counts.
+const BORDER_FACTOR: f64 = 4.0;
+
+/// The width of a passage along the border with no line beside it, in du.
+pub(crate) const OPEN_DU: f64 = 4096.0;
+
+/// Steps from the tip of a line to the place that its direction is taken from.
+const TIP_STEPS: usize = 3;
+
+/// The widths of all passages of a map.
+#[derive(Clone, Debug)]
+pub(crate) struct Clearance {
+    /// Per half-edge, in du; negative where drawn lines overlap, and without meaning on sides of curves.
+    pub(crate) widths_du: Vec<f64>,
+    /// Per triangle the clear width at its circumcentre, in du.
+    pub(crate) triangle_widths_du: Vec<f64>,
+}
+
+impl Clearance {
+    pub(crate) fn new(map: &PlanarMap) -> Self {
+        let mesh = map.triangulation();
+        let tips = tip_directions(map);
+        let triangle_widths_du: Vec<_> =
+            (0..mesh.triangle_count()).map(|t| triangle_width_du(map, t)).collect();
+        let width_du = |h| match mesh.passage(h) {
+            Some(_) if is_gabriel(mesh, h) => edge_width_du(map, &tips, h),
+            Some(twin) => triangle_widths_du[h.triangle()].min(triangle_widths_du[twin.triangle()]),
+            None => 0.0,
+        };
+        let widths_du: Vec<_> = mesh.half_edges().map(width_du).collect();
+        let place = |t| place_width_du(map, &tips, &widths_du, triangle_widths_du[t], t);
+        let triangle_widths_du = (0..mesh.triangle_count()).map(place).collect();
+        Self { widths_du, triangle_widths_du }
+    }
+}
+
+/// Distance of a point from the nearest drawn line around the triangle that it lies in, in du; negative on a line,
+/// [`OPEN_DU`] where there is none.
+pub(crate) fn distance_to_lines_du(map: &PlanarMap, p: Point, triangle: usize) -> f64 {
+    let mesh = map.triangulation();
+    let to_line = |h: HalfEdge| {
+        let [a, b] = mesh.ends(h).map(|node| map.half_width_du(node));
+        let to_corner = a.map_or(OPEN_DU, |half_du| (p - mesh.segment(h)[0]).hypot() - half_du);
+        match (mesh.side(h), a, b) {
+            (Some(_), Some(a), Some(b)) => to_corner.min(distance_to_segment(p, mesh.segment(h)) - a.min(b)),
+            _ => to_corner,
+        }
+    };
+    (0..3).map(|i| to_line(HalfEdge::of(triangle, i))).fold(OPEN_DU, f64::min)
+}
+
+fn distance_to_segment(p: Point, [a, b]: [Point; 2]) -> f64 {
+    let along = ((p - a).dot(b - a) / (b - a).hypot2()).clamp(0.0, 1.0);
+    (p - a.lerp(b, along)).hypot()
+}
+
+/// Whether no corner opposite to an edge lies in the circle over it, so that it crosses its passage at the narrowest.
+pub(crate) fn is_gabriel(mesh: &Triangulation, h: HalfEdge) -> bool {
+    let is_acute = |h: HalfEdge| {
+        let [a, b] = mesh.segment(h);
+        let opposite = mesh.segment(h.prev())[0];
+        (a - opposite).dot(b - opposite) > 0.0
+    };
+    is_acute(h) && mesh.twin(h).is_none_or(is_acute)
+}
+
+/// Twice the circumradius without the lines.
+fn triangle_width_du(map: &PlanarMap, triangle: usize) -> f64 {
+    let mesh = map.triangulation();
+    let corners = mesh.corners(triangle);
+    let halves_du = mesh.nodes(triangle).map(|node| map.half_width_du(node));
+    let lines_du = 2.0 * halves_du.iter().flatten().copied().fold(0.0, f64::max);
+    let factor = if halves_du.contains(&None) { BORDER_FACTOR } else { 1.0 };
+    circumcenter(corners)
+        .map_or(OPEN_DU, |center| (factor * 2.0 * (center - corners[0]).hypot() - lines_du).min(OPEN_DU))
+}
+
+/// The widest place of a triangle: its circle, or one of the passages out of it.
+fn place_width_du(
+    map: &PlanarMap,
+    tips: &[Option<Vec2>],
+    widths_du: &[f64],
+    circle_du: f64,
+    triangle: usize,
+) -> f64 {
+    let mesh = map.triangulation();
+    let corners = mesh.corners(triangle);
+    let factor = circumcenter(corners).map_or(1.0, |center| {
+        let radius_du = (center - corners[0]).hypot();
+        let factor =
+            |i: usize| tip_factor(tips[mesh.nodes(triangle)[i] as usize], (center - corners[i]) / radius_du);
+        factor(0) * factor(1) * factor(2)
+    });
+    let passages = (0..3).map(|i| HalfEdge::of(triangle, i)).filter(|&h| mesh.passage(h).is_some());
+    passages.map(|h| widths_du[h.index()]).fold(factor * circle_du, f64::max)
+}
+
+/// `None` where the corners lie on a line.
+fn circumcenter([a, b, c]: [Point; 3]) -> Option<Point> {
+    let (u, v) = (b - a, c - a);
+    let double_area = u.cross(v);
+    let offset = Vec2::new(v.y * u.hypot2() - u.y * v.hypot2(), u.x * v.hypot2() - v.x * u.hypot2());
+    (double_area > 0.0).then(|| a + offset / (2.0 * double_area))
+}
+
+/// The length of an edge without the lines at its ends.
+fn edge_width_du(map: &PlanarMap, tips: &[Option<Vec2>], h: HalfEdge) -> f64 {
+    let mesh = map.triangulation();
+    let [a, b] = mesh.segment(h);
+    let length_du = (b - a).hypot();
+    let across = (b - a) / length_du;
+    match mesh.ends(h).map(|node| map.half_width_du(node)) {
+        [None, None] => OPEN_DU,
+        [Some(half_du), None] | [None, Some(half_du)] => (BORDER_FACTOR * length_du - half_du).min(OPEN_DU),
+        [Some(left_du), Some(right_du)] => {
+            let width_du = length_du - left_du - right_du;
+            let [left, right] = mesh.ends(h).map(|node| tips[node as usize]);
+            let factor = tip_factor(left, across) * tip_factor(right, -across);
+            if width_du > 0.0 { width_du * factor } else { width_du }
+        }
+    }
+}
+
+fn tip_factor(tip: Option<Vec2>, across: Vec2) -> f64 {
+    tip.map_or(1.0, |direction| BESIDE_TIP + (AHEAD_OF_TIP - BESIDE_TIP) * direction.dot(across).max(0.0))
+}
+
+/// For each node at which a single piece ends, the direction in which its line points.
+fn tip_directions(map: &PlanarMap) -> Vec<Option<Vec2>> {
+    let points = map.triangulation().points();
+    let neighbours = Neighbours::new(map);
+    let direction = |tip: usize| {
+        let back = neighbours.walk_back(tip as u32)?;
+        let along = points[tip] - points[back as usize];
+        Some(along / along.hypot())
+    };
+    (0..points.len()).map(direction).collect()
+}
+
+/// The nodes that pieces join to each node, where there are one or two.
+struct Neighbours {
+    of: Vec<[u32; 2]>,
+    count: Vec<u32>,
+}
+
+impl Neighbours {
+    fn new(map: &PlanarMap) -> Self {
+        let nodes = map.triangulation().points().len();
+        let mut this = Self { of: vec![[0; 2]; nodes], count: vec![0; nodes] };
+        for [a, b] in map.pieces().iter().map(|piece| piece.nodes) {
+            this.join(a, b);
+            this.join(b, a);
+        }
+        this
+    }
+
+    fn join(&mut self, a: u32, b: u32) {
+        let count = &mut self.count[a as usize];
+        if let Some(place) = self.of[a as usize].get_mut(*count as usize) {
+            *place = b;
+        }
+        *count += 1;
+    }
+
+    /// A node some steps back from a tip; `None` if the node is none.
+    fn walk_back(&self, tip: u32) -> Option<u32> {
+        if self.count[tip as usize] != 1 {
+            return None;
+        }
+        let (mut from, mut at) = (tip, self.of[tip as usize][0]);
+        for _ in 1..TIP_STEPS {
+            if self.count[at as usize] != 2 {
+                break;
+            }
+            let [a, b] = self.of[at as usize];
+            (from, at) = (at, if a == from { b } else { a });
+        }
+        Some(at)
+    }
+}

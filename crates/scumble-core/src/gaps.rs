@@ -1,0 +1,82 @@
+//! Gaps: narrow passages between wide places, where a person would say that a shape ends.
+//!
+//! Places are joined through their passages, the widest first, as in a watershed of the clearance. A passage that is
+//! much narrower than the widest places on both its sides stays closed: it is a gap. This is the persistence of a
+//! saddle (H. Edelsbrunner et al., *Topological persistence and simplification*, 2002), as a ratio.
+
+use crate::clearance::{Clearance, is_gabriel};
+use crate::planar_map::{Gap, PlanarMap};
+use crate::triangulation::HalfEdge;
+
+/// The ratio of widths below which a passage is a gap, where all gaps are closed that could be.
+const LARGEST_RATIO: f64 = 0.95;
+
+/// The ratio for a gap closing from 0 to 1: half of it for a little less than a third of the way, where it matters.
+fn closed_below(closing: f64) -> f64 {
+    let closing = closing.clamp(0.0, 1.0);
+    LARGEST_RATIO * closing * (2.0 - closing)
+}
+
+impl PlanarMap {
+    /// The same map with its gaps found anew: the passages narrower than the wide places on both their sides by more
+    /// than `closing` tells, from 0 (only where drawn lines overlap) to 1 (wherever it gets a little narrower).
+    pub fn with_gaps_closed(self, closing: f64) -> Self {
+        let gaps = find(&self, &Clearance::new(&self), closed_below(closing));
+        self.with_gaps(gaps)
+    }
+}
+
+/// The passages that stay closed when those with a clear width of at least `ratio` times that of the narrower of the
+/// places they join are open.
+fn find(map: &PlanarMap, clearance: &Clearance, ratio: f64) -> Vec<Gap> {
+    let mesh = map.triangulation();
+    let is_first = |h: &HalfEdge| mesh.passage(*h).is_some_and(|twin| *h < twin);
+    let mut passages: Vec<HalfEdge> = mesh.half_edges().filter(is_first).collect();
+    let width_du = |h: HalfEdge| clearance.widths_du[h.index()];
+    passages.sort_by(|&a, &b| width_du(b).total_cmp(&width_du(a)).then(a.cmp(&b)));
+    let mut places = Places::new(clearance.triangle_widths_du.clone());
+    let mut gaps = Vec::new();
+    for h in passages {
+        let Some(twin) = mesh.passage(h) else { continue };
+        let [a, b] = [h, twin].map(|h| places.of(h.triangle() as u32));
+        let narrower_du = places.width_du(a).min(places.width_du(b));
+        if a != b && is_gabriel(mesh, h) && width_du(h) < ratio * narrower_du.max(0.0) {
+            gaps.push(Gap { nodes: mesh.ends(h), width_du: width_du(h) });
+        } else {
+            places.join(a, b);
+        }
+    }
+    gaps
+}
+
+/// Sets of triangles, each with its widest place.
+struct Places {
+    parents: Vec<u32>,
+    widths_du: Vec<f64>,
+}
+
+impl Places {
+    fn new(widths_du: Vec<f64>) -> Self {
+        Self { parents: (0..widths_du.len() as u32).collect(), widths_du }
+    }
+
+    /// The set of a triangle, halving the way to it for the next time.
+    fn of(&mut self, mut triangle: u32) -> u32 {
+        while self.parents[triangle as usize] != triangle {
+            let parent = self.parents[triangle as usize];
+            self.parents[triangle as usize] = self.parents[parent as usize];
+            triangle = parent;
+        }
+        triangle
+    }
+
+    fn width_du(&self, place: u32) -> f64 {
+        self.widths_du[place as usize]
+    }
+
+    /// Joins two sets under the one with the wider place.
+    fn join(&mut self, a: u32, b: u32) {
+        let (wide, narrow) = if self.width_du(a) >= self.width_du(b) { (a, b) } else { (b, a) };
+        self.parents[narrow as usize] = wide;
+    }
+}

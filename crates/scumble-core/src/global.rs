@@ -1,0 +1,157 @@
+//! The `Global` engine: all scribbles at once, each place taken by the one that comes to it by the widest way.
+//!
+//! Every scribble floods the triangles of the planar map from where it was drawn. The way from triangle to triangle
+//! costs `length · (1 / width)⁸`: nearly the order "widest passage first, then distance", but a metric, so that a
+//! scribble that grows takes places from others and never gives any away, and the order of scribbles does not
+//! matter. Costs are integers, so that nothing depends on how sums are rounded.
+//!
+//! A place in a passage of a certain width is as hard to leave as the passage: what is scribbled close to a line, or
+//! on it, has less to say about the other end of the room than what is scribbled in the open. That makes up for the
+//! hand that leaves its region a little.
+//!
+//! Colours stop at the [gaps](PlanarMap::gaps) of the map. With `spread`, they go on from there: through the gaps,
+//! and then across lines, into each region from the neighbour that shares the longest border with it.
+//!
+//! A minimum cut on the places in doubt was not needed: on the quality set, this flood alone is ahead of cuts on
+//! pixels, and of the best of three methods picked for each drawing.
+
+mod claim;
+mod crossing;
+mod flood;
+
+use std::cmp::Ordering;
+
+use claim::Claim;
+use crossing::Crossing;
+use flood::{Flood, Ways};
+
+use crate::engine::{Engine, Labels};
+use crate::planar_map::PlanarMap;
+use crate::scribble::Scribble;
+
+/// Floods the map from all scribbles; keeps the flood of the last call, and goes on with it where scribbles were only
+/// added to.
+#[derive(Clone, Debug, Default)]
+pub struct Global {
+    spread: bool,
+    /// What depends on the map alone.
+    ground: Option<Ground>,
+    /// Of the scribbles of the last call.
+    claims: Vec<Claim>,
+    ranks: Vec<u32>,
+    flood: Flood,
+}
+
+#[derive(Clone, Debug)]
+struct Ground {
+    ways: Ways,
+    crossing: Crossing,
+}
+
+impl Ground {
+    fn new(map: &PlanarMap) -> Self {
+        Self { ways: Ways::new(map), crossing: Crossing::new(map) }
+    }
+}
+
+impl Global {
+    /// With `spread`, colours go on into areas that nobody scribbled.
+    pub fn new(spread: bool) -> Self {
+        Self { spread, ..Self::default() }
+    }
+}
+
+impl Engine for Global {
+    fn label(&mut self, map: &PlanarMap, scribbles: &[Scribble]) -> Labels {
+        let ground = self.ground.take().unwrap_or_else(|| Ground::new(map));
+        self.go_on(map, &ground.ways, scribbles);
+        let labels = if self.spread {
+            let mut flood = self.flood.clone();
+            flood.pass_gaps(map, &ground.ways, &self.ranks);
+            ground.crossing.cross(map, &mut flood.labels, &self.ranks);
+            labels(map, &flood.labels)
+        } else {
+            labels(map, &self.flood.labels)
+        };
+        self.ground = Some(ground);
+        labels
+    }
+}
+
+impl Global {
+    /// Floods the map from what these scribbles are more than those of the last call, or from all.
+    fn go_on(&mut self, map: &PlanarMap, ways: &Ways, scribbles: &[Scribble]) {
+        let ranks = ranks(scribbles);
+        if !self.goes_on(scribbles, &ranks) {
+            self.begin_anew(map, scribbles, &ranks);
+        }
+        self.claims.resize_with(scribbles.len(), Claim::default);
+        for (label, (scribble, claim)) in (0..).zip(scribbles.iter().zip(&mut self.claims)) {
+            for &(triangle, cost) in claim.follow(map, &ways.places, &scribble.points) {
+                self.flood.reach(triangle, cost, label, &ranks);
+            }
+        }
+        self.flood.run(map, ways, &ranks);
+        self.ranks = ranks;
+    }
+
+    /// Whether scribbles were only added or added to since the last call, and none of those that were there changed
+    /// its rank among them.
+    fn goes_on(&self, scribbles: &[Scribble], ranks: &[u32]) -> bool {
+        let begins = |(claim, scribble): (&Claim, &Scribble)| scribble.points.starts_with(claim.points());
+        let order = |ranks: &[u32]| {
+            let mut order: Vec<usize> = (0..self.claims.len()).collect();
+            order.sort_unstable_by_key(|&i| ranks[i]);
+            order
+        };
+        !self.flood.labels.is_empty()
+            && self.claims.len() <= scribbles.len()
+            && self.claims.iter().zip(scribbles).all(begins)
+            && order(ranks) == order(&self.ranks)
+    }
+
+    /// Dries the map, and lets those scribbles in that were there before.
+    fn begin_anew(&mut self, map: &PlanarMap, scribbles: &[Scribble], ranks: &[u32]) {
+        self.flood = Flood::new(map);
+        let known = std::mem::take(&mut self.claims);
+        let same =
+            |scribble: &Scribble| known.iter().find(|claim| claim.points() == scribble.points).cloned();
+        self.claims = scribbles.iter().map(|scribble| same(scribble).unwrap_or_default()).collect();
+        for (label, claim) in (0..).zip(&self.claims) {
+            for &(triangle, cost) in claim.seeds() {
+                self.flood.reach(triangle, cost, label, ranks);
+            }
+        }
+    }
+}
+
+/// The place of each scribble in an order that does not depend on the order in which they were drawn.
+fn ranks(scribbles: &[Scribble]) -> Vec<u32> {
+    let mut order: Vec<usize> = (0..scribbles.len()).collect();
+    order.sort_by(|&a, &b| compare(&scribbles[a], &scribbles[b]));
+    let mut ranks = vec![0; scribbles.len()];
+    (0..).zip(order).for_each(|(rank, i)| ranks[i] = rank);
+    ranks
+}
+
+fn compare(a: &Scribble, b: &Scribble) -> Ordering {
+    let mut pairs = a.points.iter().zip(&b.points);
+    let points =
+        pairs.find_map(|(p, q)| Some(p.x.total_cmp(&q.x).then(p.y.total_cmp(&q.y))).filter(|o| o.is_ne()));
+    points.unwrap_or(a.points.len().cmp(&b.points.len())).then(a.color.cmp(&b.color))
+}
+
+/// Labels of sides from those of the triangles that they bound. A gap between two labels is closed.
+fn labels(map: &PlanarMap, of_triangles: &[u32]) -> Labels {
+    let mesh = map.triangulation();
+    let mut labels = Labels::none(map);
+    for h in mesh.half_edges() {
+        let label = of_triangles[h.triangle()];
+        if let Some(side) = mesh.side(h) {
+            labels.sides[side.index()] = (label != flood::NONE).then_some(label);
+        } else if let (Some(gap), Some(twin)) = (mesh.gap(h), mesh.passage(h)) {
+            labels.closed_gaps[gap as usize] = label != of_triangles[twin.triangle()];
+        }
+    }
+    labels
+}

@@ -1,0 +1,68 @@
+//! What one scribble claims by itself: the triangles that it was drawn on, each at a cost.
+
+use std::collections::BTreeMap;
+
+use kurbo::Point;
+
+use super::flood::{Cost, cost};
+use crate::clearance::distance_to_lines_du;
+use crate::planar_map::PlanarMap;
+use crate::stroke::Stroke;
+
+/// A scribble holds its place like a passage that is this many times as wide as its distance from the drawn lines:
+/// 2 is the widest that could pass there, and more keeps a careful dab near a line from being flooded.
+const HOLD: f64 = 4.0;
+
+/// A place counts as meant once the scribble has this part of its samples so far there: less is a hand that slipped.
+const MEANT: f64 = 0.15;
+
+/// The samples of a scribble so far.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Claim {
+    stroke: Stroke,
+    sample_count: usize,
+    /// Per place the samples there.
+    visits: BTreeMap<u32, Visit>,
+    seeds: Vec<Seed>,
+}
+
+/// A triangle, and what it costs to claim it.
+pub(super) type Seed = (usize, Cost);
+
+/// The samples in one place.
+#[derive(Clone, Debug, Default)]
+struct Visit {
+    sample_count: usize,
+    is_meant: bool,
+    /// Held back until the place is meant.
+    held_back: Vec<Seed>,
+}
+
+impl Claim {
+    /// The points that have been followed.
+    pub(super) fn points(&self) -> &[Point] {
+        self.stroke.points()
+    }
+
+    /// All triangles claimed so far.
+    pub(super) fn seeds(&self) -> &[Seed] {
+        &self.seeds
+    }
+
+    /// Goes on to the end of a scribble that begins with the points followed so far, and gives what that adds.
+    pub(super) fn follow(&mut self, map: &PlanarMap, places: &[u32], points: &[Point]) -> &[Seed] {
+        let known = self.seeds.len();
+        let Self { stroke, sample_count, visits, seeds } = self;
+        stroke.follow(map, points, |p, triangle| {
+            *sample_count += 1;
+            let visit = visits.entry(places[triangle]).or_default();
+            visit.sample_count += 1;
+            visit.is_meant |= visit.sample_count as f64 >= MEANT * *sample_count as f64;
+            visit.held_back.push((triangle, cost(0.0, HOLD * distance_to_lines_du(map, p, triangle))));
+            if visit.is_meant {
+                seeds.append(&mut visit.held_back);
+            }
+        });
+        &self.seeds[known..]
+    }
+}

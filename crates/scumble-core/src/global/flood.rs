@@ -1,0 +1,115 @@
+//! The flood: every triangle goes to the scribble with the cheapest way to it (Dijkstra from many seeds).
+
+use std::cmp::Reverse;
+use std::collections::BinaryHeap;
+
+use crate::clearance::{Clearance, OPEN_DU};
+use crate::planar_map::PlanarMap;
+use crate::triangulation::HalfEdge;
+
+/// The cost of a way. Sums are exact: there are at most 2²² triangles, and a step costs less than 2¹⁰¹.
+pub(super) type Cost = u128;
+
+/// Widths below this count as this, in du.
+const LEAST_WIDTH_DU: f64 = 2.0;
+
+/// Label of a triangle that no scribble reaches.
+pub(super) const NONE: u32 = u32::MAX;
+
+/// What it costs to go some way through a passage, both in du.
+pub(super) fn cost(length_du: f64, width_du: f64) -> Cost {
+    let narrowness = OPEN_DU / width_du.clamp(LEAST_WIDTH_DU, OPEN_DU);
+    let squared = narrowness * narrowness;
+    let fourth = squared * squared;
+    ((1.0 + length_du) * fourth * fourth) as Cost
+}
+
+/// What it costs to go from triangle to triangle, per half-edge that is left through.
+#[derive(Clone, Debug)]
+pub(super) struct Ways {
+    costs: Vec<Cost>,
+    /// Per triangle its place: the triangles that are joined without crossing a curve or a gap.
+    pub(super) places: Vec<u32>,
+}
+
+impl Ways {
+    pub(super) fn new(map: &PlanarMap) -> Self {
+        let mesh = map.triangulation();
+        let clearance = Clearance::new(map);
+        let centroid = |t: usize| {
+            let [a, b, c] = mesh.corners(t).map(|p| p.to_vec2());
+            (a + b + c) / 3.0
+        };
+        let step = |h: HalfEdge| {
+            let length_du = |twin: HalfEdge| (centroid(h.triangle()) - centroid(twin.triangle())).hypot();
+            mesh.passage(h).map_or(0, |twin| cost(length_du(twin), clearance.widths_du[h.index()]))
+        };
+        let places = mesh.parts(|h| mesh.gap(h).is_none()).0;
+        Self { costs: mesh.half_edges().map(step).collect(), places }
+    }
+}
+
+/// Which scribble each triangle belongs to, so far.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Flood {
+    /// Per triangle the scribble, or [`NONE`].
+    pub(super) labels: Vec<u32>,
+    /// Per triangle the cost of the way to it.
+    costs: Vec<Cost>,
+    /// Cost, rank of the scribble, triangle, scribble.
+    front: BinaryHeap<Reverse<(Cost, u32, u32, u32)>>,
+}
+
+impl Flood {
+    /// A dry map.
+    pub(super) fn new(map: &PlanarMap) -> Self {
+        let count = map.triangulation().triangle_count();
+        Self { labels: vec![NONE; count], costs: vec![Cost::MAX; count], front: BinaryHeap::new() }
+    }
+
+    /// Lets a scribble come to a triangle at a cost. Where two come at the same cost, the lower rank wins.
+    pub(super) fn reach(&mut self, triangle: usize, cost: Cost, label: u32, ranks: &[u32]) {
+        let rank = |label: u32| ranks.get(label as usize).copied().unwrap_or(NONE);
+        if (cost, rank(label)) < (self.costs[triangle], rank(self.labels[triangle])) {
+            (self.costs[triangle], self.labels[triangle]) = (cost, label);
+            self.front.push(Reverse((cost, rank(label), triangle as u32, label)));
+        }
+    }
+
+    /// Floods on from wherever scribbles have come to, not through gaps.
+    pub(super) fn run(&mut self, map: &PlanarMap, ways: &Ways, ranks: &[u32]) {
+        self.spread(map, ways, ranks, |_, h| map.triangulation().gap(h).is_none());
+    }
+
+    /// Floods on through gaps, where the other side is dry.
+    pub(super) fn pass_gaps(&mut self, map: &PlanarMap, ways: &Ways, ranks: &[u32]) {
+        let wet: Vec<bool> = self.labels.iter().map(|&label| label != NONE).collect();
+        for (triangle, &label) in self.labels.iter().enumerate().filter(|(_, label)| **label != NONE) {
+            let rank = ranks.get(label as usize).copied().unwrap_or(NONE);
+            self.front.push(Reverse((self.costs[triangle], rank, triangle as u32, label)));
+        }
+        self.spread(map, ways, ranks, |mesh_triangle, _| !wet[mesh_triangle]);
+    }
+
+    /// Goes through the passages that are open to `may_go(next triangle, half-edge)`.
+    fn spread(
+        &mut self,
+        map: &PlanarMap,
+        ways: &Ways,
+        ranks: &[u32],
+        may_go: impl Fn(usize, HalfEdge) -> bool,
+    ) {
+        let mesh = map.triangulation();
+        while let Some(Reverse((cost, _, triangle, label))) = self.front.pop() {
+            let triangle = triangle as usize;
+            if (cost, label) != (self.costs[triangle], self.labels[triangle]) {
+                continue;
+            }
+            for h in (0..3).map(|i| HalfEdge::of(triangle, i)) {
+                if let Some(twin) = mesh.passage(h).filter(|twin| may_go(twin.triangle(), h)) {
+                    self.reach(twin.triangle(), cost + ways.costs[h.index()], label, ranks);
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,66 @@
+//! What there is to paint, and what paints it.
+
+use scumble_core::Srgb8;
+use scumble_solve::{Field, Scene, View};
+
+use crate::layers::Layers;
+
+/// The colour of the page where nothing is coloured.
+pub const PAPER: Srgb8 = Srgb8([255; 3]);
+
+/// A picture to show or to keep.
+#[derive(Debug)]
+pub struct Painting<'a> {
+    /// The coloured regions.
+    pub field: &'a Field,
+    /// What lies over them.
+    pub layers: &'a Layers,
+    /// Which part of the plane, at which size.
+    pub view: View,
+}
+
+impl Painting<'_> {
+    /// The same, for a painter that takes it as a whole.
+    pub fn scene(&self) -> Scene<'_> {
+        Scene { paper: Some(PAPER), field: self.field, shapes: self.layers.shapes() }
+    }
+}
+
+/// What of a painting is not what it was in the frame before.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Changed {
+    /// The colour field.
+    pub field: bool,
+    /// The layer of scribbles.
+    pub scribbles: bool,
+    /// The layer of ink.
+    pub ink: bool,
+}
+
+impl Changed {
+    /// Everything, as for a painter that has painted nothing yet.
+    pub const ALL: Self = Self { field: true, scribbles: true, ink: true };
+}
+
+/// Puts paintings on the screen.
+pub trait Painter {
+    /// Shows a painting. A painter may keep what has not changed since the call before.
+    fn paint(&mut self, painting: &Painting<'_>, changed: Changed);
+}
+
+/// A picture for a file.
+#[derive(Debug)]
+pub struct Export<'a> {
+    /// Name of the file.
+    pub name: String,
+    pub(crate) field: &'a Field,
+    pub(crate) layers: Layers,
+    pub(crate) view: View,
+}
+
+impl Export<'_> {
+    /// What is to be painted.
+    pub fn painting(&self) -> Painting<'_> {
+        Painting { field: self.field, layers: &self.layers, view: self.view }
+    }
+}

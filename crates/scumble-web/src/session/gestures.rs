@@ -1,0 +1,148 @@
+//! What the pen does on the canvas: it scribbles, or erases scribbles.
+
+use kurbo::{Line, Point, Rect};
+use scumble_core::Scribble;
+
+use super::Session;
+use crate::command::{Phase, Tool};
+use crate::effect::Effect;
+
+/// The eraser reaches this far, in CSS pixels.
+const ERASER_REACH_CSS: f64 = 5.0;
+
+/// A pen that stays this close to where it came down has clicked, not dragged, in CSS pixels.
+const CLICK_CSS: f64 = 4.0;
+
+/// An eraser on its way.
+#[derive(Debug)]
+pub(super) struct Eraser {
+    /// Up to here it has erased all that it touched, in du.
+    last: Point,
+    /// How many scribbles it has erased.
+    erased: usize,
+}
+
+impl Session {
+    /// Takes one batch of pointer samples: x and y in CSS pixels from the canvas' corner, and pressure, in turn.
+    ///
+    /// Samples that are not finite are left out. Pressure changes nothing: a scribble has one width.
+    pub fn pointer(&mut self, phase: Phase, samples: &[f32]) {
+        let points = self.points_du(samples);
+        match (phase, self.tool) {
+            (Phase::Down, Tool::Scribble) => self.begin_scribble(&points),
+            (Phase::Down, Tool::Erase) | (Phase::Erase, _) => self.begin_erasing(&points),
+            (Phase::Move, _) => self.carry_on(&points),
+            (Phase::Up, _) => self.end(&points),
+            (Phase::Cancel, _) => self.drop_gesture(),
+        }
+    }
+
+    fn points_du(&self, samples: &[f32]) -> Vec<Point> {
+        let du_from_css = self.viewport.css_from_du().inverse();
+        let points = samples.chunks_exact(3).map(|sample| Point::new(sample[0].into(), sample[1].into()));
+        points.map(|point| du_from_css * point).filter(|point| point.is_finite()).collect()
+    }
+
+    fn carry_on(&mut self, points: &[Point]) {
+        if self.sheet.editor.is_scribbling() {
+            self.sheet.editor.extend_scribble(points);
+            self.scribbles_changed();
+        } else {
+            self.erase_along(points);
+        }
+    }
+
+    fn end(&mut self, points: &[Point]) {
+        if self.sheet.editor.is_scribbling() {
+            self.end_scribble(points);
+        } else {
+            self.erase_along(points);
+            self.end_erasing();
+        }
+    }
+
+    fn drop_gesture(&mut self) {
+        if self.sheet.editor.is_scribbling() {
+            self.drop_scribble();
+        } else if self.eraser.take().is_some() {
+            self.sheet.editor.abort();
+            self.scribbles_changed();
+        }
+    }
+
+    fn begin_scribble(&mut self, points: &[Point]) {
+        if !points.is_empty() {
+            let points = points.to_vec();
+            self.sheet.editor.begin_scribble(Scribble { color: self.color, width_du: self.brush_du, points });
+            self.scribbles_changed();
+        }
+    }
+
+    fn end_scribble(&mut self, points: &[Point]) {
+        self.sheet.editor.extend_scribble(points);
+        if !self.is_on_page() {
+            return self.drop_scribble();
+        }
+        self.sheet.editor.commit();
+        self.scribbles_changed();
+        self.tell(Effect::ScribbleAdded { count: self.document().scribbles.len() });
+    }
+
+    /// Whether the last scribble may touch the page: it colours nothing where it does not.
+    fn is_on_page(&self) -> bool {
+        let points = self.document().scribbles.last().into_iter().flat_map(|scribble| &scribble.points);
+        let bounds = points.map(|p| Rect::from_points(*p, *p)).reduce(|a, b| a.union(b));
+        bounds.is_some_and(|bounds| bounds.overlaps(self.document().drawing.frame()))
+    }
+
+    fn drop_scribble(&mut self) {
+        self.sheet.editor.abort();
+        self.scribbles_changed();
+        self.tell(Effect::ScribbleDropped);
+    }
+
+    /// A click erases the uppermost scribble alone; what lies under it goes once the pen is dragged.
+    fn begin_erasing(&mut self, points: &[Point]) {
+        let Some(&last) = points.first() else { return };
+        self.sheet.editor.begin();
+        self.eraser = Some(Eraser { last, erased: 0 });
+        let uppermost = self.touched(Line::new(last, last)).pop();
+        self.erase(uppermost.as_slice());
+    }
+
+    fn erase_along(&mut self, points: &[Point]) {
+        for &point in points {
+            let Some(eraser) = &mut self.eraser else { return };
+            let way = Line::new(eraser.last, point);
+            if (way.p1 - way.p0).hypot() * self.viewport.zoom() >= CLICK_CSS {
+                eraser.last = point;
+                let touched = self.touched(way);
+                self.erase(&touched);
+            }
+        }
+    }
+
+    fn end_erasing(&mut self) {
+        if let Some(Eraser { erased, .. }) = self.eraser.take() {
+            self.sheet.editor.commit();
+            if erased > 0 {
+                self.tell(Effect::ScribblesErased { erased, count: self.document().scribbles.len() });
+            }
+        }
+    }
+
+    /// The scribbles that the eraser touches on its way, in drawing order.
+    fn touched(&self, way: Line) -> Vec<usize> {
+        let reach_du = ERASER_REACH_CSS / self.viewport.zoom();
+        let scribbles = self.document().scribbles.iter().enumerate();
+        scribbles.filter(|(_, scribble)| scribble.is_touched(way, reach_du)).map(|(i, _)| i).collect()
+    }
+
+    fn erase(&mut self, indices: &[usize]) {
+        let erased = self.sheet.editor.erase_scribbles(indices);
+        if let (Some(eraser), 1..) = (&mut self.eraser, erased) {
+            eraser.erased += erased;
+            self.scribbles_changed();
+        }
+    }
+}

@@ -1,0 +1,92 @@
+// The settings of a drawing: each changes the picture, and undo takes it back.
+import assert from "node:assert/strict";
+import { after, before, describe, test } from "node:test";
+import { start } from "./harness.mjs";
+import { hex, PAPER } from "./picture.mjs";
+
+/** @typedef {[number, number]} Point */
+
+/** The longer side of the viewBox of the drawings here. */
+const SIDE = 200;
+const IN_LEFT_ROOM = /** @type {Point[]} */ ([[30, 30], [50, 60], [70, 40]]);
+const ROOMS = /** @type {Point[]} */ ([[20, 80], [180, 80]]);
+
+const RED = "#e5484d";
+const WHITE = hex(PAPER);
+
+describe("settings", () => {
+  /** @type {Awaited<ReturnType<typeof start>>} */
+  let session;
+  before(async () => {
+    session = await start("chromium");
+  });
+  after(() => session.close());
+
+  /**
+   * A drawing with a red scribble in its left part.
+   * @param {string} drawing
+   */
+  const open = async (drawing) => {
+    const editor = await session.open("cpu");
+    await editor.openDrawing(drawing);
+    await editor.toggle("Show scribbles");
+    await editor.click("Red");
+    await editor.scribble(IN_LEFT_ROOM, SIDE);
+    return editor;
+  };
+
+  /** @param {import("./harness.mjs").Editor} editor */
+  const colors = async (editor) => {
+    const [places, picture] = [await editor.place(ROOMS, SIDE), await editor.picture()];
+    return places.map(([x, y]) => hex(picture.at(x, y)));
+  };
+
+  /**
+   * What a control has and says.
+   * @param {import("./harness.mjs").Editor} editor
+   * @param {string} setting
+   */
+  const shown = (editor, setting) => editor.tab.evaluate(`{
+    const control = document.querySelector('[data-setting="${setting}"]');
+    ({ value: control.value, text: control.getAttribute("aria-valuetext"), disabled: control.disabled });
+  }`);
+
+  test("the engine", async () => {
+    const editor = await open("shading");
+    await editor.click("Blue");
+    await editor.scribble([[60, 80], [100, 70], [130, 80]], SIDE);
+    const global = await editor.picture();
+    await editor.choose("Engine", "progressive");
+    const progressive = await editor.picture();
+    assert.ok(!progressive.equals(global));
+    assert.equal((await shown(editor, "gap-closing")).disabled, true);
+    await editor.until("Undone", () => editor.click("Undo"));
+    assert.ok((await editor.picture()).equals(global));
+    assert.equal((await shown(editor, "engine")).value, "global");
+    assert.deepEqual(editor.tab.faults, []);
+  });
+
+  test("gap closing opens and closes a doorway, and follows the slider while it is dragged", async () => {
+    const editor = await open("doorway");
+    await editor.slide("gap-closing", 100);
+    assert.deepEqual(await colors(editor), [RED, WHITE]);
+    assert.deepEqual(await shown(editor, "gap-closing"), { value: "100", text: "100%", disabled: false });
+    await editor.slide("gap-closing", 0, async () => assert.deepEqual(await colors(editor), [RED, RED]));
+    assert.deepEqual(await colors(editor), [RED, RED]);
+    await editor.until("Undone", () => editor.click("Undo"));
+    assert.deepEqual(await colors(editor), [RED, WHITE]);
+    assert.equal((await shown(editor, "gap-closing")).text, "100%");
+    await editor.until("Undone", () => editor.click("Undo"));
+    assert.equal((await shown(editor, "gap-closing")).text, "50%");
+    assert.deepEqual(editor.tab.faults, []);
+  });
+
+  test("Spread colours what was paper", async () => {
+    const editor = await open("rooms");
+    assert.deepEqual(await colors(editor), [RED, WHITE]);
+    await editor.toggle("Spread");
+    assert.deepEqual(await colors(editor), [RED, RED]);
+    await editor.until("Undone", () => editor.click("Undo"));
+    assert.deepEqual(await colors(editor), [RED, WHITE]);
+  });
+});
