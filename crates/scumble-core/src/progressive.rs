@@ -28,7 +28,7 @@
 //! - Hits and distances of equation 5 come from the samples that see a side. n counts directions, one every 5° as in
 //!   the paper, and d is the mean over directions. Both scribbles have seen what they contest.
 //!
-//! A gap of the map is closed where the circuit of a scribble that colours anything jumps across it.
+//! A gap of the map is closed where the circuits of a scribble that colours anything go between the rooms that it parts.
 
 mod angle;
 mod circuit;
@@ -130,7 +130,8 @@ impl Progressive {
         unchanged
     }
 
-    /// A gap is closed where the circuit of a scribble that has any side jumps across it.
+    /// A gap is closed where the circuit of a scribble that has any side goes between the rooms that it
+    /// parts.
     fn closed_gaps(&self, map: &PlanarMap) -> Vec<bool> {
         let mut closed = vec![false; map.gaps().len()];
         let mut has_sides = vec![false; self.reaches.len()];

@@ -180,11 +180,9 @@ fn figure_11_each_further_scribble_takes_its_part_of_a_region() {
     for count in 1..=scribbles.len() {
         let labels = label(&map, &scribbles[..count]);
         let inside = along(&map, &labels, 0, false);
-        for i in 0..count {
+        for (i, at) in at.map(Point::from).into_iter().enumerate().take(count) {
             let near = middles(&map, 0).into_iter().zip(&inside);
-            let nearest = near.min_by(|a, b| {
-                (a.0 - Point::from(at[i])).hypot().total_cmp(&(b.0 - Point::from(at[i])).hypot())
-            });
+            let nearest = near.min_by(|a, b| (a.0 - at).hypot().total_cmp(&(b.0 - at).hypot()));
             assert_eq!(nearest.map(|(_, label)| *label), Some(Some(i as u32)), "{i} of {count}");
         }
         let borders = (0..inside.len()).filter(|&i| inside[i] != inside[(i + 1) % inside.len()]).count();

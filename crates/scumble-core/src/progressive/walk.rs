@@ -78,7 +78,7 @@ impl<'a> Search<'a> {
             }
             for i in self.first[state / 2]..self.first[state / 2 + 1] {
                 let edge = self.edges[self.order[i]];
-                let to = 2 * edge.to as usize + (state % 2 ^ usize::from(edge.is_odd));
+                let to = 2 * edge.to as usize + ((state % 2) ^ usize::from(edge.is_odd));
                 self.relax(to, cost + edge.cost, self.order[i], bound);
             }
         }
@@ -100,7 +100,7 @@ impl<'a> Search<'a> {
         while state != home {
             let edge = self.by[state];
             walk.push(edge);
-            state = 2 * self.edges[edge].from as usize + (state % 2 ^ usize::from(self.edges[edge].is_odd));
+            state = 2 * self.edges[edge].from as usize + ((state % 2) ^ usize::from(self.edges[edge].is_odd));
         }
         walk.reverse();
         walk
