@@ -3,7 +3,7 @@
 
 use kurbo::{BezPath, Circle, Point, Rect, Shape};
 use proptest::prelude::*;
-use scumble_core::{Curve, Drawing, Engine, Labels, Paint, PlanarMap, Progressive, Sampling, Scribble};
+use scumble_core::{Curve, Drawing, Engine, Gap, Labels, Paint, PlanarMap, Progressive, Sampling, Scribble};
 
 fn map(paths: impl IntoIterator<Item = BezPath>) -> PlanarMap {
     let curves = paths.into_iter().map(|path| Curve { path, line: None }).collect();
@@ -107,6 +107,22 @@ fn figure_3b_a_scribble_beyond_the_mouth_leaves_the_u_to_one_within() {
         let kept = inside.iter().filter(|&&label| label == Some(own)).count();
         assert!(5 * kept >= 4 * inside.len(), "{kept} of {}", inside.len());
     }
+}
+
+#[test]
+fn figure_3b_the_gap_at_the_mouth_is_closed_for_a_scribble_within_and_open_for_one_through_it() {
+    let map = u_shape();
+    let node = |x: f64, y: f64| {
+        let points = map.triangulation().points();
+        points.iter().position(|&p| p == Point::new(x, y)).expect("a node") as u32
+    };
+    let mouth = Gap { nodes: [node(600.0, 400.0), node(600.0, 600.0)], width_du: 200.0 };
+    let map = map.clone().with_gaps(vec![mouth]);
+    let within = scribble(&[(350.0, 480.0), (500.0, 520.0)]);
+    let through = scribble(&[(350.0, 500.0), (700.0, 500.0), (700.0, 100.0), (100.0, 100.0)]);
+    assert_eq!(label(&map, &[]).closed_gaps, [false]);
+    assert_eq!(label(&map, &[within]).closed_gaps, [true]);
+    assert_eq!(label(&map, &[through]).closed_gaps, [false]);
 }
 
 #[test]
