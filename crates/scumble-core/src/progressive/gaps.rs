@@ -2,9 +2,9 @@
 
 use std::collections::BTreeMap;
 
-use crate::triangulation::{HalfEdge, Triangulation};
+use crate::triangulation::Triangulation;
 
-/// What the gaps of a map part: rooms, that is triangles joined without crossing a line or a gap.
+/// What the gaps of a map part.
 #[derive(Clone, Debug)]
 pub(super) struct Rooms {
     /// Per triangle.
@@ -15,35 +15,14 @@ pub(super) struct Rooms {
 
 impl Rooms {
     pub(super) fn new(mesh: &Triangulation, gap_count: usize) -> Self {
-        let mut this =
-            Self { of_triangle: vec![u32::MAX; mesh.triangle_count()], of_gap: vec![[0; 2]; gap_count] };
-        let mut count = 0;
-        for first in 0..mesh.triangle_count() {
-            if this.of_triangle[first] == u32::MAX {
-                this.fill(mesh, first, count);
-                count += 1;
-            }
-        }
+        let of_triangle = mesh.rooms();
+        let mut of_gap = vec![[0; 2]; gap_count];
         for h in mesh.half_edges() {
             if let (Some(gap), Some(twin)) = (mesh.gap(h), mesh.twin(h)) {
-                this.of_gap[gap as usize] = [h, twin].map(|h| this.of_triangle[h.triangle()]);
+                of_gap[gap as usize] = [h, twin].map(|h| of_triangle[h.triangle()]);
             }
         }
-        this
-    }
-
-    fn fill(&mut self, mesh: &Triangulation, first: usize, room: u32) {
-        let mut stack = vec![first];
-        self.of_triangle[first] = room;
-        while let Some(triangle) = stack.pop() {
-            let ways = (0..3).map(|i| HalfEdge::of(triangle, i)).filter(|&h| mesh.gap(h).is_none());
-            for next in ways.filter_map(|h| mesh.passage(h)).map(HalfEdge::triangle) {
-                if self.of_triangle[next] == u32::MAX {
-                    self.of_triangle[next] = room;
-                    stack.push(next);
-                }
-            }
-        }
+        Self { of_triangle, of_gap }
     }
 
     /// The gaps between a room that lies within the circuits of a scribble and one that does not, given the triangles
