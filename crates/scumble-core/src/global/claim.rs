@@ -14,7 +14,7 @@ use crate::stroke::Stroke;
 const HOLD: f64 = 4.0;
 
 /// A place counts as meant once the scribble has this part of its samples so far there: less is a hand that slipped.
-const MEANT: f64 = 0.15;
+const MEANT: f64 = 0.2;
 
 /// The samples of a scribble so far.
 #[derive(Clone, Debug, Default)]
