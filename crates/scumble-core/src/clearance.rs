@@ -93,18 +93,24 @@ fn triangle_width_du(map: &PlanarMap, triangle: usize) -> f64 {
     let halves_du = mesh.nodes(triangle).map(|node| map.half_width_du(node));
     let lines_du = 2.0 * halves_du.iter().flatten().copied().fold(0.0, f64::max);
     let factor = if halves_du.contains(&None) { BORDER_FACTOR } else { 1.0 };
-    circumcenter(corners).map_or(OPEN_DU, |center| {
-        (factor * 2.0 * (center - corners[0]).hypot() - lines_du).min(OPEN_DU)
-    })
+    circumcenter(corners)
+        .map_or(OPEN_DU, |center| (factor * 2.0 * (center - corners[0]).hypot() - lines_du).min(OPEN_DU))
 }
 
 /// The widest place of a triangle: its circle, or one of the passages out of it.
-fn place_width_du(map: &PlanarMap, tips: &[Option<Vec2>], widths_du: &[f64], circle_du: f64, triangle: usize) -> f64 {
+fn place_width_du(
+    map: &PlanarMap,
+    tips: &[Option<Vec2>],
+    widths_du: &[f64],
+    circle_du: f64,
+    triangle: usize,
+) -> f64 {
     let mesh = map.triangulation();
     let corners = mesh.corners(triangle);
     let factor = circumcenter(corners).map_or(1.0, |center| {
         let radius_du = (center - corners[0]).hypot();
-        let factor = |i: usize| tip_factor(tips[mesh.nodes(triangle)[i] as usize], (center - corners[i]) / radius_du);
+        let factor =
+            |i: usize| tip_factor(tips[mesh.nodes(triangle)[i] as usize], (center - corners[i]) / radius_du);
         factor(0) * factor(1) * factor(2)
     });
     let passages = (0..3).map(|i| HalfEdge::of(triangle, i)).filter(|&h| mesh.passage(h).is_some());
