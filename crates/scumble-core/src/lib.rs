@@ -15,7 +15,7 @@
 //! | what a point sees | [`visibility`] |
 //! | how wide the ways between lines are | `clearance` |
 //! | narrow passages between wide places | `gaps` |
-//! | which scribble colours which side | [`engine`], [`global`], [`sight`] |
+//! | which scribble colours which side | [`engine`], [`progressive`], [`global`], [`sight`] |
 //! | how a drawing is coloured | [`settings`] |
 //! | colours along the sides of curves | [`color_points`] |
 
@@ -29,6 +29,7 @@ pub mod engine;
 mod gaps;
 pub mod global;
 pub mod planar_map;
+pub mod progressive;
 mod sample;
 pub mod scribble;
 pub mod settings;
@@ -45,6 +46,7 @@ pub use edit::{Document, Editor};
 pub use engine::{Engine, Labels};
 pub use global::Global;
 pub use planar_map::{Gap, MapError, Piece, PlanarMap, Sampling, Step};
+pub use progressive::Progressive;
 pub use scribble::Scribble;
 pub use settings::{EngineKind, Settings};
 pub use sight::Sight;

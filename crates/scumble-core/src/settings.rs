@@ -3,7 +3,7 @@
 use crate::color::Blend;
 use crate::engine::Engine;
 use crate::global::Global;
-use crate::sight::Sight;
+use crate::progressive::Progressive;
 
 /// Which engine labels the sides.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
@@ -11,7 +11,7 @@ pub enum EngineKind {
     /// All scribbles at once, by the widths of the passages between the lines.
     #[default]
     Global,
-    /// One scribble after the other, as Bao & Fu 2019 do it. It knows no gap closing and does not spread.
+    /// One scribble after the other, as Bao & Fu 2019 do it. It closes the gaps that scribbles' own circuits jump across, and does not spread.
     Progressive,
 }
 
@@ -47,7 +47,7 @@ impl Settings {
     pub fn engine(&self) -> Box<dyn Engine> {
         match self.engine {
             EngineKind::Global => Box::new(Global::new(self.spread)),
-            EngineKind::Progressive => Box::new(Sight::default()),
+            EngineKind::Progressive => Box::new(Progressive::default()),
         }
     }
 

@@ -1,0 +1,126 @@
+//! The cheapest closed walk that crosses a cut an odd number of times: a shortest path between the two sheets of the
+//! double cover. Exact, where the paper lists circuits.
+
+use std::cmp::Reverse;
+use std::collections::BinaryHeap;
+
+/// A directed edge of a graph with a cut through it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Edge {
+    pub(super) from: u32,
+    pub(super) to: u32,
+    /// Not negative.
+    pub(super) cost: f64,
+    pub(super) is_jump: bool,
+    /// Whether it crosses the cut an odd number of times.
+    pub(super) is_odd: bool,
+}
+
+/// The edges of the cheapest closed walk that crosses the cut an odd number of times, in order; `None` where there
+/// is none.
+pub(super) fn cheapest_odd_walk(vertex_count: usize, edges: &[Edge]) -> Option<Vec<usize>> {
+    let mut search = Search::new(vertex_count, edges);
+    let mut starts: Vec<u32> = edges.iter().filter(|edge| edge.is_odd).map(|edge| edge.from).collect();
+    starts.sort_unstable();
+    starts.dedup();
+    let mut best = (f64::INFINITY, None);
+    for start in starts {
+        if let Some((cost, walk)) = search.around(start, best.0) {
+            best = (cost, Some(walk));
+        }
+    }
+    best.1
+}
+
+/// Shortest paths over (vertex, sheet), numbered `2 · vertex + sheet`.
+struct Search<'a> {
+    edges: &'a [Edge],
+    /// Edges by the vertex that they leave.
+    order: Vec<usize>,
+    first: Vec<usize>,
+    cost: Vec<f64>,
+    /// The edge over which each state was reached.
+    by: Vec<usize>,
+    reached: Vec<usize>,
+    queue: BinaryHeap<Reverse<(Cost, usize)>>,
+}
+
+impl<'a> Search<'a> {
+    fn new(vertex_count: usize, edges: &'a [Edge]) -> Self {
+        let mut order: Vec<usize> = (0..edges.len()).collect();
+        order.sort_by_key(|&edge| edges[edge].from);
+        let first = |vertex: usize| order.partition_point(|&edge| (edges[edge].from as usize) < vertex);
+        Self {
+            edges,
+            first: (0..=vertex_count).map(first).collect(),
+            order,
+            cost: vec![f64::INFINITY; 2 * vertex_count],
+            by: vec![usize::MAX; 2 * vertex_count],
+            reached: Vec::new(),
+            queue: BinaryHeap::new(),
+        }
+    }
+
+    /// The cheapest walk from a vertex to itself on the other sheet, if it costs less than `bound`.
+    fn around(&mut self, start: u32, bound: f64) -> Option<(f64, Vec<usize>)> {
+        for state in self.reached.drain(..) {
+            self.cost[state] = f64::INFINITY;
+        }
+        self.queue.clear();
+        let [home, goal] = [2 * start as usize, 2 * start as usize + 1];
+        self.relax(home, 0.0, usize::MAX, bound);
+        while let Some(Reverse((Cost(cost), state))) = self.queue.pop() {
+            if state == goal {
+                return Some((cost, self.walk_to(goal, home)));
+            }
+            if cost > self.cost[state] {
+                continue;
+            }
+            for i in self.first[state / 2]..self.first[state / 2 + 1] {
+                let edge = self.edges[self.order[i]];
+                let to = 2 * edge.to as usize + (state % 2 ^ usize::from(edge.is_odd));
+                self.relax(to, cost + edge.cost, self.order[i], bound);
+            }
+        }
+        None
+    }
+
+    fn relax(&mut self, state: usize, cost: f64, by: usize, bound: f64) {
+        if cost < self.cost[state] && cost < bound {
+            self.cost[state] = cost;
+            self.by[state] = by;
+            self.reached.push(state);
+            self.queue.push(Reverse((Cost(cost), state)));
+        }
+    }
+
+    fn walk_to(&self, goal: usize, home: usize) -> Vec<usize> {
+        let mut walk = Vec::new();
+        let mut state = goal;
+        while state != home {
+            let edge = self.by[state];
+            walk.push(edge);
+            state = 2 * self.edges[edge].from as usize + (state % 2 ^ usize::from(self.edges[edge].is_odd));
+        }
+        walk.reverse();
+        walk
+    }
+}
+
+/// A cost as an order for the queue.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Cost(f64);
+
+impl Eq for Cost {}
+
+impl PartialOrd for Cost {
+    fn partial_cmp(&self, other: &Self) -> Option<std::cmp::Ordering> {
+        Some(self.cmp(other))
+    }
+}
+
+impl Ord for Cost {
+    fn cmp(&self, other: &Self) -> std::cmp::Ordering {
+        self.0.total_cmp(&other.0)
+    }
+}
