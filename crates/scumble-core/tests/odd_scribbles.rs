@@ -78,7 +78,7 @@ fn three_hundred_scribbles_are_labelled_in_any_order() {
     let map = map();
     let at = |i: u32| Point::new(f64::from(i * 37 % 1024), f64::from(i * 61 % 768));
     let one = |i: u32| Scribble {
-        color: if i % 9 == 0 { Paint::Clear } else { Srgb8([i as u8, 9, 9]).into() },
+        color: if i.is_multiple_of(9) { Paint::Clear } else { Srgb8([i as u8, 9, 9]).into() },
         ..scribble((0..i % 7 + 1).map(|k| at(i) + kurbo::Vec2::new(f64::from(9 * k), 2.0)).collect())
     };
     let scribbles: Vec<_> = (0..300).map(one).collect();
