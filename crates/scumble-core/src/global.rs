@@ -74,7 +74,7 @@ impl Engine for Global {
         let shown = self.shown.get_or_insert_with(|| Shown::new(map));
         let labels = if self.spread {
             let labels = self.beyond.follow(map, &ground.ways, &self.ranks, &self.flood);
-            ground.crossing.cross(map, labels, &self.ranks);
+            ground.crossing.cross(labels, &self.ranks);
             shown.show(map, labels).clone()
         } else {
             shown.show(map, &self.flood.labels).clone()
@@ -93,7 +93,7 @@ impl Global {
         }
         self.claims.resize_with(scribbles.len(), Claim::default);
         for (label, (scribble, claim)) in (0..).zip(scribbles.iter().zip(&mut self.claims)) {
-            for &(triangle, cost) in claim.follow(map, &ways.places, &scribble.points) {
+            for &(triangle, cost) in claim.follow(map, &ways.rooms, &scribble.points) {
                 self.flood.reach(triangle, cost, label, &ranks);
             }
         }

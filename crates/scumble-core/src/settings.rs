@@ -11,7 +11,7 @@ pub enum EngineKind {
     /// All scribbles at once, by the widths of the passages between the lines.
     #[default]
     Global,
-    /// One scribble after the other, as Bao & Fu 2019 do it. It knows no gap closing and does not spread.
+    /// One scribble after the other, as Bao & Fu 2019 do it. It closes the gaps that scribbles' own circuits jump across, and does not spread.
     Progressive,
 }
 

@@ -43,6 +43,10 @@ impl Stroke {
 
     fn advance(&mut self, map: &PlanarMap, from: Point, to: Point, look: &mut impl FnMut(Point, usize)) {
         let length_du = (to - from).hypot();
+        if !length_du.is_finite() {
+            // There is no telling where on such a way a sample lies.
+            return;
+        }
         let first_du = SAMPLE_SPACING_DU - self.since_sample_du;
         let on_page = clip([from, to], map.frame()).unwrap_or([1.0, 0.0]);
         let [begin, end] = on_page.map(|t| (t * length_du - first_du) / SAMPLE_SPACING_DU);

@@ -16,8 +16,6 @@ use crate::planar_map::PlanarMap;
 pub(super) struct Circuit {
     /// Places in the list of sightings.
     pub(super) sides: Vec<usize>,
-    /// Where the circuit jumps from and to.
-    pub(super) jumps: Vec<[Point; 2]>,
 }
 
 impl Circuit {
@@ -42,7 +40,7 @@ impl Circuit {
         match cheapest_odd_walk(graph.places.len(), &graph.edges) {
             Some(walk) => graph.trace(&walk),
             // Nothing closes around the scribble: all that it sees is its own.
-            None => Self { sides: segments.sides.clone(), jumps: Vec::new() },
+            None => Self { sides: segments.sides.clone() },
         }
     }
 }
@@ -145,37 +143,62 @@ impl<'a> Graph<'a> {
 
     /// What lies on a circuit or within it.
     fn trace(&self, walk: &[usize]) -> Circuit {
-        let mut is_followed = vec![false; self.segments.sides.len()];
-        let mut is_cut = vec![false; self.segments.sides.len() + 1];
-        let mut polygon = Vec::new();
-        let mut jumps = Vec::new();
+        let mut trace = Trace::new(self.segments);
         for edge in walk.iter().map(|&edge| &self.edges[edge]) {
             let [from, to] = [edge.from, edge.to].map(|vertex| self.places[vertex as usize]);
-            polygon.push(self.segments.point(from));
-            if edge.is_jump {
-                jumps.push([from, to].map(|place| self.segments.point(place)));
-                for place in [from, to] {
-                    is_cut[self.segments.segments[place.segment as usize].first + place.at as usize] = true;
-                }
-                continue;
-            }
-            for flat in self.segments.way(from, to).into_iter().flatten() {
-                polygon.push(self.segments.side_ends(flat)[1]);
-                is_followed[flat] = true;
-            }
+            trace.polygon.push(self.segments.point(from));
+            if edge.is_jump { trace.jump(from, to) } else { trace.follow(from, to) }
         }
+        Circuit { sides: trace.inside() }
+    }
+}
+
+/// A circuit, as it is drawn.
+struct Trace<'a> {
+    segments: &'a Segments<'a>,
+    polygon: Vec<Point>,
+    /// Per side of the segments.
+    is_followed: Vec<bool>,
+    /// Per side whether a jump begins or ends where it begins.
+    is_cut: Vec<bool>,
+}
+
+impl<'a> Trace<'a> {
+    fn new(segments: &'a Segments<'a>) -> Self {
+        let none = vec![false; segments.sides.len() + 1];
+        Self { segments, polygon: Vec::new(), is_followed: none.clone(), is_cut: none }
+    }
+
+    fn jump(&mut self, from: Place, to: Place) {
+        for place in [from, to] {
+            self.is_cut[self.segments.segments[place.segment as usize].first + place.at as usize] = true;
+        }
+    }
+
+    fn follow(&mut self, from: Place, to: Place) {
+        for flat in self.segments.way(from, to).into_iter().flatten() {
+            self.polygon.push(self.segments.side_ends(flat)[1]);
+            self.is_followed[flat] = true;
+        }
+    }
+
+    /// The sightings on the circuit and within it. Jumps and sides do not cross: between the places at which jumps
+    /// end, sides lie within or without together.
+    fn inside(&self) -> Vec<usize> {
         let mut sides = Vec::new();
         for segment in &self.segments.segments {
-            let range = segment.first..segment.first + segment.len;
-            let flats: Vec<usize> = range.collect();
-            for stretch in flats.chunk_by(|&a, &b| is_followed[a] == is_followed[b] && !is_cut[b]) {
+            let flats: Vec<usize> = (segment.first..segment.first + segment.len).collect();
+            let is_one =
+                |&a: &usize, &b: &usize| self.is_followed[a] == self.is_followed[b] && !self.is_cut[b];
+            for stretch in flats.chunk_by(is_one) {
                 let middle = stretch[stretch.len() / 2];
-                if is_followed[middle] || encloses(&polygon, just_left_of(self.segments.side_ends(middle))) {
+                let beside = just_left_of(self.segments.side_ends(middle));
+                if self.is_followed[middle] || encloses(&self.polygon, beside) {
                     sides.extend(stretch.iter().map(|&flat| self.segments.sides[flat]));
                 }
             }
         }
-        Circuit { sides, jumps }
+        sides
     }
 }
 

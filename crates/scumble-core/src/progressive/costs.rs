@@ -10,7 +10,7 @@ use super::{CUT, ETA, MU, SKIP};
 use crate::planar_map::PlanarMap;
 
 /// Samples whose view is looked at, evenly spaced along the scribble.
-const WATCHES: usize = 8;
+const WATCHES: usize = 4;
 
 /// Samples that jumps are tested against.
 const MOST_SAMPLES: usize = 128;
@@ -79,7 +79,7 @@ impl Costs {
 #[derive(Debug)]
 struct Watch {
     eye: Point,
-    /// What is seen of each side, by the direction of its start.
+    /// The sides that it sees, by the direction in which each begins.
     sides: Vec<(f64, [Point; 2])>,
 }
 
@@ -87,7 +87,7 @@ impl Watch {
     fn new(map: &PlanarMap, outline: &Outline, eye: Point, triangle: usize) -> Self {
         let all = view::glimpses(map, outline, eye, triangle);
         let mut sides: Vec<_> =
-            all.iter().map(|glimpse| (direction(glimpse.seen[0] - eye), glimpse.seen)).collect();
+            all.iter().map(|glimpse| (direction(glimpse.entry() - eye), glimpse.line)).collect();
         sides.sort_by(|a, b| a.0.total_cmp(&b.0));
         Self { eye, sides }
     }

@@ -7,8 +7,7 @@ use kurbo::Point;
 use super::SLIP;
 use super::angle::angle_part;
 use super::circuit::Circuit;
-use super::gaps;
-use super::outline::{Outline, ends};
+use super::outline::Outline;
 use super::view::{self, Glimpse, Jump};
 use crate::planar_map::PlanarMap;
 use crate::stroke::{SAMPLE_SPACING_DU, Stroke};
@@ -47,9 +46,10 @@ impl Sighting {
         let distance_du = to_eye.hypot().max(NEAREST_DU);
         self.kappa += 1;
         self.distance_du += distance_du;
-        self.nearness += distance_du.recip();
+        let nearness = distance_du.recip();
+        self.nearness += nearness;
         self.angle += angle_of((a - eye).cross(b - eye), distance_du, (b - a).hypot2());
-        self.rays |= rays_that_hit(angle_part(b - a, to_eye), distance_du);
+        self.rays |= rays_that_hit(angle_part(b - a, to_eye), nearness);
         self.joined |= joined;
     }
 
@@ -77,8 +77,9 @@ fn angle_of(double_area: f64, distance_du: f64, length2_du2: f64) -> f64 {
 }
 
 /// The rays that hit a sample: it hides what it is wide, and lies at `direction` (a part of the half turn).
-fn rays_that_hit(direction: f64, distance_du: f64) -> u64 {
-    let half_width = 0.5 * SAMPLE_SPACING_DU / distance_du * std::f64::consts::FRAC_1_PI;
+/// `nearness` is 1 / its distance.
+fn rays_that_hit(direction: f64, nearness: f64) -> u64 {
+    let half_width = 0.5 * SAMPLE_SPACING_DU * std::f64::consts::FRAC_1_PI * nearness;
     let ray = |part: f64| ((part * f64::from(RAYS)) as u32).min(RAYS - 1);
     let [first, last] = [ray((direction - half_width).max(0.0)), ray(direction + half_width)];
     (2 << last) - (1 << first)
@@ -122,7 +123,7 @@ pub(super) struct Reach {
     parts: BTreeMap<u32, Part>,
     /// The sides that it influences, in ascending order.
     influence: Vec<(SideId, Evidence)>,
-    /// The gaps that its circuits jump across.
+    /// The gaps that its circuits close.
     gaps: Vec<u32>,
 }
 
@@ -152,7 +153,7 @@ impl Reach {
         &self.influence
     }
 
-    /// The gaps of the map that its circuits jump across.
+    /// The gaps of the map that its circuits close.
     pub(super) fn gaps(&self) -> &[u32] {
         &self.gaps
     }
@@ -164,7 +165,7 @@ impl Reach {
         stroke.follow(map, points, |eye, triangle| {
             let glimpses = view::glimpses(map, outline, eye, triangle);
             for glimpse in &glimpses {
-                add(map, index, sightings, eye, glimpse);
+                add(index, sightings, eye, glimpse);
             }
             let part = parts.entry(outline.region_of_triangle(triangle)).or_default();
             part.samples.push(eye);
@@ -183,7 +184,6 @@ impl Reach {
             }
         }
         self.influence.clear();
-        self.gaps.clear();
         let most = self.parts.values().map(|part| part.samples.len()).max().unwrap_or_default();
         let is_meant = |part: &Part| part.samples.len() as f64 >= SLIP * most as f64;
         for (region, part) in self.parts.iter_mut().filter(|(_, part)| is_meant(part)) {
@@ -194,18 +194,27 @@ impl Reach {
             self.influence.extend(
                 circuit.sides.iter().map(|&place| self.sightings[place]).map(|s| (s.side, s.evidence())),
             );
-            self.gaps.extend(gaps::across(map.triangulation().points(), map.gaps(), &circuit.jumps));
         }
         self.influence.sort_unstable_by_key(|&(side, _)| side);
+        if !outline.rooms.is_one() {
+            self.find_gaps(outline);
+        }
+    }
+
+    fn find_gaps(&mut self, outline: &Outline) {
+        let is_within = |side: SideId| self.influence.binary_search_by_key(&side, |&(side, _)| side).is_ok();
+        let seen = self.sightings.iter().map(|sighting| sighting.side);
+        let seen = seen.filter_map(|side| Some((outline.triangle_of_side(side)?, is_within(side))));
+        self.gaps = outline.rooms.closed(seen);
     }
 }
 
-fn add(map: &PlanarMap, index: &mut Index, sightings: &mut Vec<Sighting>, eye: Point, glimpse: &Glimpse) {
+fn add(index: &mut Index, sightings: &mut Vec<Sighting>, eye: Point, glimpse: &Glimpse) {
     let side = glimpse.side;
     let place = index.get(side).unwrap_or_else(|| {
         index.0[side.index()] = sightings.len() as u32;
         sightings.push(Sighting::none(side));
         sightings.len() - 1
     });
-    sightings[place].add(eye, ends(map, side), glimpse.joined);
+    sightings[place].add(eye, glimpse.line, glimpse.joined);
 }

@@ -3,7 +3,7 @@
 
 use kurbo::Point;
 
-use super::outline::{Outline, ends};
+use super::outline::Outline;
 use crate::planar_map::PlanarMap;
 use crate::triangulation::SideId;
 use crate::visibility::visibility_polygon;
@@ -12,10 +12,24 @@ use crate::visibility::visibility_polygon;
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Glimpse {
     pub(super) side: SideId,
-    /// The first and the last place of it that is seen.
-    pub(super) seen: [Point; 2],
+    /// Where the side begins and ends.
+    pub(super) line: [Point; 2],
+    /// The first and the last place of it that is seen, in `0..=1`.
+    interval: [f64; 2],
     /// Whether the next glimpse goes on where this one ends.
     pub(super) joined: bool,
+}
+
+impl Glimpse {
+    /// The first place of it that is seen.
+    pub(super) fn entry(&self) -> Point {
+        self.line[0].lerp(self.line[1], self.interval[0])
+    }
+
+    /// The last place of it that is seen.
+    fn exit(&self) -> Point {
+        self.line[0].lerp(self.line[1], self.interval[1])
+    }
 }
 
 /// A way from the end of one side straight to the start of another, through nothing but free space.
@@ -41,33 +55,29 @@ pub(super) enum JumpKind {
 /// all are joined.
 pub(super) fn glimpses(map: &PlanarMap, outline: &Outline, eye: Point, triangle: usize) -> Vec<Glimpse> {
     let mesh = map.triangulation();
-    let mut all: Vec<Glimpse> = Vec::new();
-    for visible in visibility_polygon(mesh, eye, triangle) {
-        let (Some(side), [from, to]) = (mesh.side(visible.half_edge), visible.interval) else { continue };
+    let polygon = visibility_polygon(mesh, eye, triangle);
+    let mut all: Vec<Glimpse> = Vec::with_capacity(polygon.len());
+    for visible in polygon {
+        let (Some(side), interval @ [from, to]) = (mesh.side(visible.half_edge), visible.interval) else {
+            continue;
+        };
         if from <= 0.5 && 0.5 <= to && all.last().is_none_or(|last| last.side != side) {
-            let [a, b] = mesh.segment(visible.half_edge);
-            all.push(Glimpse { side, seen: [a.lerp(b, from), a.lerp(b, to)], joined: false });
+            all.push(Glimpse { side, line: mesh.segment(visible.half_edge), interval, joined: false });
         }
     }
-    join(map, outline, all)
+    join(outline, &mut all);
+    let first = all.iter().position(|glimpse| !glimpse.joined).map_or(0, |last| (last + 1) % all.len());
+    all.rotate_left(first);
+    all
 }
 
-fn join(map: &PlanarMap, outline: &Outline, mut all: Vec<Glimpse>) -> Vec<Glimpse> {
-    let whole: Vec<_> = all.iter().map(|glimpse| ends(map, glimpse.side)).collect();
-    let joined = |i: usize| {
-        let j = (i + 1) % all.len();
-        all[i].seen[1] == whole[i][1]
-            && all[j].seen[0] == whole[j][0]
-            && outline.next(all[i].side) == all[j].side
-    };
-    let joints: Vec<_> = (0..all.len()).map(joined).collect();
-    for (glimpse, &joined) in all.iter_mut().zip(&joints) {
-        glimpse.joined = joined;
+fn join(outline: &Outline, all: &mut [Glimpse]) {
+    for i in 0..all.len() {
+        let next = all[(i + 1) % all.len()];
+        let glimpse = &mut all[i];
+        glimpse.joined =
+            glimpse.interval[1] == 1.0 && next.interval[0] == 0.0 && outline.next(glimpse.side) == next.side;
     }
-    let first = joints.iter().position(|joined| !joined).map_or(0, |last| last + 1);
-    let len = all.len().max(1);
-    all.rotate_left(first % len);
-    all
 }
 
 /// A stretch of sides that a sample sees without a break.
@@ -83,9 +93,9 @@ struct Run {
 impl Run {
     fn new(eye: Point, glimpses: &[Glimpse]) -> Option<Self> {
         let [first, last] = [glimpses.first()?, glimpses.last()?];
-        let places = glimpses.iter().map(|glimpse| glimpse.seen[0]);
-        let nearest = places.min_by(|a, b| (*a - eye).hypot2().total_cmp(&(*b - eye).hypot2()))?;
-        Some(Self { sides: [first.side, last.side], entry: first.seen[0], exit: last.seen[1], nearest })
+        let places = glimpses.iter().map(Glimpse::entry).map(|place| ((place - eye).hypot2(), place));
+        let (_, nearest) = places.min_by(|a, b| a.0.total_cmp(&b.0))?;
+        Some(Self { sides: [first.side, last.side], entry: first.entry(), exit: last.exit(), nearest })
     }
 }
 

@@ -1,0 +1,268 @@
+//! What the `Global` engine promises, on random drawings with random scribbles: the order of scribbles and all that
+//! was there before leave no trace, a growing stroke only takes, and nothing is too odd.
+
+use kurbo::{Arc, BezPath, Circle, Point, Rect, Shape, Stroke, Vec2};
+use proptest::collection::vec;
+use proptest::prelude::*;
+use scumble_core::{
+    Curve, Drawing, Engine, Global, Labels, Line, Paint, PlanarMap, Rgba8, Sampling, Scribble, SideId, Srgb8,
+};
+
+const CASES: u32 = 40;
+
+/// What scribbles colour on a map: the labels of a fresh engine.
+fn fresh(map: &PlanarMap, spread: bool, scribbles: &[Scribble]) -> Labels {
+    Global::new(spread).label(map, scribbles)
+}
+
+fn build(curves: Vec<(BezPath, f64)>, gap_closing: f64) -> PlanarMap {
+    let line = |width_du| Line { stroke: Stroke::new(width_du), color: Rgba8([0, 0, 0, 255]) };
+    let curves =
+        curves.into_iter().map(|(path, width_du)| Curve { path, line: Some(line(width_du)) }).collect();
+    let drawing = Drawing { curves, ..Drawing::new(Rect::new(0.0, 0.0, 1024.0, 768.0)) };
+    let sampling = Sampling { spacing_du: 8.0, chord_du: 0.2 };
+    PlanarMap::build(&drawing, &sampling).expect("a map").with_gaps_closed(gap_closing)
+}
+
+fn polyline(points: &[Point]) -> BezPath {
+    let mut path = BezPath::new();
+    path.move_to(points[0]);
+    points[1..].iter().for_each(|&p| path.line_to(p));
+    path
+}
+
+fn place() -> impl Strategy<Value = Point> {
+    (0.0..1024.0_f64, 0.0..768.0_f64).prop_map(Point::from)
+}
+
+/// Lines, angles, circles and circles with an opening, of all widths, with gaps closed or not.
+fn maps() -> impl Strategy<Value = PlanarMap> {
+    let angle = vec(place(), 2..5).prop_map(|points| polyline(&points));
+    let circle = (place(), 30.0..300.0_f64).prop_map(|(center, r)| Circle::new(center, r).to_path(0.01));
+    let open =
+        (place(), 60.0..300.0_f64, 0.0..6.3_f64, 0.1..0.7_f64).prop_map(|(center, r, start, opening)| {
+            Arc::new(center, (r, r), start, std::f64::consts::TAU - opening, 0.0).to_path(0.01)
+        });
+    let curve = (prop_oneof![angle, circle, open], prop_oneof![Just(0.0), 0.5..14.0_f64]);
+    let gap_closing = prop_oneof![Just(0.0), Just(0.3), Just(0.5), Just(1.0)];
+    (vec(curve, 1..7), gap_closing).prop_map(|(curves, closing)| build(curves, closing))
+}
+
+/// A pen's way in small steps, sometimes a dab, sometimes leaving the page.
+fn ways() -> impl Strategy<Value = Vec<Point>> {
+    (place(), vec((-60.0..60.0_f64, -60.0..60.0_f64), 0..12)).prop_map(|(start, steps)| {
+        let mut points = vec![start];
+        points.extend(steps.into_iter().scan(start, |at, step| {
+            *at += Vec2::from(step);
+            Some(*at)
+        }));
+        points
+    })
+}
+
+fn paints() -> impl Strategy<Value = Paint> {
+    prop_oneof![Just(Paint::Clear), any::<[u8; 3]>().prop_map(|rgb| Srgb8(rgb).into())]
+}
+
+fn scribble() -> impl Strategy<Value = Scribble> {
+    (paints(), ways()).prop_map(|(color, points)| Scribble { color, width_du: 8.0, points })
+}
+
+/// Labels with the scribbles themselves in place of their numbers.
+fn contents(labels: &Labels, scribbles: &[Scribble]) -> (Vec<Option<Scribble>>, Vec<bool>) {
+    let content = |label: u32| scribbles[label as usize].clone();
+    (labels.sides.iter().map(|label| label.map(content)).collect(), labels.closed_gaps.clone())
+}
+
+/// All sides that bound an area of the page.
+fn sides(map: &PlanarMap) -> impl Iterator<Item = SideId> + '_ {
+    let mesh = map.triangulation();
+    mesh.half_edges().filter_map(|h| mesh.side(h))
+}
+
+/// What a person may do to a list of scribbles; numbers count around.
+#[derive(Clone, Debug)]
+enum Deed {
+    Draw(Scribble),
+    Extend(usize, Vec<Point>),
+    Erase(usize),
+    Move(usize, usize),
+    Recolor(usize, Paint),
+    Undo(usize),
+    Clear,
+}
+
+fn deed() -> impl Strategy<Value = Deed> {
+    let i = || any::<usize>();
+    prop_oneof![
+        5 => scribble().prop_map(Deed::Draw),
+        5 => (i(), ways()).prop_map(|(i, points)| Deed::Extend(i, points)),
+        3 => i().prop_map(Deed::Erase),
+        2 => (i(), i()).prop_map(|(from, to)| Deed::Move(from, to)),
+        2 => (i(), paints()).prop_map(|(i, color)| Deed::Recolor(i, color)),
+        3 => i().prop_map(Deed::Undo),
+        1 => Just(Deed::Clear),
+    ]
+}
+
+/// The scribbles after a deed, given all lists that there were so far.
+fn done(deed: Deed, history: &[Vec<Scribble>]) -> Vec<Scribble> {
+    let mut now = history.last().expect("a beginning").clone();
+    let len = now.len().max(1);
+    match deed {
+        Deed::Draw(scribble) => now.push(scribble),
+        Deed::Undo(i) => now = history[i % history.len()].clone(),
+        Deed::Clear => now.clear(),
+        _ if now.is_empty() => {}
+        Deed::Extend(i, points) => now[i % len].points.extend(points),
+        Deed::Erase(i) => drop(now.remove(i % len)),
+        Deed::Recolor(i, color) => now[i % len].color = color,
+        Deed::Move(from, to) => {
+            let moved = now.remove(from % len);
+            now.insert(to % len, moved);
+        }
+    }
+    now
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(CASES))]
+
+    #[test]
+    fn the_order_of_scribbles_does_not_matter(
+        map in maps(),
+        (scribbles, orders) in vec(scribble(), 1..7)
+            .prop_flat_map(|s| (Just(s.clone()), vec(Just(s).prop_shuffle(), 3))),
+        spread: bool,
+    ) {
+        let expected = contents(&fresh(&map, spread, &scribbles), &scribbles);
+        for order in &orders {
+            prop_assert_eq!(&contents(&fresh(&map, spread, order), order), &expected);
+        }
+    }
+
+    #[test]
+    fn scribbles_that_are_alike_or_begin_alike_have_no_order_either(
+        map in maps(), way in ways(), longer in ways(), colors in vec(paints(), 3), spread: bool,
+    ) {
+        let draw = |color, points: &[Point]| Scribble { color, width_du: 8.0, points: points.to_vec() };
+        let all = [way.as_slice(), &[way.clone(), longer].concat(), &way[..1]];
+        let scribbles: Vec<_> =
+            colors.iter().flat_map(|&color| all.map(|points| draw(color, points))).collect();
+        let reversed: Vec<_> = scribbles.iter().rev().cloned().collect();
+        prop_assert_eq!(
+            contents(&fresh(&map, spread, &scribbles), &scribbles),
+            contents(&fresh(&map, spread, &reversed), &reversed)
+        );
+    }
+
+    #[test]
+    fn what_was_there_before_leaves_no_trace(map in maps(), deeds in vec(deed(), 1..24), spread: bool) {
+        let mut engine = Global::new(spread);
+        let mut history = vec![Vec::new()];
+        for deed in deeds {
+            let now = done(deed.clone(), &history);
+            prop_assert_eq!(engine.label(&map, &now), fresh(&map, spread, &now), "after {:?}", deed);
+            history.push(now);
+        }
+    }
+
+    #[test]
+    fn an_erased_scribble_might_never_have_been_drawn(
+        map in maps(), scribbles in vec(scribble(), 1..6), extra in scribble(), at: usize, spread: bool,
+    ) {
+        let mut engine = Global::new(spread);
+        let before = engine.label(&map, &scribbles);
+        for length in 1..=extra.points.len() {
+            let mut with = scribbles.clone();
+            let grown = Scribble { points: extra.points[..length].to_vec(), ..extra.clone() };
+            with.insert(at % (scribbles.len() + 1), grown);
+            engine.label(&map, &with);
+        }
+        prop_assert_eq!(engine.label(&map, &scribbles), before);
+    }
+
+    #[test]
+    fn a_growing_stroke_takes_sides_and_never_gives_one_away(
+        map in maps(), scribbles in vec(scribble(), 0..5), stroke in scribble(), at: usize,
+    ) {
+        let at = at % (scribbles.len() + 1);
+        let mut engine = Global::new(false);
+        let mut before: Option<Labels> = None;
+        for length in 1..=stroke.points.len() {
+            let mut now = scribbles.clone();
+            now.insert(at, Scribble { points: stroke.points[..length].to_vec(), ..stroke.clone() });
+            let labels = engine.label(&map, &now);
+            if let Some(before) = before {
+                for (then, now) in before.sides.iter().zip(&labels.sides) {
+                    prop_assert!(then == now || *now == Some(at as u32), "{:?} became {:?}", then, now);
+                }
+            }
+            before = Some(labels);
+        }
+    }
+
+    #[test]
+    fn a_new_scribble_takes_sides_and_others_keep_theirs(
+        map in maps(), scribbles in vec(scribble(), 1..6), new in scribble(),
+    ) {
+        let before = fresh(&map, false, &scribbles);
+        let added = [scribbles.as_slice(), &[new]].concat();
+        let after = fresh(&map, false, &added);
+        for (before, after) in before.sides.iter().zip(&after.sides) {
+            prop_assert!(before == after || *after == Some(scribbles.len() as u32));
+        }
+    }
+
+    #[test]
+    fn with_spread_one_scribble_on_the_page_colours_every_side(map in maps(), scribbles in vec(scribble(), 1..4)) {
+        let labels = fresh(&map, true, &scribbles);
+        for side in sides(&map) {
+            prop_assert!(labels.sides[side.index()].is_some(), "{:?}", side);
+        }
+    }
+
+    #[test]
+    fn spreading_leaves_what_is_coloured_without_it(map in maps(), scribbles in vec(scribble(), 1..5)) {
+        let [narrow, wide] = [false, true].map(|spread| fresh(&map, spread, &scribbles));
+        for (narrow, wide) in narrow.sides.iter().zip(&wide.sides) {
+            prop_assert!(narrow.is_none() || narrow == wide);
+        }
+    }
+
+    #[test]
+    fn a_clear_scribble_holds_what_a_coloured_one_would(
+        map in maps(), scribbles in vec(scribble(), 1..6), color in paints(), i: usize, spread: bool,
+    ) {
+        let mut changed = scribbles.clone();
+        changed[i % scribbles.len()].color = color;
+        prop_assert_eq!(fresh(&map, spread, &scribbles), fresh(&map, spread, &changed));
+    }
+
+    #[test]
+    fn a_scribble_colours_what_it_was_drawn_on(map in maps(), points in ways(), spread: bool) {
+        let one = Scribble { color: Paint::Clear, width_du: 8.0, points: points[..1].to_vec() };
+        let mesh = map.triangulation();
+        if let Some(t) = mesh.locate(one.points[0], 0) {
+            let labels = fresh(&map, spread, std::slice::from_ref(&one));
+            for side in mesh.half_edges().filter(|h| h.triangle() == t).filter_map(|h| mesh.side(h)) {
+                prop_assert_eq!(labels.sides[side.index()], Some(0));
+            }
+        }
+    }
+
+    #[test]
+    fn without_scribbles_no_side_has_a_label(map in maps(), scribbles in vec(scribble(), 1..5), spread: bool) {
+        let mut engine = Global::new(spread);
+        prop_assert_eq!(engine.label(&map, &[]), Labels::none(&map));
+        engine.label(&map, &scribbles);
+        prop_assert_eq!(engine.label(&map, &[]), Labels::none(&map));
+    }
+
+    #[test]
+    fn off_the_page_is_nowhere(map in maps(), points in ways(), spread: bool) {
+        let points = points.into_iter().map(|p| p + Vec2::new(2000.0, 0.0)).collect();
+        let far = Scribble { color: Paint::Clear, width_du: 8.0, points };
+        prop_assert_eq!(fresh(&map, spread, &[far]), Labels::none(&map));
+    }
+}
