@@ -146,6 +146,7 @@ fn calls_that_make_no_sense() {
     refused_call(&folder, &["corpus", ".", "--take", "0"], "above zero");
     refused_call(&folder, &["corpus", "nowhere"], "nowhere cannot be read");
     refused_call(&folder, &["bench", "nowhere"], "cannot be read");
+    refused_call(&folder, &["bench", "--made", "nowhere"], "arguments");
     assert_eq!(folder.names(), ["d.svg", "s.json"]);
 }
 
