@@ -153,8 +153,8 @@ export const shown = {
     settingOf("engine").value = engine;
     settingOf("spread").checked = spread;
     showPercent(settingOf("gap-closing"), control("gap-figure"), Math.round(gapClosing * 100));
-    // The other engine knows neither.
-    for (const setting of ["gap-closing", "spread"]) settingOf(setting).disabled = engine !== "global";
+    // The other engine does not spread.
+    settingOf("spread").disabled = engine !== "global";
   },
   /** @param {number} zoom 1 where a drawing unit is a CSS pixel */
   zoom(zoom) {

@@ -59,7 +59,7 @@ describe("settings", () => {
     await editor.choose("Engine", "progressive");
     const progressive = await editor.picture();
     assert.ok(!progressive.equals(global));
-    assert.equal((await shown(editor, "gap-closing")).disabled, true);
+    assert.equal((await shown(editor, "spread")).disabled, true);
     await editor.until("Undone", () => editor.click("Undo"));
     assert.ok((await editor.picture()).equals(global));
     assert.equal((await shown(editor, "engine")).value, "global");

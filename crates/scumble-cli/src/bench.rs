@@ -1,15 +1,22 @@
-//! `scumble bench`: how long each stage takes on the drawings of a quality set, on one thread.
+//! `scumble bench`: how long each stage takes on the drawings of a quality set, and labelling by each engine, on one
+//! thread; or how labelling grows on made drawings.
+
+mod growth;
+mod labels;
 
 use std::path::Path;
 
 use anyhow::Context;
 use scumble_core::drawing::LONGER_SIDE_DU;
-use scumble_core::{Blend, Boundary, Paint, Scribble, Settings};
+use scumble_core::{Blend, Boundary, Paint, PlanarMap, Scribble, Settings};
 
 use crate::baseline::PixelGrid;
 use crate::clock::{Times, print_head, print_row, timed};
 use crate::set::{self, Entry, Kind};
 use crate::stages::{self, Opened, PAPER};
+use labels::{CANDIDATES, Candidate, LabelTimes};
+
+pub(crate) use growth::run as run_made;
 
 /// Size of the pictures.
 const SIZE_PX: u32 = 1024;
@@ -23,6 +30,7 @@ struct Report {
     read: Times,
     import: Times,
     map: Times,
+    gaps: Times,
     mesh: Times,
     color: Times,
     analyse: Times,
@@ -36,6 +44,7 @@ struct Report {
     baseline: Times,
     /// From coloured sides to pixels, on the drawings of the baseline.
     beside_baseline: Times,
+    labels: [LabelTimes; CANDIDATES.len()],
 }
 
 /// Times the drawings of a set and prints the figures.
@@ -57,6 +66,10 @@ impl Report {
         let (svg, read_ms) = timed(|| entry.svg());
         let mut opened = stages::open(&svg?)?;
         let scribbles = entry.scribbles(Kind::Dense, &opened.import.drawing)?;
+        self.gaps.push(growth::map(&opened.import.drawing)?.2);
+        for (candidate, times) in CANDIDATES.into_iter().zip(&mut self.labels) {
+            times.take(candidate, opened.picture.map(), &scribbles);
+        }
         let first = scribbles.len().min(1);
         let spread_ms = self.first_scribble(&mut opened, &scribbles[..first])?;
         let paint_ms = paint_ms(&mut opened, &scribbles[..first])?;
@@ -127,6 +140,7 @@ impl Report {
             ("read", &self.read),
             ("import", &self.import),
             ("map", &self.map),
+            ("… of which gaps", &self.gaps),
             ("mesh", &self.mesh),
             ("first scribble: color", &self.color),
             ("first scribble: analyse", &self.analyse),
@@ -141,6 +155,7 @@ impl Report {
             print_row(name, times);
         }
         self.print_ratio();
+        labels::print(&format!("labels, {} drawings", self.import.len()), &self.labels);
     }
 
     fn print_ratio(&self) {
@@ -155,6 +170,13 @@ impl Report {
             baseline_ms / self.new_scribble.median()
         );
     }
+}
+
+/// Labelling by one engine on one drawing.
+fn times_of(candidate: Candidate, map: &PlanarMap, scribbles: &[Scribble]) -> LabelTimes {
+    let mut times = LabelTimes::default();
+    times.take(candidate, map, scribbles);
+    times
 }
 
 fn paint_ms(opened: &mut Opened, scribbles: &[Scribble]) -> anyhow::Result<f64> {

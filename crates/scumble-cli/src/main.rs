@@ -6,6 +6,7 @@
 //! | `scumble color`: one picture | `color` |
 //! | `scumble corpus`: a folder of drawings, for crashes and lost curves | `corpus` |
 //! | `scumble bench`: how long each stage takes | `bench` |
+//! | … on made drawings of any richness | `made` |
 //! | … beside a plain solver on pixels | `baseline` |
 //! | `scumble eval`: how well engines colour | `eval` |
 //! | … beside other people's methods on pixels | `rivals` |
@@ -21,6 +22,7 @@ mod color;
 mod corpus;
 mod eval;
 mod files;
+mod made;
 mod options;
 mod rivals;
 mod set;
@@ -53,7 +55,10 @@ scumble corpus DIR [--take N]
     exit code 1 where one panics, fails, or loses a curve
 
 scumble bench SETDIR
-    times each stage on a quality set (SETDIR/ID/drawing.svg, SETDIR/ID/dense.json)
+    times each stage on a quality set (SETDIR/ID/drawing.svg, SETDIR/ID/dense.json), and labelling by each engine
+
+scumble bench --made
+    times labelling on made drawings of about 1,000 to 100,000 pieces
 
 scumble eval SETDIR
     tells how much of a quality set (the above, with sparse.json and truth.png) has the expected colours
@@ -85,6 +90,7 @@ fn run() -> anyhow::Result<ExitCode> {
         Command::Color(options) => color::run(&options)?,
         Command::Corpus { folder, take } => return corpus::run(&folder, take),
         Command::Bench { set } => bench::run(&set)?,
+        Command::BenchMade => bench::run_made()?,
         Command::Eval(options) => eval::run(&options)?,
     }
     Ok(ExitCode::SUCCESS)

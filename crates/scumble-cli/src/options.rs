@@ -20,6 +20,7 @@ pub(crate) enum Command {
     Color(ColorOptions),
     Corpus { folder: PathBuf, take: Option<usize> },
     Bench { set: PathBuf },
+    BenchMade,
     Eval(EvalOptions),
 }
 
@@ -53,6 +54,7 @@ pub(crate) fn parse(mut arguments: Arguments) -> anyhow::Result<Command> {
             let [folder] = rest(arguments, ["DIR"])?;
             Ok(Command::Corpus { folder: folder.into(), take })
         }
+        Some("bench") if arguments.contains("--made") => rest(arguments, []).map(|[]| Command::BenchMade),
         Some("bench") => {
             let [set] = rest(arguments, ["SETDIR"])?;
             Ok(Command::Bench { set: set.into() })

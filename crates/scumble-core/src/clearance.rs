@@ -34,25 +34,31 @@ const TIP_STEPS: usize = 3;
 pub(crate) struct Clearance {
     /// Per half-edge, in du; negative where drawn lines overlap, and without meaning on sides of curves.
     pub(crate) widths_du: Vec<f64>,
-    /// Per triangle the clear width at its circumcentre, in du.
-    pub(crate) triangle_widths_du: Vec<f64>,
+    /// Per half-edge whether a line ends at one of its nodes.
+    pub(crate) is_at_tip: Vec<bool>,
+    /// Per triangle the width of its widest place, in du.
+    pub(crate) place_widths_du: Vec<f64>,
 }
 
 impl Clearance {
     pub(crate) fn new(map: &PlanarMap) -> Self {
         let mesh = map.triangulation();
         let tips = tip_directions(map);
-        let triangle_widths_du: Vec<_> =
-            (0..mesh.triangle_count()).map(|t| triangle_width_du(map, t)).collect();
+        let circle_widths_du: Vec<_> = (0..mesh.triangle_count()).map(|t| circle_width_du(map, t)).collect();
         let width_du = |h| match mesh.passage(h) {
             Some(_) if is_gabriel(mesh, h) => edge_width_du(map, &tips, h),
-            Some(twin) => triangle_widths_du[h.triangle()].min(triangle_widths_du[twin.triangle()]),
-            None => 0.0,
+            Some(twin) => circle_widths_du[h.triangle()].min(circle_widths_du[twin.triangle()]),
+            None => f64::NEG_INFINITY,
         };
         let widths_du: Vec<_> = mesh.half_edges().map(width_du).collect();
-        let place = |t| place_width_du(map, &tips, &widths_du, triangle_widths_du[t], t);
-        let triangle_widths_du = (0..mesh.triangle_count()).map(place).collect();
-        Self { widths_du, triangle_widths_du }
+        let place_width_du = |t| {
+            let circle_du = circle_widths_du[t] * circle_factor(map, &tips, t);
+            (0..3).map(|i| widths_du[HalfEdge::of(t, i).index()]).fold(circle_du, f64::max)
+        };
+        let place_widths_du = (0..mesh.triangle_count()).map(place_width_du).collect();
+        let is_at_tip = |h| mesh.ends(h).iter().any(|&node| tips[node as usize].is_some());
+        let is_at_tip = mesh.half_edges().map(is_at_tip).collect();
+        Self { widths_du, is_at_tip, place_widths_du }
     }
 }
 
@@ -87,7 +93,7 @@ pub(crate) fn is_gabriel(mesh: &Triangulation, h: HalfEdge) -> bool {
 }
 
 /// Twice the circumradius without the lines.
-fn triangle_width_du(map: &PlanarMap, triangle: usize) -> f64 {
+fn circle_width_du(map: &PlanarMap, triangle: usize) -> f64 {
     let mesh = map.triangulation();
     let corners = mesh.corners(triangle);
     let halves_du = mesh.nodes(triangle).map(|node| map.half_width_du(node));
@@ -97,24 +103,14 @@ fn triangle_width_du(map: &PlanarMap, triangle: usize) -> f64 {
         .map_or(OPEN_DU, |center| (factor * 2.0 * (center - corners[0]).hypot() - lines_du).min(OPEN_DU))
 }
 
-/// The widest place of a triangle: its circle, or one of the passages out of it.
-fn place_width_du(
-    map: &PlanarMap,
-    tips: &[Option<Vec2>],
-    widths_du: &[f64],
-    circle_du: f64,
-    triangle: usize,
-) -> f64 {
+/// What the circle through the corners of a triangle counts where these are tips.
+fn circle_factor(map: &PlanarMap, tips: &[Option<Vec2>], triangle: usize) -> f64 {
     let mesh = map.triangulation();
     let corners = mesh.corners(triangle);
-    let factor = circumcenter(corners).map_or(1.0, |center| {
-        let radius_du = (center - corners[0]).hypot();
-        let factor =
-            |i: usize| tip_factor(tips[mesh.nodes(triangle)[i] as usize], (center - corners[i]) / radius_du);
-        factor(0) * factor(1) * factor(2)
-    });
-    let passages = (0..3).map(|i| HalfEdge::of(triangle, i)).filter(|&h| mesh.passage(h).is_some());
-    passages.map(|h| widths_du[h.index()]).fold(factor * circle_du, f64::max)
+    let Some(center) = circumcenter(corners) else { return 1.0 };
+    let radius_du = (center - corners[0]).hypot();
+    let pairs = mesh.nodes(triangle).into_iter().zip(corners);
+    pairs.map(|(node, corner)| tip_factor(tips[node as usize], (center - corner) / radius_du)).product()
 }
 
 /// `None` where the corners lie on a line.

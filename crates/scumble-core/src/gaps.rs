@@ -11,6 +11,9 @@ use crate::triangulation::HalfEdge;
 /// The ratio of widths below which a passage is a gap, where all gaps are closed that could be.
 const LARGEST_RATIO: f64 = 0.95;
 
+/// Where no line ends, a passage must be this much narrower still to be a gap: a waist is no hole in an outline.
+const WAIST: f64 = 0.7;
+
 /// The ratio for a gap closing from 0 to 1: half of it for a little less than a third of the way, where it matters.
 fn closed_below(closing: f64) -> f64 {
     let closing = closing.clamp(0.0, 1.0);
@@ -34,12 +37,13 @@ fn find(map: &PlanarMap, clearance: &Clearance, ratio: f64) -> Vec<Gap> {
     let mut passages: Vec<HalfEdge> = mesh.half_edges().filter(is_first).collect();
     let width_du = |h: HalfEdge| clearance.widths_du[h.index()];
     passages.sort_by(|&a, &b| width_du(b).total_cmp(&width_du(a)).then(a.cmp(&b)));
-    let mut places = Places::new(clearance.triangle_widths_du.clone());
+    let mut places = Places::new(clearance.place_widths_du.clone());
     let mut gaps = Vec::new();
     for h in passages {
         let Some(twin) = mesh.passage(h) else { continue };
         let [a, b] = [h, twin].map(|h| places.of(h.triangle() as u32));
         let narrower_du = places.width_du(a).min(places.width_du(b));
+        let ratio = if clearance.is_at_tip[h.index()] { ratio } else { WAIST * ratio };
         if a != b && is_gabriel(mesh, h) && width_du(h) < ratio * narrower_du.max(0.0) {
             gaps.push(Gap { nodes: mesh.ends(h), width_du: width_du(h) });
         } else {

@@ -87,7 +87,7 @@ impl Global {
         }
         self.claims.resize_with(scribbles.len(), Claim::default);
         for (label, (scribble, claim)) in (0..).zip(scribbles.iter().zip(&mut self.claims)) {
-            for &(triangle, cost) in claim.follow(map, &ways.places, &scribble.points) {
+            for &(triangle, cost) in claim.follow(map, &ways.rooms, &scribble.points) {
                 self.flood.reach(triangle, cost, label, &ranks);
             }
         }

@@ -15,7 +15,7 @@
 //! | what a point sees | [`visibility`] |
 //! | how wide the ways between lines are | `clearance` |
 //! | narrow passages between wide places | `gaps` |
-//! | which scribble colours which side | [`engine`], [`progressive`], [`global`], [`sight`] |
+//! | which scribble colours which side | [`engine`], [`global`], [`progressive`], [`sight`] |
 //! | how a drawing is coloured | [`settings`] |
 //! | colours along the sides of curves | [`color_points`] |
 

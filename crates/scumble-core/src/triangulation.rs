@@ -212,8 +212,12 @@ impl Triangulation {
         self.parts(|_| true)
     }
 
-    /// The same, where passages that `is_open` denies part regions as well.
-    pub(crate) fn parts(&self, is_open: impl Fn(HalfEdge) -> bool) -> (Vec<u32>, usize) {
+    /// Numbers the rooms, triangle by triangle: parts of regions that gaps part.
+    pub(crate) fn rooms(&self) -> Vec<u32> {
+        self.parts(|h| self.gap(h).is_none()).0
+    }
+
+    fn parts(&self, is_open: impl Fn(HalfEdge) -> bool) -> (Vec<u32>, usize) {
         let mut region_of = vec![NONE; self.triangle_count()];
         let mut count = 0;
         let mut stack = Vec::new();

@@ -3,7 +3,7 @@
 
 use kurbo::{BezPath, Circle, Point, Rect, Shape};
 use proptest::prelude::*;
-use scumble_core::{Curve, Drawing, Engine, Labels, Paint, PlanarMap, Progressive, Sampling, Scribble};
+use scumble_core::{Curve, Drawing, Engine, Gap, Labels, Paint, PlanarMap, Progressive, Sampling, Scribble};
 
 fn map(paths: impl IntoIterator<Item = BezPath>) -> PlanarMap {
     let curves = paths.into_iter().map(|path| Curve { path, line: None }).collect();
@@ -110,6 +110,22 @@ fn figure_3b_a_scribble_beyond_the_mouth_leaves_the_u_to_one_within() {
 }
 
 #[test]
+fn figure_3b_the_gap_at_the_mouth_is_closed_for_a_scribble_within_and_open_for_one_through_it() {
+    let map = u_shape();
+    let node = |x: f64, y: f64| {
+        let points = map.triangulation().points();
+        points.iter().position(|&p| p == Point::new(x, y)).expect("a node") as u32
+    };
+    let mouth = Gap { nodes: [node(600.0, 400.0), node(600.0, 600.0)], width_du: 200.0 };
+    let map = map.clone().with_gaps(vec![mouth]);
+    let within = scribble(&[(350.0, 480.0), (500.0, 520.0)]);
+    let through = scribble(&[(350.0, 500.0), (700.0, 500.0), (700.0, 100.0), (100.0, 100.0)]);
+    assert_eq!(label(&map, &[]).closed_gaps, [false]);
+    assert_eq!(label(&map, &[within]).closed_gaps, [true]);
+    assert_eq!(label(&map, &[through]).closed_gaps, [false]);
+}
+
+#[test]
 fn figure_8_in_every_order_each_scribble_keeps_what_is_nearest() {
     let map = map([circle(512.0, 512.0, 300.0)]);
     let at = [(512.0, 300.0), (328.0, 618.0), (696.0, 618.0)];
@@ -180,11 +196,9 @@ fn figure_11_each_further_scribble_takes_its_part_of_a_region() {
     for count in 1..=scribbles.len() {
         let labels = label(&map, &scribbles[..count]);
         let inside = along(&map, &labels, 0, false);
-        for i in 0..count {
+        for (i, at) in at.map(Point::from).into_iter().enumerate().take(count) {
             let near = middles(&map, 0).into_iter().zip(&inside);
-            let nearest = near.min_by(|a, b| {
-                (a.0 - Point::from(at[i])).hypot().total_cmp(&(b.0 - Point::from(at[i])).hypot())
-            });
+            let nearest = near.min_by(|a, b| (a.0 - at).hypot().total_cmp(&(b.0 - at).hypot()));
             assert_eq!(nearest.map(|(_, label)| *label), Some(Some(i as u32)), "{i} of {count}");
         }
         let borders = (0..inside.len()).filter(|&i| inside[i] != inside[(i + 1) % inside.len()]).count();

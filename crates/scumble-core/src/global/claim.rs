@@ -13,15 +13,17 @@ use crate::stroke::Stroke;
 /// 2 is the widest that could pass there, and more keeps a careful dab near a line from being flooded.
 const HOLD: f64 = 4.0;
 
-/// A place counts as meant once the scribble has this part of its samples so far there: less is a hand that slipped.
-const MEANT: f64 = 0.15;
+/// A room counts as meant once the scribble has as many samples there as this part of those in the room where it has
+/// most so far: less is a hand that slipped.
+const MEANT: f64 = 0.25;
 
 /// The samples of a scribble so far.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Claim {
     stroke: Stroke,
-    sample_count: usize,
-    /// Per place the samples there.
+    /// Number of samples in the room that has most.
+    most: usize,
+    /// Per room the samples there.
     visits: BTreeMap<u32, Visit>,
     seeds: Vec<Seed>,
 }
@@ -29,12 +31,12 @@ pub(super) struct Claim {
 /// A triangle, and what it costs to claim it.
 pub(super) type Seed = (usize, Cost);
 
-/// The samples in one place.
+/// The samples in one room.
 #[derive(Clone, Debug, Default)]
 struct Visit {
     sample_count: usize,
     is_meant: bool,
-    /// Held back until the place is meant.
+    /// Held back until the room is meant.
     held_back: Vec<Seed>,
 }
 
@@ -50,14 +52,14 @@ impl Claim {
     }
 
     /// Goes on to the end of a scribble that begins with the points followed so far, and gives what that adds.
-    pub(super) fn follow(&mut self, map: &PlanarMap, places: &[u32], points: &[Point]) -> &[Seed] {
+    pub(super) fn follow(&mut self, map: &PlanarMap, rooms: &[u32], points: &[Point]) -> &[Seed] {
         let known = self.seeds.len();
-        let Self { stroke, sample_count, visits, seeds } = self;
+        let Self { stroke, most, visits, seeds } = self;
         stroke.follow(map, points, |p, triangle| {
-            *sample_count += 1;
-            let visit = visits.entry(places[triangle]).or_default();
+            let visit = visits.entry(rooms[triangle]).or_default();
             visit.sample_count += 1;
-            visit.is_meant |= visit.sample_count as f64 >= MEANT * *sample_count as f64;
+            *most = visit.sample_count.max(*most);
+            visit.is_meant |= visit.sample_count as f64 >= MEANT * *most as f64;
             visit.held_back.push((triangle, cost(0.0, HOLD * distance_to_lines_du(map, p, triangle))));
             if visit.is_meant {
                 seeds.append(&mut visit.held_back);

@@ -28,8 +28,8 @@ pub(super) fn cost(length_du: f64, width_du: f64) -> Cost {
 #[derive(Clone, Debug)]
 pub(super) struct Ways {
     costs: Vec<Cost>,
-    /// Per triangle its place: the triangles that are joined without crossing a curve or a gap.
-    pub(super) places: Vec<u32>,
+    /// Per triangle its room.
+    pub(super) rooms: Vec<u32>,
 }
 
 impl Ways {
@@ -44,8 +44,7 @@ impl Ways {
             let length_du = |twin: HalfEdge| (centroid(h.triangle()) - centroid(twin.triangle())).hypot();
             mesh.passage(h).map_or(0, |twin| cost(length_du(twin), clearance.widths_du[h.index()]))
         };
-        let places = mesh.parts(|h| mesh.gap(h).is_none()).0;
-        Self { costs: mesh.half_edges().map(step).collect(), places }
+        Self { costs: mesh.half_edges().map(step).collect(), rooms: mesh.rooms() }
     }
 }
 

@@ -16,8 +16,6 @@ use crate::planar_map::PlanarMap;
 pub(super) struct Circuit {
     /// Places in the list of sightings.
     pub(super) sides: Vec<usize>,
-    /// Where the circuit jumps from and to.
-    pub(super) jumps: Vec<[Point; 2]>,
 }
 
 impl Circuit {
@@ -42,7 +40,7 @@ impl Circuit {
         match cheapest_odd_walk(graph.places.len(), &graph.edges) {
             Some(walk) => graph.trace(&walk),
             // Nothing closes around the scribble: all that it sees is its own.
-            None => Self { sides: segments.sides.clone(), jumps: Vec::new() },
+            None => Self { sides: segments.sides.clone() },
         }
     }
 }
@@ -151,7 +149,7 @@ impl<'a> Graph<'a> {
             trace.polygon.push(self.segments.point(from));
             if edge.is_jump { trace.jump(from, to) } else { trace.follow(from, to) }
         }
-        Circuit { sides: trace.inside(), jumps: trace.jumps }
+        Circuit { sides: trace.inside() }
     }
 }
 
@@ -159,7 +157,6 @@ impl<'a> Graph<'a> {
 struct Trace<'a> {
     segments: &'a Segments<'a>,
     polygon: Vec<Point>,
-    jumps: Vec<[Point; 2]>,
     /// Per side of the segments.
     is_followed: Vec<bool>,
     /// Per side whether a jump begins or ends where it begins.
@@ -169,11 +166,10 @@ struct Trace<'a> {
 impl<'a> Trace<'a> {
     fn new(segments: &'a Segments<'a>) -> Self {
         let none = vec![false; segments.sides.len() + 1];
-        Self { segments, polygon: Vec::new(), jumps: Vec::new(), is_followed: none.clone(), is_cut: none }
+        Self { segments, polygon: Vec::new(), is_followed: none.clone(), is_cut: none }
     }
 
     fn jump(&mut self, from: Place, to: Place) {
-        self.jumps.push([from, to].map(|place| self.segments.point(place)));
         for place in [from, to] {
             self.is_cut[self.segments.segments[place.segment as usize].first + place.at as usize] = true;
         }

@@ -10,7 +10,7 @@ use super::{CUT, ETA, MU, SKIP};
 use crate::planar_map::PlanarMap;
 
 /// Samples whose view is looked at, evenly spaced along the scribble.
-const WATCHES: usize = 8;
+const WATCHES: usize = 4;
 
 /// Samples that jumps are tested against.
 const MOST_SAMPLES: usize = 128;

@@ -1,39 +1,47 @@
-//! Which gaps of the map a circuit closes.
+//! Which gaps of the map the circuits of a scribble close.
 
-use kurbo::Point;
+use std::collections::BTreeMap;
 
-use crate::planar_map::Gap;
+use crate::triangulation::Triangulation;
 
-/// How far a jump may be from a gap at either end: so many du, or this part of the gap's length if that is more.
-const NEAR_DU: f64 = 6.0;
-const NEAR_PART: f64 = 0.5;
-
-/// The indices of the gaps that jumps go across: gaps that a jump runs along, its ends near theirs.
-///
-/// A circuit jumps from where a sample's glance leaves a line, the gap lies at the narrowest place, and the two need not
-/// be the same node.
-pub(super) fn across(points: &[Point], gaps: &[Gap], jumps: &[[Point; 2]]) -> Vec<u32> {
-    let is_crossed = |gap: &Gap| {
-        let [a, b] = gap.nodes.map(|node| points[node as usize]);
-        let near_du = NEAR_DU.max(NEAR_PART * (b - a).hypot());
-        let near = |[p, q]: [Point; 2]| (p - a).hypot() <= near_du && (q - b).hypot() <= near_du;
-        jumps.iter().any(|&[p, q]| near([p, q]) || near([q, p]))
-    };
-    let crossed = gaps.iter().enumerate().filter(|(_, gap)| is_crossed(gap));
-    crossed.map(|(i, _)| i as u32).collect()
+/// What the gaps of a map part.
+#[derive(Clone, Debug)]
+pub(super) struct Rooms {
+    /// Per triangle.
+    of_triangle: Vec<u32>,
+    /// Per gap the rooms on either side of it.
+    of_gap: Vec<[u32; 2]>,
 }
 
-#[cfg(test)]
-mod tests {
-    use super::*;
+impl Rooms {
+    pub(super) fn new(mesh: &Triangulation, gap_count: usize) -> Self {
+        let of_triangle = mesh.rooms();
+        let mut of_gap = vec![[0; 2]; gap_count];
+        for h in mesh.half_edges() {
+            if let (Some(gap), Some(twin)) = (mesh.gap(h), mesh.twin(h)) {
+                of_gap[gap as usize] = [h, twin].map(|h| of_triangle[h.triangle()]);
+            }
+        }
+        Self { of_triangle, of_gap }
+    }
 
-    #[test]
-    fn a_jump_along_a_gap_closes_it_in_either_direction_and_no_other() {
-        let points = [(0.0, 0.0), (40.0, 0.0), (0.0, 60.0), (40.0, 60.0)].map(Point::from);
-        let gaps = [[0, 1], [2, 3]].map(|nodes| Gap { nodes, width_du: 40.0 });
-        let jump = [Point::new(2.0, 5.0), Point::new(41.0, -3.0)];
-        assert_eq!(across(&points, &gaps, &[jump]), [0]);
-        assert_eq!(across(&points, &gaps, &[[jump[1], jump[0]]]), [0]);
-        assert_eq!(across(&points, &gaps, &[[jump[0], points[3]]]), []);
+    /// The gaps between a room that lies within the circuits of a scribble and one that does not, given the triangles
+    /// of the sides that it sees, and whether each lies within. A room does where most of what is seen of it does.
+    ///
+    /// A circuit jumps from where a sample's glance leaves a line, the gap lies at the narrowest place: looking for gaps
+    /// along jumps misses many.
+    pub(super) fn closed(&self, seen: impl Iterator<Item = (usize, bool)>) -> Vec<u32> {
+        let mut balance: BTreeMap<u32, i64> = BTreeMap::new();
+        for (triangle, is_within) in seen {
+            *balance.entry(self.of_triangle[triangle]).or_default() += if is_within { 1 } else { -1 };
+        }
+        let is_within = |room: u32| balance.get(&room).is_some_and(|&balance| balance > 0);
+        let parts = |(_, rooms): &(u32, &[u32; 2])| is_within(rooms[0]) != is_within(rooms[1]);
+        (0..).zip(&self.of_gap).filter(parts).map(|(gap, _)| gap).collect()
+    }
+
+    /// Whether there is no gap at all.
+    pub(super) fn is_one(&self) -> bool {
+        self.of_gap.is_empty()
     }
 }

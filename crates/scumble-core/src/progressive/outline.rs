@@ -2,6 +2,7 @@
 
 use kurbo::Point;
 
+use super::gaps::Rooms;
 use crate::planar_map::PlanarMap;
 use crate::triangulation::{HalfEdge, SideId, Triangulation};
 
@@ -16,6 +17,8 @@ pub(super) struct Outline {
     prev: Vec<SideId>,
     /// Per triangle.
     regions: Vec<u32>,
+    /// What the gaps part.
+    pub(super) rooms: Rooms,
 }
 
 impl Outline {
@@ -27,6 +30,7 @@ impl Outline {
             next: itself.clone(),
             prev: itself,
             regions: mesh.regions().0,
+            rooms: Rooms::new(mesh, map.gaps().len()),
         };
         for h in mesh.half_edges() {
             let Some(side) = mesh.side(h) else { continue };
@@ -54,9 +58,14 @@ impl Outline {
         self.regions[triangle]
     }
 
+    /// The triangle that a side belongs to; `None` for the outer sides of the frame.
+    pub(super) fn triangle_of_side(&self, side: SideId) -> Option<usize> {
+        self.half_edges[side.index()].map(HalfEdge::triangle)
+    }
+
     /// The region that a side borders on; `None` for the outer sides of the frame.
     pub(super) fn region_of_side(&self, side: SideId) -> Option<u32> {
-        self.half_edges[side.index()].map(|h| self.regions[h.triangle()])
+        self.triangle_of_side(side).map(|triangle| self.regions[triangle])
     }
 }
 

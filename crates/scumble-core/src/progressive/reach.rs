@@ -7,7 +7,6 @@ use kurbo::Point;
 use super::SLIP;
 use super::angle::angle_part;
 use super::circuit::Circuit;
-use super::gaps;
 use super::outline::Outline;
 use super::view::{self, Glimpse, Jump};
 use crate::planar_map::PlanarMap;
@@ -124,7 +123,7 @@ pub(super) struct Reach {
     parts: BTreeMap<u32, Part>,
     /// The sides that it influences, in ascending order.
     influence: Vec<(SideId, Evidence)>,
-    /// The gaps that its circuits jump across.
+    /// The gaps that its circuits close.
     gaps: Vec<u32>,
 }
 
@@ -154,7 +153,7 @@ impl Reach {
         &self.influence
     }
 
-    /// The gaps of the map that its circuits jump across.
+    /// The gaps of the map that its circuits close.
     pub(super) fn gaps(&self) -> &[u32] {
         &self.gaps
     }
@@ -185,7 +184,6 @@ impl Reach {
             }
         }
         self.influence.clear();
-        self.gaps.clear();
         let most = self.parts.values().map(|part| part.samples.len()).max().unwrap_or_default();
         let is_meant = |part: &Part| part.samples.len() as f64 >= SLIP * most as f64;
         for (region, part) in self.parts.iter_mut().filter(|(_, part)| is_meant(part)) {
@@ -196,9 +194,18 @@ impl Reach {
             self.influence.extend(
                 circuit.sides.iter().map(|&place| self.sightings[place]).map(|s| (s.side, s.evidence())),
             );
-            self.gaps.extend(gaps::across(map.triangulation().points(), map.gaps(), &circuit.jumps));
         }
         self.influence.sort_unstable_by_key(|&(side, _)| side);
+        if !outline.rooms.is_one() {
+            self.find_gaps(outline);
+        }
+    }
+
+    fn find_gaps(&mut self, outline: &Outline) {
+        let is_within = |side: SideId| self.influence.binary_search_by_key(&side, |&(side, _)| side).is_ok();
+        let seen = self.sightings.iter().map(|sighting| sighting.side);
+        let seen = seen.filter_map(|side| Some((outline.triangle_of_side(side)?, is_within(side))));
+        self.gaps = outline.rooms.closed(seen);
     }
 }
 

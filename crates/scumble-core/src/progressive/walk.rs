@@ -78,7 +78,7 @@ impl<'a> Search<'a> {
             }
             for i in self.first[state / 2]..self.first[state / 2 + 1] {
                 let edge = self.edges[self.order[i]];
-                let to = 2 * edge.to as usize + (state % 2 ^ usize::from(edge.is_odd));
+                let to = 2 * edge.to as usize + ((state % 2) ^ usize::from(edge.is_odd));
                 self.relax(to, cost + edge.cost, self.order[i], bound);
             }
         }
@@ -100,7 +100,7 @@ impl<'a> Search<'a> {
         while state != home {
             let edge = self.by[state];
             walk.push(edge);
-            state = 2 * self.edges[edge].from as usize + (state % 2 ^ usize::from(self.edges[edge].is_odd));
+            state = 2 * self.edges[edge].from as usize + ((state % 2) ^ usize::from(self.edges[edge].is_odd));
         }
         walk.reverse();
         walk
@@ -122,5 +122,58 @@ impl PartialOrd for Cost {
 impl Ord for Cost {
     fn cmp(&self, other: &Self) -> std::cmp::Ordering {
         self.0.total_cmp(&other.0)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    const VERTICES: usize = 6;
+
+    fn edge() -> impl Strategy<Value = Edge> {
+        let vertex = || 0..VERTICES as u32;
+        (vertex(), vertex(), 0..20_u32, any::<bool>()).prop_map(|(from, to, cost, is_odd)| Edge {
+            from,
+            to,
+            cost: f64::from(cost),
+            is_jump: false,
+            is_odd,
+        })
+    }
+
+    /// All shortest ways between the states of the double cover (Floyd & Warshall).
+    fn least(edges: &[Edge]) -> f64 {
+        let mut cost = vec![[f64::INFINITY; 2 * VERTICES]; 2 * VERTICES];
+        for edge in edges {
+            for sheet in 0..2 {
+                let to = 2 * edge.to as usize + (sheet ^ usize::from(edge.is_odd));
+                let cost = &mut cost[2 * edge.from as usize + sheet][to];
+                *cost = cost.min(edge.cost);
+            }
+        }
+        for by in 0..2 * VERTICES {
+            for from in 0..2 * VERTICES {
+                for to in 0..2 * VERTICES {
+                    cost[from][to] = cost[from][to].min(cost[from][by] + cost[by][to]);
+                }
+            }
+        }
+        (0..VERTICES).map(|vertex| cost[2 * vertex][2 * vertex + 1]).fold(f64::INFINITY, f64::min)
+    }
+
+    proptest! {
+        #[test]
+        fn no_closed_walk_across_the_cut_is_cheaper(edges in proptest::collection::vec(edge(), 0..20)) {
+            let Some(walk) = cheapest_odd_walk(VERTICES, &edges) else {
+                prop_assert_eq!(least(&edges), f64::INFINITY);
+                return Ok(());
+            };
+            prop_assert_eq!(walk.iter().map(|&edge| edges[edge].cost).sum::<f64>(), least(&edges));
+            prop_assert!(walk.iter().filter(|&&edge| edges[edge].is_odd).count() % 2 == 1);
+            let next = walk.iter().cycle().skip(1);
+            prop_assert!(walk.iter().zip(next).all(|(&edge, &next)| edges[edge].to == edges[next].from));
+        }
     }
 }
