@@ -15,15 +15,19 @@
 //! A minimum cut on the places in doubt was not needed: on the quality set, this flood alone is ahead of cuts on
 //! pixels, and of the best of three methods picked for each drawing.
 
+mod beyond;
 mod claim;
 mod crossing;
 mod flood;
+mod shown;
 
 use std::cmp::Ordering;
 
+use beyond::Beyond;
 use claim::Claim;
 use crossing::Crossing;
 use flood::{Flood, Ways};
+use shown::Shown;
 
 use crate::engine::{Engine, Labels};
 use crate::planar_map::PlanarMap;
@@ -40,6 +44,8 @@ pub struct Global {
     claims: Vec<Claim>,
     ranks: Vec<u32>,
     flood: Flood,
+    beyond: Beyond,
+    shown: Option<Shown>,
 }
 
 #[derive(Clone, Debug)]
@@ -65,13 +71,13 @@ impl Engine for Global {
     fn label(&mut self, map: &PlanarMap, scribbles: &[Scribble]) -> Labels {
         let ground = self.ground.take().unwrap_or_else(|| Ground::new(map));
         self.go_on(map, &ground.ways, scribbles);
+        let shown = self.shown.get_or_insert_with(|| Shown::new(map));
         let labels = if self.spread {
-            let mut flood = self.flood.clone();
-            flood.pass_gaps(map, &ground.ways, &self.ranks);
-            ground.crossing.cross(map, &mut flood.labels, &self.ranks);
-            labels(map, &flood.labels)
+            let labels = self.beyond.follow(map, &ground.ways, &self.ranks, &self.flood);
+            ground.crossing.cross(labels, &self.ranks);
+            shown.show(map, labels).clone()
         } else {
-            labels(map, &self.flood.labels)
+            shown.show(map, &self.flood.labels).clone()
         };
         self.ground = Some(ground);
         labels
@@ -113,6 +119,7 @@ impl Global {
     /// Dries the map, and lets those scribbles in that were there before.
     fn begin_anew(&mut self, map: &PlanarMap, scribbles: &[Scribble], ranks: &[u32]) {
         self.flood = Flood::new(map);
+        self.beyond.reset(map);
         let known = std::mem::take(&mut self.claims);
         let same =
             |scribble: &Scribble| known.iter().find(|claim| claim.points() == scribble.points).cloned();
@@ -139,19 +146,4 @@ fn compare(a: &Scribble, b: &Scribble) -> Ordering {
     let points =
         pairs.find_map(|(p, q)| Some(p.x.total_cmp(&q.x).then(p.y.total_cmp(&q.y))).filter(|o| o.is_ne()));
     points.unwrap_or(a.points.len().cmp(&b.points.len())).then(a.color.cmp(&b.color))
-}
-
-/// Labels of sides from those of the triangles that they bound. A gap between two labels is closed.
-fn labels(map: &PlanarMap, of_triangles: &[u32]) -> Labels {
-    let mesh = map.triangulation();
-    let mut labels = Labels::none(map);
-    for h in mesh.half_edges() {
-        let label = of_triangles[h.triangle()];
-        if let Some(side) = mesh.side(h) {
-            labels.sides[side.index()] = (label != flood::NONE).then_some(label);
-        } else if let (Some(gap), Some(twin)) = (mesh.gap(h), mesh.passage(h)) {
-            labels.closed_gaps[gap as usize] = label != of_triangles[twin.triangle()];
-        }
-    }
-    labels
 }

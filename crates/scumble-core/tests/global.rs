@@ -8,6 +8,9 @@ use scumble_core::{
     Curve, Drawing, Engine, Global, Labels, Line, Paint, PlanarMap, Rgba8, Sampling, Scribble, SideId, Srgb8,
 };
 
+#[path = "../../scumble-cli/src/made.rs"]
+mod made;
+
 const CASES: u32 = 40;
 
 /// What scribbles colour on a map: the labels of a fresh engine.
@@ -268,5 +271,21 @@ proptest! {
         let points = points.into_iter().map(|p| p + Vec2::new(2000.0, 0.0)).collect();
         let far = Scribble { color: Paint::Clear, width_du: 8.0, points };
         prop_assert_eq!(fresh(&map, spread, &[far]), Labels::none(&map));
+    }
+}
+
+/// Scribbles that come one by one to a drawing with many places behind gaps: some end in places that others came
+/// through on their way.
+#[test]
+fn what_lies_behind_gaps_does_not_depend_on_what_came_through_them_before() {
+    for (cells, gap_closing) in [(3, 0.9), (5, 0.5), (5, 1.0)] {
+        let map = PlanarMap::build(&made::drawing(cells), &Sampling::default()).expect("a map");
+        let map = map.with_gaps_closed(gap_closing);
+        let scribbles = made::scribbles();
+        let mut engine = Global::new(true);
+        for count in 1..=scribbles.len() {
+            let now = &scribbles[..count];
+            assert!(engine.label(&map, now) == fresh(&map, true, now), "{cells} cells, {count} scribbles");
+        }
     }
 }

@@ -18,8 +18,8 @@ pub(super) struct Crossing {
     /// Per triangle.
     region_of: Vec<u32>,
     region_count: usize,
-    /// Half-edges on curves inside the page, once for each piece, and how long each counts.
-    borders: Vec<(HalfEdge, u64)>,
+    /// The triangles on either side of each piece of curve inside the page, and how long it counts.
+    borders: Vec<([u32; 2], u64)>,
 }
 
 impl Crossing {
@@ -29,10 +29,10 @@ impl Crossing {
         let border = |h: HalfEdge| {
             let side = mesh.side(h).filter(|side| !side.is_right())?;
             let curve = map.pieces()[side.piece()].curve?;
-            mesh.twin(h)?;
+            let triangles = [h, mesh.twin(h)?].map(|h| h.triangle() as u32);
             let [a, b] = mesh.segment(h);
             let share = if is_closed[curve as usize] { 0.5 } else { 1.0 };
-            Some((h, (share * PARTS_PER_DU * (b - a).hypot()) as u64))
+            Some((triangles, (share * PARTS_PER_DU * (b - a).hypot()) as u64))
         };
         let borders = mesh.half_edges().filter_map(border).collect();
         let (region_of, region_count) = mesh.regions();
@@ -40,24 +40,22 @@ impl Crossing {
     }
 
     /// Labels the regions without a label, wherever there is any label to take.
-    pub(super) fn cross(&self, map: &PlanarMap, labels: &mut [u32], ranks: &[u32]) {
+    pub(super) fn cross(&self, labels: &mut [u32], ranks: &[u32]) {
         let mut areas = Areas::new(self.region_count + ranks.len());
         let area = |labels: &[u32], triangle: usize| match ranks.get(labels[triangle] as usize) {
             Some(&rank) => self.region_count as u32 + rank,
             None => self.region_of[triangle],
         };
-        for &(h, length) in &self.borders {
-            let Some(twin) = map.triangulation().twin(h) else { continue };
-            let [a, b] = [h, twin].map(|h| area(labels, h.triangle()));
+        for &(triangles, length) in &self.borders {
+            let [a, b] = triangles.map(|triangle| area(labels, triangle as usize));
             areas.add_border(a, b, length);
         }
         areas.join_all(self.region_count as u32);
         let mut label_of_rank = vec![NONE; ranks.len()];
         (0..).zip(ranks).for_each(|(label, &rank)| label_of_rank[rank as usize] = label);
-        for triangle in 0..labels.len() {
-            let joined = areas.find(area(labels, triangle)) as usize;
-            if let Some(rank) = joined.checked_sub(self.region_count) {
-                labels[triangle] = label_of_rank[rank];
+        for (label, &region) in labels.iter_mut().zip(&self.region_of).filter(|(label, _)| **label == NONE) {
+            if let Some(rank) = (areas.find(region) as usize).checked_sub(self.region_count) {
+                *label = label_of_rank[rank];
             }
         }
     }

@@ -27,9 +27,11 @@ pub(super) fn cost(length_du: f64, width_du: f64) -> Cost {
 /// What it costs to go from triangle to triangle, per half-edge that is left through.
 #[derive(Clone, Debug)]
 pub(super) struct Ways {
-    costs: Vec<Cost>,
+    pub(super) costs: Vec<Cost>,
     /// Per triangle its room.
     pub(super) rooms: Vec<u32>,
+    /// The half-edges that lead through a gap.
+    pub(super) gaps: Vec<HalfEdge>,
 }
 
 impl Ways {
@@ -44,7 +46,8 @@ impl Ways {
             let length_du = |twin: HalfEdge| (centroid(h.triangle()) - centroid(twin.triangle())).hypot();
             mesh.passage(h).map_or(0, |twin| cost(length_du(twin), clearance.widths_du[h.index()]))
         };
-        Self { costs: mesh.half_edges().map(step).collect(), rooms: mesh.rooms() }
+        let gaps = mesh.half_edges().filter(|&h| mesh.gap(h).is_some()).collect();
+        Self { costs: mesh.half_edges().map(step).collect(), rooms: mesh.rooms(), gaps }
     }
 }
 
@@ -54,7 +57,7 @@ pub(super) struct Flood {
     /// Per triangle the scribble, or [`NONE`].
     pub(super) labels: Vec<u32>,
     /// Per triangle the cost of the way to it.
-    costs: Vec<Cost>,
+    pub(super) costs: Vec<Cost>,
     /// Cost, rank of the scribble, triangle, scribble.
     front: BinaryHeap<Reverse<(Cost, u32, u32, u32)>>,
 }
@@ -77,21 +80,11 @@ impl Flood {
 
     /// Floods on from wherever scribbles have come to, not through gaps.
     pub(super) fn run(&mut self, map: &PlanarMap, ways: &Ways, ranks: &[u32]) {
-        self.spread(map, ways, ranks, |_, h| map.triangulation().gap(h).is_none());
+        self.run_where(map, ways, ranks, |_, h| map.triangulation().gap(h).is_none());
     }
 
-    /// Floods on through gaps, where the other side is dry.
-    pub(super) fn pass_gaps(&mut self, map: &PlanarMap, ways: &Ways, ranks: &[u32]) {
-        let wet: Vec<bool> = self.labels.iter().map(|&label| label != NONE).collect();
-        for (triangle, &label) in self.labels.iter().enumerate().filter(|(_, label)| **label != NONE) {
-            let rank = ranks.get(label as usize).copied().unwrap_or(NONE);
-            self.front.push(Reverse((self.costs[triangle], rank, triangle as u32, label)));
-        }
-        self.spread(map, ways, ranks, |mesh_triangle, _| !wet[mesh_triangle]);
-    }
-
-    /// Goes through the passages that are open to `may_go(next triangle, half-edge)`.
-    fn spread(
+    /// Floods on through the passages that are open to `may_go(next triangle, half-edge)`.
+    pub(super) fn run_where(
         &mut self,
         map: &PlanarMap,
         ways: &Ways,

@@ -1,0 +1,98 @@
+//! What lies behind the gaps: with spreading, places that no scribble reaches take the colour that comes to them
+//! through gaps on the cheapest way.
+//!
+//! The flood behind the gaps goes on with the flood before them. Where a place gets wet by a scribble of its own, no
+//! way leads through it any more: what had come that way is dried, and flooded anew from around it.
+
+use super::flood::{Cost, Flood, NONE, Ways};
+use crate::planar_map::PlanarMap;
+use crate::triangulation::HalfEdge;
+
+/// The flood behind the gaps.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Beyond {
+    /// Dry where the flood before the gaps is wet.
+    flood: Flood,
+    /// Per triangle whether the flood before the gaps is there.
+    is_before: Vec<bool>,
+    /// Labels of both floods.
+    labels: Vec<u32>,
+}
+
+impl Beyond {
+    /// Forgets all.
+    pub(super) fn reset(&mut self, map: &PlanarMap) {
+        self.flood = Flood::new(map);
+        self.is_before = vec![false; self.flood.labels.len()];
+    }
+
+    /// Floods on from what came to the flood before the gaps since the last call; gives the labels of both.
+    pub(super) fn follow(
+        &mut self,
+        map: &PlanarMap,
+        ways: &Ways,
+        ranks: &[u32],
+        before: &Flood,
+    ) -> &mut [u32] {
+        let dried = self.dry(map, ways, before);
+        for triangle in dried {
+            for h in (0..3).map(|i| HalfEdge::of(triangle, i)) {
+                if let Some(twin) = map.triangulation().passage(h) {
+                    self.reach_through(map, ways, ranks, before, twin);
+                }
+            }
+        }
+        for &h in &ways.gaps {
+            if self.is_before[h.triangle()] {
+                self.reach_through(map, ways, ranks, before, h);
+            }
+        }
+        let is_before = &self.is_before;
+        self.flood.run_where(map, ways, ranks, |next, _| !is_before[next]);
+        self.labels.clear();
+        let both = before.labels.iter().zip(&self.flood.labels);
+        self.labels.extend(both.map(|(&before, &beyond)| if before == NONE { beyond } else { before }));
+        &mut self.labels
+    }
+
+    /// Lets what is on this side of a passage, of either flood, come to the other.
+    fn reach_through(&mut self, map: &PlanarMap, ways: &Ways, ranks: &[u32], before: &Flood, h: HalfEdge) {
+        let Some(to) = map.triangulation().passage(h).map(HalfEdge::triangle) else { return };
+        let from = h.triangle();
+        let flood = if self.is_before[from] { before } else { &self.flood };
+        let (cost, label) = (flood.costs[from], flood.labels[from]);
+        if label != NONE && !self.is_before[to] {
+            self.flood.reach(to, cost + ways.costs[h.index()], label, ranks);
+        }
+    }
+
+    /// Dries the triangles that the flood before the gaps has come to, and all that may have been reached through
+    /// them; gives all that are dry now and were not.
+    fn dry(&mut self, map: &PlanarMap, ways: &Ways, before: &Flood) -> Vec<usize> {
+        let is_new = |&t: &usize| before.labels[t] != NONE && !self.is_before[t];
+        let new: Vec<usize> = (0..self.is_before.len()).filter(is_new).collect();
+        new.iter().for_each(|&t| self.is_before[t] = true);
+        let mut stack: Vec<_> = new.into_iter().filter_map(|t| self.take(t)).collect();
+        let mut dried = Vec::new();
+        while let Some((triangle, cost, label)) = stack.pop() {
+            for h in (0..3).map(|i| HalfEdge::of(triangle, i)) {
+                let Some(next) = map.triangulation().passage(h).map(HalfEdge::triangle) else { continue };
+                if (self.flood.costs[next], self.flood.labels[next])
+                    == (cost.saturating_add(ways.costs[h.index()]), label)
+                {
+                    stack.extend(self.take(next));
+                    dried.push(next);
+                }
+            }
+        }
+        dried.retain(|&t| !self.is_before[t]);
+        dried
+    }
+
+    /// Dries a triangle; gives what was there.
+    fn take(&mut self, triangle: usize) -> Option<(usize, Cost, u32)> {
+        let label = std::mem::replace(&mut self.flood.labels[triangle], NONE);
+        let cost = std::mem::replace(&mut self.flood.costs[triangle], Cost::MAX);
+        (label != NONE).then_some((triangle, cost, label))
+    }
+}
