@@ -1,12 +1,11 @@
 //! What one scribble claims by itself: the triangles that it was drawn on, each at a cost.
 
-use std::collections::BTreeMap;
-
 use kurbo::Point;
 
 use super::flood::{Cost, cost};
 use crate::clearance::distance_to_lines_du;
 use crate::planar_map::PlanarMap;
+use crate::small_map::SmallMap;
 use crate::stroke::Stroke;
 
 /// A scribble holds its place like a passage that is this many times as wide as its distance from the drawn lines:
@@ -22,7 +21,7 @@ pub(super) struct Claim {
     stroke: Stroke,
     sample_count: usize,
     /// Per place the samples there.
-    visits: BTreeMap<u32, Visit>,
+    visits: SmallMap<Visit>,
     seeds: Vec<Seed>,
 }
 
@@ -55,7 +54,7 @@ impl Claim {
         let Self { stroke, sample_count, visits, seeds } = self;
         stroke.follow(map, points, |p, triangle| {
             *sample_count += 1;
-            let visit = visits.entry(places[triangle]).or_default();
+            let visit = visits.entry(places[triangle]);
             visit.sample_count += 1;
             visit.is_meant |= visit.sample_count as f64 >= MEANT * *sample_count as f64;
             visit.held_back.push((triangle, cost(0.0, HOLD * distance_to_lines_du(map, p, triangle))));

@@ -1,29 +1,21 @@
 //! Which gaps of the map the circuits of a scribble close.
 
-use std::collections::BTreeMap;
-
-use crate::triangulation::{HalfEdge, Triangulation};
+use crate::triangulation::Triangulation;
 
 /// What the gaps of a map part: rooms, that is triangles joined without crossing a line or a gap.
 #[derive(Clone, Debug)]
 pub(super) struct Rooms {
     /// Per triangle.
     of_triangle: Vec<u32>,
+    count: usize,
     /// Per gap the rooms on either side of it.
     of_gap: Vec<[u32; 2]>,
 }
 
 impl Rooms {
     pub(super) fn new(mesh: &Triangulation, gap_count: usize) -> Self {
-        let mut this =
-            Self { of_triangle: vec![u32::MAX; mesh.triangle_count()], of_gap: vec![[0; 2]; gap_count] };
-        let mut count = 0;
-        for first in 0..mesh.triangle_count() {
-            if this.of_triangle[first] == u32::MAX {
-                this.fill(mesh, first, count);
-                count += 1;
-            }
-        }
+        let (of_triangle, count) = mesh.parts(|h| mesh.gap(h).is_none());
+        let mut this = Self { of_triangle, count, of_gap: vec![[0; 2]; gap_count] };
         for h in mesh.half_edges() {
             if let (Some(gap), Some(twin)) = (mesh.gap(h), mesh.twin(h)) {
                 this.of_gap[gap as usize] = [h, twin].map(|h| this.of_triangle[h.triangle()]);
@@ -32,31 +24,17 @@ impl Rooms {
         this
     }
 
-    fn fill(&mut self, mesh: &Triangulation, first: usize, room: u32) {
-        let mut stack = vec![first];
-        self.of_triangle[first] = room;
-        while let Some(triangle) = stack.pop() {
-            let ways = (0..3).map(|i| HalfEdge::of(triangle, i)).filter(|&h| mesh.gap(h).is_none());
-            for next in ways.filter_map(|h| mesh.passage(h)).map(HalfEdge::triangle) {
-                if self.of_triangle[next] == u32::MAX {
-                    self.of_triangle[next] = room;
-                    stack.push(next);
-                }
-            }
-        }
-    }
-
     /// The gaps between a room that lies within the circuits of a scribble and one that does not, given the triangles
     /// of the sides that it sees, and whether each lies within. A room does where most of what is seen of it does.
     ///
     /// A circuit jumps from where a sample's glance leaves a line, the gap lies at the narrowest place: looking for gaps
     /// along jumps misses many.
     pub(super) fn closed(&self, seen: impl Iterator<Item = (usize, bool)>) -> Vec<u32> {
-        let mut balance: BTreeMap<u32, i64> = BTreeMap::new();
+        let mut balance = vec![0_i64; self.count];
         for (triangle, is_within) in seen {
-            *balance.entry(self.of_triangle[triangle]).or_default() += if is_within { 1 } else { -1 };
+            balance[self.of_triangle[triangle] as usize] += if is_within { 1 } else { -1 };
         }
-        let is_within = |room: u32| balance.get(&room).is_some_and(|&balance| balance > 0);
+        let is_within = |room: u32| balance[room as usize] > 0;
         let parts = |(_, rooms): &(u32, &[u32; 2])| is_within(rooms[0]) != is_within(rooms[1]);
         (0..).zip(&self.of_gap).filter(parts).map(|(gap, _)| gap).collect()
     }
