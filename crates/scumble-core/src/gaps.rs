@@ -6,6 +6,7 @@
 
 use crate::clearance::{Clearance, is_gabriel};
 use crate::planar_map::{Gap, PlanarMap};
+use crate::sort;
 use crate::triangulation::HalfEdge;
 
 /// The ratio of widths below which a passage is a gap, where all gaps are closed that could be.
@@ -36,7 +37,7 @@ fn find(map: &PlanarMap, clearance: &Clearance, ratio: f64) -> Vec<Gap> {
     let is_first = |h: &HalfEdge| mesh.passage(*h).is_some_and(|twin| *h < twin);
     let mut passages: Vec<HalfEdge> = mesh.half_edges().filter(is_first).collect();
     let width_du = |h: HalfEdge| clearance.widths_du[h.index()];
-    passages.sort_by(|&a, &b| width_du(b).total_cmp(&width_du(a)).then(a.cmp(&b)));
+    sort::sort_by_key(&mut passages, |&h| !sort::float(width_du(h)));
     let mut places = Places::new(clearance.place_widths_du.clone());
     let mut gaps = Vec::new();
     for h in passages {
