@@ -7,7 +7,7 @@
 use crate::clearance::{Clearance, is_gabriel};
 use crate::planar_map::{Gap, PlanarMap};
 use crate::sort;
-use crate::triangulation::HalfEdge;
+use crate::triangulation::{HalfEdge, Triangulation};
 
 /// The ratio of widths below which a passage is a gap, where all gaps are closed that could be.
 const LARGEST_RATIO: f64 = 0.95;
@@ -24,9 +24,16 @@ fn closed_below(closing: f64) -> f64 {
 impl PlanarMap {
     /// The same map with its gaps found anew: the passages narrower than the wide places on both their sides by more
     /// than `closing` tells, from 0 (only where drawn lines overlap) to 1 (wherever it gets a little narrower).
-    pub fn with_gaps_closed(self, closing: f64) -> Self {
-        let gaps = find(&self, &Clearance::new(&self), closed_below(closing));
-        self.with_gaps(gaps)
+    pub fn with_gaps_closed(mut self, closing: f64) -> Self {
+        self.close_gaps(closing);
+        self
+    }
+
+    /// Finds the gaps of this map anew, as [`PlanarMap::with_gaps_closed`] does. What was derived from the map with
+    /// other gaps does not fit it any more.
+    pub fn close_gaps(&mut self, closing: f64) {
+        let gaps = find(self, self.clearance(), closed_below(closing));
+        self.set_gaps(gaps);
     }
 }
 
@@ -34,24 +41,30 @@ impl PlanarMap {
 /// places they join are open.
 fn find(map: &PlanarMap, clearance: &Clearance, ratio: f64) -> Vec<Gap> {
     let mesh = map.triangulation();
-    let is_first = |h: &HalfEdge| mesh.passage(*h).is_some_and(|twin| *h < twin);
-    let mut passages: Vec<HalfEdge> = mesh.half_edges().filter(is_first).collect();
-    let width_du = |h: HalfEdge| clearance.widths_du[h.index()];
-    sort::sort_by_key(&mut passages, |&h| !sort::float(width_du(h)));
     let mut places = Places::new(clearance.place_widths_du.clone());
     let mut gaps = Vec::new();
-    for h in passages {
-        let Some(twin) = mesh.passage(h) else { continue };
+    for (width_du, h, twin) in passages(mesh, clearance) {
         let [a, b] = [h, twin].map(|h| places.of(h.triangle() as u32));
         let narrower_du = places.width_du(a).min(places.width_du(b));
         let ratio = if clearance.is_at_tip[h.index()] { ratio } else { WAIST * ratio };
-        if a != b && is_gabriel(mesh, h) && width_du(h) < ratio * narrower_du.max(0.0) {
-            gaps.push(Gap { nodes: mesh.ends(h), width_du: width_du(h) });
+        if a != b && is_gabriel(mesh, h) && width_du < ratio * narrower_du.max(0.0) {
+            gaps.push(Gap { nodes: mesh.ends(h), width_du });
         } else {
             places.join(a, b);
         }
     }
     gaps
+}
+
+/// All passages with their widths, the widest first; once each, by both their half-edges.
+fn passages(mesh: &Triangulation, clearance: &Clearance) -> Vec<(f64, HalfEdge, HalfEdge)> {
+    let passage = |h: HalfEdge| {
+        let twin = mesh.passage(h).filter(|twin| h < *twin)?;
+        Some((clearance.widths_du[h.index()], h, twin))
+    };
+    let mut passages: Vec<_> = mesh.half_edges().filter_map(passage).collect();
+    sort::sort_by_key(&mut passages, |&(width_du, ..)| !sort::float(width_du));
+    passages
 }
 
 /// Sets of triangles, each with its widest place.

@@ -3,9 +3,12 @@
 //! Curves are sampled onto a lattice, snap-rounded so that no two pieces cross, and triangulated together with the
 //! frame of the page (constrained Delaunay). Everything that asks what lies where walks this triangulation.
 
+use std::sync::OnceLock;
+
 use kurbo::Rect;
 use thiserror::Error;
 
+use crate::clearance::Clearance;
 use crate::delaunay::{self, Cdt};
 use crate::drawing::Drawing;
 use crate::sample::{self, LatticePoint, Stretch};
@@ -86,6 +89,7 @@ pub struct PlanarMap {
     gaps: Vec<Gap>,
     half_widths_du: Vec<f64>,
     spacing_du: f64,
+    clearance: OnceLock<Clearance>,
 }
 
 impl PlanarMap {
@@ -113,6 +117,7 @@ impl PlanarMap {
             gaps: Vec::new(),
             half_widths_du,
             spacing_du: sampling.spacing_du,
+            clearance: OnceLock::new(),
         })
     }
 
@@ -176,8 +181,18 @@ impl PlanarMap {
     /// The same map with other gaps. A gap counts where its nodes are joined by an edge that is no piece; one that is
     /// given twice, or anywhere else, can be closed without effect.
     pub fn with_gaps(mut self, gaps: Vec<Gap>) -> Self {
+        self.set_gaps(gaps);
+        self
+    }
+
+    pub(crate) fn set_gaps(&mut self, gaps: Vec<Gap>) {
         self.triangulation.mark_gaps(gaps.iter().map(|gap| gap.nodes));
-        Self { gaps, ..self }
+        self.gaps = gaps;
+    }
+
+    /// How wide all passages are, whichever gaps there are. Worked out at the first call.
+    pub(crate) fn clearance(&self) -> &Clearance {
+        self.clearance.get_or_init(|| Clearance::new(self))
     }
 
     /// The same pieces with further nodes between them, so that angles are at least 20° where the pieces allow

@@ -259,7 +259,7 @@ fn along_each_side_the_colour_changes_softly() {
 /// The fastest change of colour along the left sides of a closed curve, as a part of the fastest that a transition of
 /// full length needs; infinite where it jumps.
 fn steepest(scene: &Coloring) -> f64 {
-    let map = map_of(&scene);
+    let map = map_of(scene);
     let blend = scene.settings.blend;
     let apart = |a: [f64; 4], b: [f64; 4]| a.iter().zip(b).map(|(a, b)| (a - b).powi(2)).sum::<f64>().sqrt();
     let paints: Vec<_> = scene.scribbles.iter().map(|s| blend.from_paint(s.color)).collect();

@@ -48,7 +48,7 @@ impl Picture {
         let known = std::mem::replace(&mut self.settings, *settings);
         if known.gap_closing != settings.gap_closing {
             // Other gaps make another map: all that was derived from it begins anew.
-            self.map = self.map.clone().with_gaps_closed(settings.gap_closing);
+            self.map.close_gaps(settings.gap_closing);
             self.solver = None;
             self.engine = settings.engine();
         } else if !known.share_engine(settings) {

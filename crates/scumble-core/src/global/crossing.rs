@@ -7,10 +7,13 @@ use std::collections::{BTreeMap, BinaryHeap};
 
 use super::flood::NONE;
 use crate::planar_map::PlanarMap;
-use crate::triangulation::HalfEdge;
+use crate::triangulation::SideId;
 
 /// Lengths are counted in these parts of a du, so that their sums are exact.
 const PARTS_PER_DU: f64 = 4096.0;
+
+/// The triangles on either side of a piece, and how long it counts.
+type Border = ([u32; 2], u64);
 
 /// What the map alone says about borders.
 #[derive(Clone, Debug)]
@@ -18,37 +21,43 @@ pub(super) struct Crossing {
     /// Per triangle.
     region_of: Vec<u32>,
     region_count: usize,
-    /// The triangles on either side of each piece of curve inside the page, and how long it counts.
-    borders: Vec<([u32; 2], u64)>,
+    /// Of all pieces of curve inside the page.
+    borders: Vec<Border>,
 }
 
 impl Crossing {
     pub(super) fn new(map: &PlanarMap) -> Self {
-        let mesh = map.triangulation();
-        let is_closed: Vec<bool> = (0..map.curve_count()).map(|curve| map.is_closed(curve)).collect();
-        let border = |h: HalfEdge| {
-            let side = mesh.side(h).filter(|side| !side.is_right())?;
-            let curve = map.pieces()[side.piece()].curve?;
-            let triangles = [h, mesh.twin(h)?].map(|h| h.triangle() as u32);
-            let [a, b] = mesh.segment(h);
-            let share = if is_closed[curve as usize] { 0.5 } else { 1.0 };
-            Some((triangles, (share * PARTS_PER_DU * (b - a).hypot()) as u64))
-        };
-        let borders = mesh.half_edges().filter_map(border).collect();
-        let (region_of, region_count) = mesh.regions();
+        let (region_of, region_count) = map.triangulation().regions();
+        let mut beside = beside_pieces(map);
+        let mut borders = Vec::new();
+        // Curve by curve: one that goes along the same two areas for long is soon counted.
+        for curve in 0..map.curve_count() {
+            let share = if map.is_closed(curve) { 0.5 } else { 1.0 };
+            for side in map.steps(curve).iter().map(|step| step.left) {
+                let is_own = map.pieces()[side.piece()].curve == Some(curve as u32);
+                if let Some(triangles) = beside[side.piece()].take_if(|_| is_own) {
+                    borders.push((triangles, (share * PARTS_PER_DU * length_du(map, side)) as u64));
+                }
+            }
+        }
         Self { region_of, region_count, borders }
     }
 
     /// Labels the regions without a label, wherever there is any label to take.
     pub(super) fn cross(&self, labels: &mut [u32], ranks: &[u32]) {
         let mut areas = Areas::new(self.region_count + ranks.len());
-        let area = |labels: &[u32], triangle: usize| match ranks.get(labels[triangle] as usize) {
-            Some(&rank) => self.region_count as u32 + rank,
-            None => self.region_of[triangle],
+        let area = |(label, region): (&u32, &u32)| match ranks.get(*label as usize) {
+            Some(rank) => self.region_count as u32 + rank,
+            None => *region,
         };
-        for &(triangles, length) in &self.borders {
-            let [a, b] = triangles.map(|triangle| area(labels, triangle as usize));
-            areas.add_border(a, b, length);
+        let area_of: Vec<u32> = labels.iter().zip(&self.region_of).map(area).collect();
+        let pair = |(triangles, _): &Border| {
+            let [a, b] = triangles.map(|triangle| area_of[triangle as usize]);
+            [a.min(b), a.max(b)]
+        };
+        for run in self.borders.chunk_by(|first, second| pair(first) == pair(second)) {
+            let [a, b] = pair(&run[0]);
+            areas.add_border(a, b, run.iter().map(|(_, length)| length).sum());
         }
         areas.join_all(self.region_count as u32);
         let mut label_of_rank = vec![NONE; ranks.len()];
@@ -59,6 +68,24 @@ impl Crossing {
             }
         }
     }
+}
+
+/// For each piece the triangles on either side of it, where there are two.
+fn beside_pieces(map: &PlanarMap) -> Vec<Option<[u32; 2]>> {
+    let mesh = map.triangulation();
+    let mut beside = vec![None; map.pieces().len()];
+    for h in mesh.half_edges() {
+        if let (Some(side), Some(twin)) = (mesh.side(h), mesh.twin(h)) {
+            beside[side.piece()] = Some([h, twin].map(|h| h.triangle() as u32));
+        }
+    }
+    beside
+}
+
+fn length_du(map: &PlanarMap, side: SideId) -> f64 {
+    let points = map.triangulation().points();
+    let [a, b] = map.pieces()[side.piece()].nodes.map(|node| points[node as usize]);
+    (b - a).hypot()
 }
 
 /// Regions, then scribbles, and the borders between them.

@@ -3,7 +3,7 @@
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
 
-use crate::clearance::{Clearance, OPEN_DU};
+use crate::clearance::OPEN_DU;
 use crate::planar_map::PlanarMap;
 use crate::triangulation::HalfEdge;
 
@@ -37,7 +37,7 @@ pub(super) struct Ways {
 impl Ways {
     pub(super) fn new(map: &PlanarMap) -> Self {
         let mesh = map.triangulation();
-        let clearance = Clearance::new(map);
+        let clearance = map.clearance();
         let centroid = |t: usize| {
             let [a, b, c] = mesh.corners(t).map(|p| p.to_vec2());
             (a + b + c) / 3.0
