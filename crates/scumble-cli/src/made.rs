@@ -99,18 +99,16 @@ fn hatched_box(center: Point, half_du: f64) -> Vec<BezPath> {
 
 #[cfg(test)]
 mod tests {
-    use super::*;
-
     #[test]
     fn a_made_drawing_is_the_same_every_time_and_grows_with_its_cells() {
-        assert_eq!(drawing(3).curves, drawing(3).curves);
-        assert!(drawing(4).curves.len() > drawing(3).curves.len());
+        assert_eq!(super::drawing(3).curves, super::drawing(3).curves);
+        assert!(super::drawing(4).curves.len() > super::drawing(3).curves.len());
     }
 
     #[test]
     fn scribbles_lie_on_the_page() {
-        let page = drawing(1).frame();
-        let scribbles = scribbles();
+        let page = super::drawing(1).frame();
+        let scribbles = super::scribbles();
         assert_eq!(scribbles.len(), 60);
         assert!(scribbles.iter().flat_map(|scribble| &scribble.points).all(|&point| page.contains(point)));
     }
