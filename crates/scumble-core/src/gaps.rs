@@ -29,11 +29,15 @@ impl PlanarMap {
         self
     }
 
-    /// Finds the gaps of this map anew, as [`PlanarMap::with_gaps_closed`] does. What was derived from the map with
-    /// other gaps does not fit it any more.
-    pub fn close_gaps(&mut self, closing: f64) {
+    /// Finds the gaps of this map anew, as [`PlanarMap::with_gaps_closed`] does, and says whether they changed. Then
+    /// what was derived from the map does not fit it any more.
+    pub fn close_gaps(&mut self, closing: f64) -> bool {
         let gaps = find(self, self.clearance(), closed_below(closing));
-        self.set_gaps(gaps);
+        let changed = gaps != self.gaps();
+        if changed {
+            self.set_gaps(gaps);
+        }
+        changed
     }
 }
 
