@@ -70,5 +70,6 @@ function isCanvas(target) {
  */
 function usesKey(target, key) {
   if (!(target instanceof HTMLInputElement)) return target instanceof HTMLSelectElement;
+  if (target.type === "range") return /^(Arrow|Home$|End$|Page)/.test(key);
   return target.type === "radio" ? key.startsWith("Arrow") : target.type !== "checkbox";
 }

@@ -2,9 +2,7 @@
 //! or after what they show: tested by the labels of sides, and as pictures.
 
 use kurbo::{BezPath, Point, Rect, Stroke};
-use scumble_core::{
-    Curve, Drawing, EngineKind, Line, Paint, PlanarMap, Rgba8, Sampling, Scribble, Settings, Srgb8,
-};
+use scumble_core::{Curve, Drawing, EngineKind, Line, Paint, Rgba8, Scribble, Settings, Srgb8};
 
 /// A drawing on a page of 1024 × 1024 du, and what somebody scribbled on it.
 #[derive(Clone, Debug)]
@@ -240,11 +238,6 @@ impl Coloring {
         let curves = self.lines.iter().flat_map(|path| subpaths(path));
         let curves = curves.map(|path| Curve { path, line: Some(line.clone()) }).collect();
         Drawing { curves, ..Drawing::new(Rect::new(0.0, 0.0, 1024.0, 1024.0)) }
-    }
-
-    pub(crate) fn map(&self) -> PlanarMap {
-        let map = PlanarMap::build(&self.drawing(), &Sampling::default()).expect("a map");
-        map.with_gaps_closed(self.settings.gap_closing)
     }
 }
 

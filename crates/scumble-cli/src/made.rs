@@ -96,3 +96,20 @@ fn hatched_box(center: Point, half_du: f64) -> Vec<BezPath> {
     };
     std::iter::once(outline).chain((0..HATCHES).map(hatch)).collect()
 }
+
+#[cfg(test)]
+mod tests {
+    #[test]
+    fn a_made_drawing_is_the_same_every_time_and_grows_with_its_cells() {
+        assert_eq!(super::drawing(3).curves, super::drawing(3).curves);
+        assert!(super::drawing(4).curves.len() > super::drawing(3).curves.len());
+    }
+
+    #[test]
+    fn scribbles_lie_on_the_page() {
+        let page = super::drawing(1).frame();
+        let scribbles = super::scribbles();
+        assert_eq!(scribbles.len(), 60);
+        assert!(scribbles.iter().flat_map(|scribble| &scribble.points).all(|&point| page.contains(point)));
+    }
+}

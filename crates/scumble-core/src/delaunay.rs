@@ -71,7 +71,7 @@ pub(crate) fn keep_gaps(cdt: &mut Cdt, mesh: &Triangulation, longest_du: f64) {
 /// the edges between are there already, but for rounding.
 fn keep_gap(cdt: &mut Cdt, [start, end]: [FixedVertexHandle; 2], gap: u32, longest_du: f64) {
     let [a, b] = [start, end].map(|v| cdt.vertex(v).position());
-    let count = ((b.x - a.x).hypot(b.y - a.y) / longest_du).ceil().max(1.0);
+    let count = (kurbo::Vec2::new(b.x - a.x, b.y - a.y).hypot() / longest_du).ceil().max(1.0);
     let mut from = start;
     for i in 1..=count as u32 {
         let t = f64::from(i) / count;

@@ -9,6 +9,7 @@ use crate::color::Paint;
 use crate::drawing::Drawing;
 use crate::scribble::Scribble;
 use crate::settings::Settings;
+use crate::sort;
 
 /// The source of a picture. Everything else is derived from it.
 #[derive(Clone, Debug)]
@@ -137,7 +138,7 @@ impl Editor {
         self.commit_scribble();
         let mut indices: Vec<_> =
             indices.iter().copied().filter(|i| *i < self.document.scribbles.len()).collect();
-        indices.sort_unstable();
+        sort::sort_by_key(&mut indices, |index| *index as u64);
         indices.dedup();
         let back: Vec<_> = indices.iter().rev().map(|i| self.apply(Change::RemoveScribble(*i))).collect();
         self.done(back);

@@ -6,6 +6,7 @@
 
 use crate::clearance::{Clearance, is_gabriel};
 use crate::planar_map::{Gap, PlanarMap};
+use crate::sort;
 use crate::triangulation::{HalfEdge, Triangulation};
 
 /// The ratio of widths below which a passage is a gap, where all gaps are closed that could be.
@@ -28,11 +29,15 @@ impl PlanarMap {
         self
     }
 
-    /// Finds the gaps of this map anew, as [`PlanarMap::with_gaps_closed`] does. What was derived from the map with
-    /// other gaps does not fit it any more.
-    pub fn close_gaps(&mut self, closing: f64) {
+    /// Finds the gaps of this map anew, as [`PlanarMap::with_gaps_closed`] does, and says whether they changed. Then
+    /// what was derived from the map does not fit it any more.
+    pub fn close_gaps(&mut self, closing: f64) -> bool {
         let gaps = find(self, self.clearance(), closed_below(closing));
-        self.set_gaps(gaps);
+        let changed = gaps != self.gaps();
+        if changed {
+            self.set_gaps(gaps);
+        }
+        changed
     }
 }
 
@@ -62,7 +67,7 @@ fn passages(mesh: &Triangulation, clearance: &Clearance) -> Vec<(f64, HalfEdge, 
         Some((clearance.widths_du[h.index()], h, twin))
     };
     let mut passages: Vec<_> = mesh.half_edges().filter_map(passage).collect();
-    passages.sort_unstable_by(|(a_du, a, _), (b_du, b, _)| b_du.total_cmp(a_du).then(a.cmp(b)));
+    sort::sort_by_key(&mut passages, |&(width_du, ..)| !sort::float(width_du));
     passages
 }
 

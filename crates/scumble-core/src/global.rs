@@ -32,6 +32,7 @@ use shown::Shown;
 use crate::engine::{Engine, Labels};
 use crate::planar_map::PlanarMap;
 use crate::scribble::Scribble;
+use crate::sort;
 
 /// Floods the map from all scribbles; keeps the flood of the last call, and goes on with it where scribbles were only
 /// added to.
@@ -107,7 +108,7 @@ impl Global {
         let begins = |(claim, scribble): (&Claim, &Scribble)| scribble.points.starts_with(claim.points());
         let order = |ranks: &[u32]| {
             let mut order: Vec<usize> = (0..self.claims.len()).collect();
-            order.sort_unstable_by_key(|&i| ranks[i]);
+            sort::sort_by_key(&mut order, |&i| ranks[i].into());
             order
         };
         !self.flood.labels.is_empty()
@@ -134,8 +135,11 @@ impl Global {
 
 /// The place of each scribble in an order that does not depend on the order in which they were drawn.
 fn ranks(scribbles: &[Scribble]) -> Vec<u32> {
-    let mut order: Vec<usize> = (0..scribbles.len()).collect();
-    order.sort_by(|&a, &b| compare(&scribbles[a], &scribbles[b]));
+    let mut order: Vec<usize> = Vec::with_capacity(scribbles.len());
+    for (i, scribble) in scribbles.iter().enumerate() {
+        let place = order.partition_point(|&before| compare(&scribbles[before], scribble).is_le());
+        order.insert(place, i);
+    }
     let mut ranks = vec![0; scribbles.len()];
     (0..).zip(order).for_each(|(rank, i)| ranks[i] = rank);
     ranks

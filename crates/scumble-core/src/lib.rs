@@ -18,6 +18,7 @@
 //! | which scribble colours which side | [`engine`], [`global`], [`progressive`], [`sight`] |
 //! | how a drawing is coloured | [`settings`] |
 //! | colours along the sides of curves | [`color_points`] |
+//! | sorting and small maps, with little code | [`sort`], `small_map` |
 
 mod clearance;
 pub mod color;
@@ -34,7 +35,9 @@ mod sample;
 pub mod scribble;
 pub mod settings;
 pub mod sight;
+mod small_map;
 mod snap;
+pub mod sort;
 mod stroke;
 pub mod triangulation;
 pub mod visibility;

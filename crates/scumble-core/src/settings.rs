@@ -11,7 +11,8 @@ pub enum EngineKind {
     /// All scribbles at once, by the widths of the passages between the lines.
     #[default]
     Global,
-    /// One scribble after the other, as Bao & Fu 2019 do it. It closes the gaps that scribbles' own circuits jump across, and does not spread.
+    /// One scribble after the other, as Bao & Fu 2019 do it. It closes the gaps at which its circuits end, and does
+    /// not spread.
     Progressive,
 }
 
@@ -22,8 +23,8 @@ pub struct Settings {
     pub blend: Blend,
     /// What labels the sides.
     pub engine: EngineKind,
-    /// How readily gaps between lines are taken as closed: 0 for none of them, 1 for all that could be; within
-    /// `0..=1`.
+    /// How readily gaps between lines are taken as closed: 0 for those alone where drawn lines overlap, 1 for all
+    /// that could be; within `0..=1`.
     pub gap_closing: f64,
     /// Whether colours go on, through closed gaps and across lines, into areas that nobody scribbled.
     pub spread: bool,

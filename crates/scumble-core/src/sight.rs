@@ -8,6 +8,7 @@ use kurbo::Point;
 use crate::engine::{Engine, Labels};
 use crate::planar_map::PlanarMap;
 use crate::scribble::Scribble;
+use crate::sort;
 use crate::stroke::Stroke;
 use crate::triangulation::SideId;
 use crate::visibility::visibility_polygon;
@@ -48,7 +49,7 @@ impl Reach {
         }
         let sides = &mut self.sides;
         self.stroke.follow(map, points, |eye, triangle| sides.extend(seen(map, eye, triangle)));
-        sides.sort_unstable();
+        sort::sort_by_key(sides, |side| side.0.into());
         sides.dedup();
     }
 }

@@ -8,6 +8,7 @@
 use std::ops::RangeInclusive;
 
 use crate::sample::LatticePoint;
+use crate::sort;
 
 /// A segment of the input; its ends differ.
 pub(crate) type Segment = [LatticePoint; 2];
@@ -54,7 +55,8 @@ pub(crate) fn snap(segments: &[Segment], frame: LatticePoint, limit: usize) -> O
 }
 
 fn sort_unique(nodes: &mut Vec<LatticePoint>) {
-    nodes.sort_unstable();
+    // Coordinates are not negative.
+    sort::sort_by_key(nodes, |node| sort::pair([node.x as u32, node.y as u32]));
     nodes.dedup();
 }
 
@@ -91,15 +93,17 @@ fn crossing(a: &Segment, b: &Segment) -> Option<LatticePoint> {
 /// The nodes whose cells a segment passes, in its direction.
 fn chain(segment: &Segment, nodes: &[LatticePoint], grid: &Buckets) -> Vec<u32> {
     let (a, along) = (wide(segment[0]), minus(wide(segment[1]), wide(segment[0])));
-    let mut passed: Vec<(i64, u32)> = grid
+    // Nodes beside the first end may lie a little behind it.
+    let key = |along: i64| along.wrapping_sub(i64::MIN) as u64;
+    let mut passed: Vec<(u64, u32)> = grid
         .near(segment)
         .filter(|&node| passes(segment, nodes[node as usize]))
         .map(|node| {
             let to = minus(wide(nodes[node as usize]), a);
-            (to.0 * along.0 + to.1 * along.1, node)
+            (key(to.0 * along.0 + to.1 * along.1), node)
         })
         .collect();
-    passed.sort_unstable();
+    sort::sort(&mut passed);
     passed.into_iter().map(|(_, node)| node).collect()
 }
 

@@ -5,6 +5,8 @@
 
 use kurbo::Point;
 
+use crate::sort;
+
 /// One edge of one triangle, in the triangle's direction of turn.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct HalfEdge(pub u32);
@@ -105,11 +107,11 @@ impl Triangulation {
         let origins = triangles.as_flattened().to_vec();
         let edges = vec![Edge::default(); origins.len()];
         let mut mesh = Self { points, twins: vec![NONE; origins.len()], edges, origins };
-        let mut by_ends: Vec<_> = mesh.half_edges().map(|h| (mesh.ends_sorted(h), h)).collect();
-        by_ends.sort_unstable();
+        let mut by_ends: Vec<_> = mesh.half_edges().map(|h| (mesh.ends_key(h), h.0)).collect();
+        sort::sort(&mut by_ends);
         for pair in by_ends.windows(2).filter(|pair| pair[0].0 == pair[1].0) {
-            mesh.twins[pair[0].1.index()] = pair[1].1.0;
-            mesh.twins[pair[1].1.index()] = pair[0].1.0;
+            mesh.twins[pair[0].1 as usize] = pair[1].1;
+            mesh.twins[pair[1].1 as usize] = pair[0].1;
         }
         for h in mesh.half_edges() {
             let [a, b] = mesh.ends(h);
@@ -135,12 +137,12 @@ impl Triangulation {
     /// Makes the edges between the given pairs of nodes gaps, in the order of the pairs, and no other edges; sides of
     /// curves stay what they are.
     pub(crate) fn mark_gaps(&mut self, pairs: impl Iterator<Item = [u32; 2]>) {
-        let mut by_ends: Vec<_> = (0..).zip(pairs).map(|(gap, [a, b])| ([a.min(b), a.max(b)], gap)).collect();
-        by_ends.sort_unstable();
+        let mut by_ends: Vec<_> = (0..).zip(pairs).map(|(gap, ends)| (unordered(ends), gap)).collect();
+        sort::sort(&mut by_ends);
         by_ends.dedup_by_key(|(ends, _)| *ends);
         for h in self.half_edges() {
             if self.side(h).is_none() {
-                let found = by_ends.binary_search_by_key(&self.ends_sorted(h), |(ends, _)| *ends);
+                let found = by_ends.binary_search_by_key(&self.ends_key(h), |(ends, _)| *ends);
                 self.edges[h.index()] = found.map_or(Edge::Plain, |i| Edge::Gap(by_ends[i].1));
             }
         }
@@ -212,9 +214,9 @@ impl Triangulation {
         self.parts(|_| true)
     }
 
-    /// Numbers the rooms, triangle by triangle: parts of regions that gaps part.
-    pub(crate) fn rooms(&self) -> Vec<u32> {
-        self.parts(|h| self.gap(h).is_none()).0
+    /// The same for rooms, the parts of regions that gaps part.
+    pub(crate) fn rooms(&self) -> (Vec<u32>, usize) {
+        self.parts(|h| self.gap(h).is_none())
     }
 
     fn parts(&self, is_open: impl Fn(HalfEdge) -> bool) -> (Vec<u32>, usize) {
@@ -241,10 +243,14 @@ impl Triangulation {
         (region_of, count as usize)
     }
 
-    fn ends_sorted(&self, h: HalfEdge) -> [u32; 2] {
-        let [a, b] = self.ends(h);
-        [a.min(b), a.max(b)]
+    fn ends_key(&self, h: HalfEdge) -> u64 {
+        unordered(self.ends(h))
     }
+}
+
+/// The same key for both orders of a pair.
+fn unordered([a, b]: [u32; 2]) -> u64 {
+    sort::pair([a.min(b), a.max(b)])
 }
 
 fn some(index: u32) -> Option<u32> {

@@ -87,6 +87,8 @@ fn sides(map: &PlanarMap) -> impl Iterator<Item = SideId> + '_ {
 #[derive(Clone, Debug)]
 enum Deed {
     Draw(Scribble),
+    /// The same way again, in a colour.
+    DrawOver(usize, Paint),
     Extend(usize, Vec<Point>),
     Erase(usize),
     Move(usize, usize),
@@ -99,6 +101,7 @@ fn deed() -> impl Strategy<Value = Deed> {
     let i = || any::<usize>();
     prop_oneof![
         5 => scribble().prop_map(Deed::Draw),
+        3 => (i(), paints()).prop_map(|(i, color)| Deed::DrawOver(i, color)),
         5 => (i(), ways()).prop_map(|(i, points)| Deed::Extend(i, points)),
         3 => i().prop_map(Deed::Erase),
         2 => (i(), i()).prop_map(|(from, to)| Deed::Move(from, to)),
@@ -117,6 +120,7 @@ fn done(deed: Deed, history: &[Vec<Scribble>]) -> Vec<Scribble> {
         Deed::Undo(i) => now = history[i % history.len()].clone(),
         Deed::Clear => now.clear(),
         _ if now.is_empty() => {}
+        Deed::DrawOver(i, color) => now.push(Scribble { color, ..now[i % len].clone() }),
         Deed::Extend(i, points) => now[i % len].points.extend(points),
         Deed::Erase(i) => drop(now.remove(i % len)),
         Deed::Recolor(i, color) => now[i % len].color = color,

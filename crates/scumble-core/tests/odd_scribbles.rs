@@ -2,7 +2,8 @@
 
 use kurbo::{BezPath, Circle, Point, Rect, Shape, Stroke};
 use scumble_core::{
-    Curve, Drawing, Engine, Global, Labels, Line, Paint, PlanarMap, Rgba8, Sampling, Scribble, Srgb8,
+    Curve, Drawing, Engine, Global, Labels, Line, Paint, PlanarMap, Progressive, Rgba8, Sampling, Scribble,
+    Srgb8,
 };
 
 /// A square whose outline has a gap of 20 du, a circle that crosses it, and a line that ends in mid-page.
@@ -17,8 +18,8 @@ fn map() -> PlanarMap {
     PlanarMap::build(&drawing, &Sampling::default()).expect("a map").with_gaps_closed(0.5)
 }
 
-fn engines() -> [Box<dyn Engine>; 2] {
-    [Box::new(Global::new(false)), Box::new(Global::new(true))]
+fn engines() -> [Box<dyn Engine>; 3] {
+    [Box::new(Global::new(false)), Box::new(Global::new(true)), Box::new(Progressive::default())]
 }
 
 fn scribble(points: Vec<Point>) -> Scribble {
@@ -74,7 +75,7 @@ fn no_drawing_is_too_empty() {
 }
 
 #[test]
-fn three_hundred_scribbles_are_labelled_in_any_order() {
+fn three_hundred_scribbles_are_labelled_and_by_global_in_any_order() {
     let map = map();
     let at = |i: u32| Point::new(f64::from(i * 37 % 1024), f64::from(i * 61 % 768));
     let one = |i: u32| Scribble {
@@ -83,9 +84,10 @@ fn three_hundred_scribbles_are_labelled_in_any_order() {
     };
     let scribbles: Vec<_> = (0..300).map(one).collect();
     let reversed: Vec<_> = scribbles.iter().rev().cloned().collect();
-    for (mut there, mut back) in engines().into_iter().zip(engines()) {
-        let labels = there.label(&map, &scribbles);
-        let mirrored = back.label(&map, &reversed);
+    Progressive::default().label(&map, &scribbles);
+    for spread in [false, true] {
+        let labels = Global::new(spread).label(&map, &scribbles);
+        let mirrored = Global::new(spread).label(&map, &reversed);
         let same = labels.sides.iter().zip(&mirrored.sides).all(|(a, b)| *a == b.map(|b| 299 - b));
         assert!(same && labels.closed_gaps == mirrored.closed_gaps);
     }

@@ -6,7 +6,7 @@ mod scenes;
 
 use kurbo::{BezPath, ParamCurveNearest, Point, Shape};
 use scenes::Coloring;
-use scumble_core::{EngineKind, HalfEdge, Labels, PlanarMap, Scribble, boundary};
+use scumble_core::{EngineKind, HalfEdge, Labels, PlanarMap, Sampling, Scribble, boundary};
 
 const ENGINES: [EngineKind; 2] = [EngineKind::Global, EngineKind::Progressive];
 
@@ -35,12 +35,17 @@ struct Seen {
     edges: Vec<Point>,
 }
 
+fn map_of(scene: &Coloring) -> PlanarMap {
+    let map = PlanarMap::build(&scene.drawing(), &Sampling::default()).expect("a map");
+    map.with_gaps_closed(scene.settings.gap_closing)
+}
+
 fn label(scene: &Coloring, map: &PlanarMap) -> Labels {
     scene.settings.engine().label(map, &scene.scribbles)
 }
 
 fn see(scene: &Coloring) -> Seen {
-    let map = scene.map();
+    let map = map_of(scene);
     let labels = label(scene, &map);
     let mesh = map.triangulation();
     let lines: Vec<BezPath> = scene.drawing().curves.into_iter().map(|curve| curve.path).collect();
@@ -225,7 +230,7 @@ fn begins(scene: &Coloring, map: &PlanarMap) -> Vec<Option<Point>> {
 fn figure_8_the_order_of_three_scribbles_matters_not_at_all_or_a_little() {
     for engine in ENGINES {
         let scene = scenes::three_scribbles().by(engine);
-        let map = scene.map();
+        let map = map_of(&scene);
         let first = begins(&scene, &map);
         for order in [[0, 2, 1], [1, 0, 2], [1, 2, 0], [2, 0, 1], [2, 1, 0]] {
             let scribbles = order.map(|i| scene.scribbles[i].clone()).to_vec();
@@ -254,7 +259,7 @@ fn along_each_side_the_colour_changes_softly() {
 /// The fastest change of colour along the left sides of a closed curve, as a part of the fastest that a transition of
 /// full length needs; infinite where it jumps.
 fn steepest(scene: &Coloring) -> f64 {
-    let map = scene.map();
+    let map = map_of(scene);
     let blend = scene.settings.blend;
     let apart = |a: [f64; 4], b: [f64; 4]| a.iter().zip(b).map(|(a, b)| (a - b).powi(2)).sum::<f64>().sqrt();
     let paints: Vec<_> = scene.scribbles.iter().map(|s| blend.from_paint(s.color)).collect();

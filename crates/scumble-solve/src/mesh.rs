@@ -19,7 +19,7 @@ mod system;
 
 use std::mem;
 
-use scumble_core::{Blend, Boundary, Triangulation};
+use scumble_core::{Blend, Boundary, Triangulation, sort};
 use thiserror::Error;
 
 use crate::field::Field;
@@ -90,10 +90,12 @@ impl MeshSolver {
         let regions = mem::take(&mut self.regions).into_iter();
         let (touched, kept): (Vec<_>, Vec<_>) = regions.partition(|region| region.touches(&is_changed));
         let mut triangles: Vec<_> = touched.iter().flat_map(Region::triangles).copied().collect();
-        triangles.sort_unstable();
+        sort::sort_unique(&mut triangles);
         self.regions = kept;
         self.regions.extend(self.numbered(&triangles));
-        self.regions.sort_by_key(|region| region.triangles().first().copied());
+        sort::sort_by_key(&mut self.regions, |region| {
+            region.triangles().first().copied().unwrap_or_default().into()
+        });
     }
 
     fn numbered(&self, triangles: &[u32]) -> Vec<Region> {

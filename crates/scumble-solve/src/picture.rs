@@ -45,13 +45,12 @@ impl Picture {
 
     /// The labels of the sides and gaps.
     pub fn label(&mut self, scribbles: &[Scribble], settings: &Settings) -> Labels {
-        let known = std::mem::replace(&mut self.settings, *settings);
-        if known.gap_closing != settings.gap_closing {
-            // Other gaps make another map: all that was derived from it begins anew.
-            self.map.close_gaps(settings.gap_closing);
+        let settings = settings.clamped();
+        let before = std::mem::replace(&mut self.settings, settings);
+        if before.gap_closing != settings.gap_closing && self.map.close_gaps(settings.gap_closing) {
             self.solver = None;
-            self.engine = settings.engine();
-        } else if !known.share_engine(settings) {
+        }
+        if !before.share_engine(&settings) {
             self.engine = settings.engine();
         }
         self.engine.label(&self.map, scribbles)

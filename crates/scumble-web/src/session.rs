@@ -137,7 +137,7 @@ impl Session {
             Command::Undo => self.undo(),
             Command::Redo => self.redo(),
             Command::Set(setting) => self.set(setting),
-            Command::Settle => self.sheet.editor.commit(),
+            Command::Settle => self.settle(),
             Command::Lines(shown) => self.show_lines(shown),
             Command::Scribbles(shown) => self.show_scribbles(shown),
             Command::Desk(desk) => self.set_desk(desk),
@@ -246,6 +246,13 @@ impl Session {
         let before = editor.document().settings;
         editor.set_settings(setting.put_into(before));
         self.stale.field |= editor.document().settings != before;
+    }
+
+    /// Ends the drag of a slider, not what the pen does meanwhile.
+    fn settle(&mut self) {
+        if self.eraser.is_none() && !self.sheet.editor.is_scribbling() {
+            self.sheet.editor.commit();
+        }
     }
 
     /// Who picks a colour wants to scribble with it.

@@ -76,22 +76,3 @@ fn exponent(samples: &[Sample], ms: impl Fn(&Sample) -> f64) -> f64 {
     let pieces = last.piece_count as f64 / first.piece_count as f64;
     (ms(last) / ms(first)).ln() / pieces.ln()
 }
-
-#[cfg(test)]
-mod tests {
-    use crate::made::{drawing, scribbles};
-
-    #[test]
-    fn a_made_drawing_is_the_same_every_time_and_grows_with_its_cells() {
-        assert_eq!(drawing(3).curves, drawing(3).curves);
-        assert!(drawing(4).curves.len() > drawing(3).curves.len());
-    }
-
-    #[test]
-    fn scribbles_lie_on_the_page() {
-        let page = drawing(1).frame();
-        let scribbles = scribbles();
-        assert_eq!(scribbles.len(), 60);
-        assert!(scribbles.iter().flat_map(|scribble| &scribble.points).all(|&point| page.contains(point)));
-    }
-}

@@ -35,7 +35,7 @@ impl Subject {
     /// When a file is missing or faulty, a scribble's colour is not in the palette, or the truth has another shape
     /// than the page.
     pub(crate) fn read(entry: &Entry, kind: Kind) -> anyhow::Result<Self> {
-        let mut opened = stages::open(&entry.svg()?)?;
+        let opened = stages::open(&entry.svg()?)?;
         let scribbles = entry.scribbles(kind, &opened.import.drawing)?;
         scribbles.iter().try_for_each(|scribble| palette_index(scribble).map(|_| ()))?;
         let path = entry.path("truth.png");
@@ -45,8 +45,6 @@ impl Subject {
         ensure!(fits, "{} has not the shape of the drawing", path.display());
         let lines = line_shapes(&opened.import.drawing, opened.picture.map(), LINE_TOLERANCE_DU);
         let darkness = darkness(&lines, &view);
-        // Meshed here, once, and not while a method is timed.
-        opened.picture.mesh();
         Ok(Self { opened, scribbles, truth, lines, darkness })
     }
 

@@ -1,12 +1,11 @@
 //! What one scribble claims by itself: the triangles that it was drawn on, each at a cost.
 
-use std::collections::BTreeMap;
-
 use kurbo::Point;
 
 use super::flood::{Cost, cost};
 use crate::clearance::distance_to_lines_du;
 use crate::planar_map::PlanarMap;
+use crate::small_map::SmallMap;
 use crate::stroke::Stroke;
 
 /// A scribble holds its place like a passage that is this many times as wide as its distance from the drawn lines:
@@ -24,7 +23,7 @@ pub(super) struct Claim {
     /// Number of samples in the room that has most.
     most: usize,
     /// Per room the samples there.
-    visits: BTreeMap<u32, Visit>,
+    visits: SmallMap<Visit>,
     seeds: Vec<Seed>,
 }
 
@@ -56,7 +55,7 @@ impl Claim {
         let known = self.seeds.len();
         let Self { stroke, most, visits, seeds } = self;
         stroke.follow(map, points, |p, triangle| {
-            let visit = visits.entry(rooms[triangle]).or_default();
+            let visit = visits.entry(rooms[triangle]);
             visit.sample_count += 1;
             *most = visit.sample_count.max(*most);
             visit.is_meant |= visit.sample_count as f64 >= MEANT * *most as f64;

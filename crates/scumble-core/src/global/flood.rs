@@ -47,7 +47,7 @@ impl Ways {
             mesh.passage(h).map_or(0, |twin| cost(length_du(twin), clearance.widths_du[h.index()]))
         };
         let gaps = mesh.half_edges().filter(|&h| mesh.gap(h).is_some()).collect();
-        Self { costs: mesh.half_edges().map(step).collect(), rooms: mesh.rooms(), gaps }
+        Self { costs: mesh.half_edges().map(step).collect(), rooms: mesh.rooms().0, gaps }
     }
 }
 

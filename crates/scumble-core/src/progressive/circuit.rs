@@ -10,6 +10,7 @@ use super::segments::{Place, Segments};
 use super::view::{self, Jump, JumpKind};
 use super::walk::{Edge, cheapest_odd_walk};
 use crate::planar_map::PlanarMap;
+use crate::sort;
 
 /// What a scribble influences in one region.
 #[derive(Debug, Default)]
@@ -19,17 +20,15 @@ pub(super) struct Circuit {
 }
 
 impl Circuit {
-    /// The best circuit around the part of a scribble that lies in one region, where `places` lists what is seen
-    /// of that region.
+    /// The best circuit around the part of a scribble that lies in one region.
     pub(super) fn around(
         map: &PlanarMap,
         outline: &Outline,
         part: &Part,
         sightings: &[Sighting],
-        places: &[usize],
         index: &Index,
     ) -> Self {
-        let segments = Segments::new(map, outline, sightings, places, index, part.samples.len());
+        let segments = Segments::new(map, outline, sightings, &part.places, index, part.samples.len());
         let middle = part.samples.len() / 2;
         let (Some(&center), Some(&triangle)) = (part.samples.get(middle), part.triangles.get(middle)) else {
             return Self::default();
@@ -84,7 +83,7 @@ impl<'a> Graph<'a> {
         let mut places: Vec<Place> = leaps.iter().flat_map(|leap| [leap.from, leap.to]).collect();
         let closed = segments.segments.iter().enumerate().filter(|(_, segment)| segment.is_closed);
         places.extend(closed.map(|(i, _)| Place { segment: i as u32, at: 0 }));
-        places.sort_unstable();
+        sort::sort_by_key(&mut places, |place| sort::pair([place.segment, place.at]));
         places.dedup();
         let mut graph = Self { segments, places, edges: Vec::new() };
         for leap in &leaps {
@@ -204,15 +203,24 @@ impl<'a> Trace<'a> {
 
 /// Of all jumps from one end to the same segment, or from one segment to the same end, the shortest.
 fn shortest(segments: &Segments, mut leaps: Vec<Leap>) -> Vec<Leap> {
-    let key = |leap: &Leap| match leap.kind {
-        JumpKind::Outward => (leap.kind, leap.from, Place { segment: leap.to.segment, at: 0 }),
-        JumpKind::Inward => (leap.kind, Place { segment: leap.from.segment, at: 0 }, leap.to),
-        JumpKind::Across => (leap.kind, leap.from, leap.to),
+    // Places number less than 2³⁰.
+    let number = |place: Place| segments.number(place);
+    let first = |place: Place| number(Place { at: 0, ..place });
+    let key = |leap: &Leap| {
+        let places = match leap.kind {
+            JumpKind::Outward => [number(leap.from), first(leap.to)],
+            JumpKind::Inward => [first(leap.from), number(leap.to)],
+            JumpKind::Across => [leap.from, leap.to].map(number),
+        };
+        (leap.kind as u64) << 62 | sort::pair(places)
     };
-    let length_du = |leap: &Leap| leap.length_du(segments);
-    leaps.sort_by(|a, b| key(a).cmp(&key(b)).then(length_du(a).total_cmp(&length_du(b))));
-    leaps.dedup_by(|later, first| key(later) == key(first));
-    leaps
+    sort::sort_by_key(&mut leaps, key);
+    let length_du = |leap: &&Leap| leap.length_du(segments);
+    let alike = leaps.chunk_by(|a, b| key(a) == key(b));
+    alike
+        .filter_map(|leaps| leaps.iter().min_by(|a, b| length_du(a).total_cmp(&length_du(b))))
+        .copied()
+        .collect()
 }
 
 /// Whether a straight line crosses a ray that leaves the centre along an axis. Nodes on the ray count as lying on

@@ -8,6 +8,7 @@ use super::reach::Part;
 use super::view::{self, JumpKind};
 use super::{CUT, ETA, MU, SKIP};
 use crate::planar_map::PlanarMap;
+use crate::sort;
 
 /// Samples whose view is looked at, evenly spaced along the scribble.
 const WATCHES: usize = 4;
@@ -88,7 +89,7 @@ impl Watch {
         let all = view::glimpses(map, outline, eye, triangle);
         let mut sides: Vec<_> =
             all.iter().map(|glimpse| (direction(glimpse.entry() - eye), glimpse.line)).collect();
-        sides.sort_by(|a, b| a.0.total_cmp(&b.0));
+        sort::sort_by_key(&mut sides, |side| sort::float(side.0));
         Self { eye, sides }
     }
 

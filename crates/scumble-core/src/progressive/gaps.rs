@@ -1,7 +1,5 @@
 //! Which gaps of the map the circuits of a scribble close.
 
-use std::collections::BTreeMap;
-
 use crate::triangulation::Triangulation;
 
 /// What the gaps of a map part.
@@ -9,20 +7,21 @@ use crate::triangulation::Triangulation;
 pub(super) struct Rooms {
     /// Per triangle.
     of_triangle: Vec<u32>,
+    count: usize,
     /// Per gap the rooms on either side of it.
     of_gap: Vec<[u32; 2]>,
 }
 
 impl Rooms {
     pub(super) fn new(mesh: &Triangulation, gap_count: usize) -> Self {
-        let of_triangle = mesh.rooms();
+        let (of_triangle, count) = mesh.rooms();
         let mut of_gap = vec![[0; 2]; gap_count];
         for h in mesh.half_edges() {
             if let (Some(gap), Some(twin)) = (mesh.gap(h), mesh.twin(h)) {
                 of_gap[gap as usize] = [h, twin].map(|h| of_triangle[h.triangle()]);
             }
         }
-        Self { of_triangle, of_gap }
+        Self { of_triangle, count, of_gap }
     }
 
     /// The gaps between a room that lies within the circuits of a scribble and one that does not, given the triangles
@@ -31,11 +30,11 @@ impl Rooms {
     /// A circuit jumps from where a sample's glance leaves a line, the gap lies at the narrowest place: looking for gaps
     /// along jumps misses many.
     pub(super) fn closed(&self, seen: impl Iterator<Item = (usize, bool)>) -> Vec<u32> {
-        let mut balance: BTreeMap<u32, i64> = BTreeMap::new();
+        let mut balance = vec![0_i64; self.count];
         for (triangle, is_within) in seen {
-            *balance.entry(self.of_triangle[triangle]).or_default() += if is_within { 1 } else { -1 };
+            balance[self.of_triangle[triangle] as usize] += if is_within { 1 } else { -1 };
         }
-        let is_within = |room: u32| balance.get(&room).is_some_and(|&balance| balance > 0);
+        let is_within = |room: u32| balance[room as usize] > 0;
         let parts = |(_, rooms): &(u32, &[u32; 2])| is_within(rooms[0]) != is_within(rooms[1]);
         (0..).zip(&self.of_gap).filter(parts).map(|(gap, _)| gap).collect()
     }

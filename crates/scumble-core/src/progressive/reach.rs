@@ -1,7 +1,5 @@
 //! What a scribble sees, gathered sample by sample: for each side how often, how far and from where.
 
-use std::collections::BTreeMap;
-
 use kurbo::Point;
 
 use super::SLIP;
@@ -10,6 +8,8 @@ use super::circuit::Circuit;
 use super::outline::Outline;
 use super::view::{self, Glimpse, Jump};
 use crate::planar_map::PlanarMap;
+use crate::small_map::SmallMap;
+use crate::sort;
 use crate::stroke::{SAMPLE_SPACING_DU, Stroke};
 use crate::triangulation::SideId;
 
@@ -120,7 +120,7 @@ impl Index {
 pub(super) struct Reach {
     stroke: Stroke,
     sightings: Vec<Sighting>,
-    parts: BTreeMap<u32, Part>,
+    parts: SmallMap<Part>,
     /// The sides that it influences, in ascending order.
     influence: Vec<(SideId, Evidence)>,
     /// The gaps that its circuits close.
@@ -135,6 +135,8 @@ pub(super) struct Part {
     pub(super) triangles: Vec<usize>,
     /// In ascending order of sides, without repeats.
     pub(super) jumps: Vec<Jump>,
+    /// Places of what is seen of the region in the list of sightings.
+    pub(super) places: Vec<usize>,
 }
 
 impl Reach {
@@ -167,7 +169,7 @@ impl Reach {
             for glimpse in &glimpses {
                 add(index, sightings, eye, glimpse);
             }
-            let part = parts.entry(outline.region_of_triangle(triangle)).or_default();
+            let part = parts.entry(outline.region_of_triangle(triangle));
             part.samples.push(eye);
             part.triangles.push(triangle);
             view::jumps(eye, &glimpses, &mut part.jumps);
@@ -177,25 +179,28 @@ impl Reach {
     }
 
     fn find_influence(&mut self, map: &PlanarMap, outline: &Outline, index: &Index) {
-        let mut of_region: BTreeMap<u32, Vec<usize>> = BTreeMap::new();
+        self.parts.values_mut().for_each(|part| part.places.clear());
         for (place, sighting) in self.sightings.iter().enumerate() {
-            if let Some(region) = outline.region_of_side(sighting.side) {
-                of_region.entry(region).or_default().push(place);
+            let region = outline.region_of_side(sighting.side);
+            if let Some(part) = region.and_then(|region| self.parts.get_mut(region)) {
+                part.places.push(place);
             }
         }
         self.influence.clear();
         let most = self.parts.values().map(|part| part.samples.len()).max().unwrap_or_default();
         let is_meant = |part: &Part| part.samples.len() as f64 >= SLIP * most as f64;
-        for (region, part) in self.parts.iter_mut().filter(|(_, part)| is_meant(part)) {
-            part.jumps.sort_unstable();
+        for part in self.parts.values_mut().filter(|part| is_meant(part)) {
+            // Sides number less than 2³⁰.
+            sort::sort_by_key(&mut part.jumps, |jump| {
+                sort::pair([jump.from.0, jump.to.0]) << 2 | jump.kind as u64
+            });
             part.jumps.dedup();
-            let Some(places) = of_region.get(region) else { continue };
-            let circuit = Circuit::around(map, outline, part, &self.sightings, places, index);
+            let circuit = Circuit::around(map, outline, part, &self.sightings, index);
             self.influence.extend(
                 circuit.sides.iter().map(|&place| self.sightings[place]).map(|s| (s.side, s.evidence())),
             );
         }
-        self.influence.sort_unstable_by_key(|&(side, _)| side);
+        sort::sort_by_key(&mut self.influence, |(side, _)| side.0.into());
         if !outline.rooms.is_one() {
             self.find_gaps(outline);
         }

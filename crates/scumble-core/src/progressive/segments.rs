@@ -145,6 +145,11 @@ impl<'a> Segments<'a> {
         Some(Place { at: if segment.is_closed { at % segment.len as u32 } else { at }, ..before })
     }
 
+    /// A number for each place, in ascending order of places.
+    pub(super) fn number(&self, place: Place) -> u32 {
+        self.segments[place.segment as usize].first as u32 + place.segment + place.at
+    }
+
     /// The sides from one place of a segment on to another, as ranges of the list of all: two where the way goes
     /// over the start of a closed segment. From a place to itself is all around.
     pub(super) fn way(&self, from: Place, to: Place) -> [std::ops::Range<usize>; 2] {

@@ -4,6 +4,8 @@
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
 
+use crate::sort;
+
 /// A directed edge of a graph with a cut through it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Edge {
@@ -21,8 +23,7 @@ pub(super) struct Edge {
 pub(super) fn cheapest_odd_walk(vertex_count: usize, edges: &[Edge]) -> Option<Vec<usize>> {
     let mut search = Search::new(vertex_count, edges);
     let mut starts: Vec<u32> = edges.iter().filter(|edge| edge.is_odd).map(|edge| edge.from).collect();
-    starts.sort_unstable();
-    starts.dedup();
+    sort::sort_unique(&mut starts);
     let mut best = (f64::INFINITY, None);
     for start in starts {
         if let Some((cost, walk)) = search.around(start, best.0) {
@@ -48,7 +49,7 @@ struct Search<'a> {
 impl<'a> Search<'a> {
     fn new(vertex_count: usize, edges: &'a [Edge]) -> Self {
         let mut order: Vec<usize> = (0..edges.len()).collect();
-        order.sort_by_key(|&edge| edges[edge].from);
+        sort::sort_by_key(&mut order, |&edge| edges[edge].from.into());
         let first = |vertex: usize| order.partition_point(|&edge| (edges[edge].from as usize) < vertex);
         Self {
             edges,

@@ -6,7 +6,7 @@
 
 use std::iter;
 
-use scumble_core::{HalfEdge, SideId, Triangulation};
+use scumble_core::{HalfEdge, SideId, Triangulation, sort};
 
 use super::barriers::Barriers;
 
@@ -111,8 +111,7 @@ fn half_edges(triangles: &[u32]) -> impl Iterator<Item = HalfEdge> {
 
 fn gaps(mesh: &Triangulation, triangles: &[u32]) -> Vec<u32> {
     let mut gaps: Vec<_> = half_edges(triangles).filter_map(|h| mesh.gap(h)).collect();
-    gaps.sort_unstable();
-    gaps.dedup();
+    sort::sort_unique(&mut gaps);
     gaps
 }
 

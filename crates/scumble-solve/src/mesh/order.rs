@@ -9,25 +9,27 @@ use faer::dyn_stack::{MemBuffer, MemStack};
 use faer::sparse::SymbolicSparseColMatRef;
 use faer::sparse::linalg::amd;
 
+use scumble_core::sort;
+
 use super::SolveError;
 use super::dofs::Dofs;
 
 /// The place of each unknown in the order of elimination.
 pub(super) fn elimination_rank(dofs: &Dofs) -> Result<Vec<u32>, SolveError> {
     let corner_rank = corner_rank(dofs)?;
-    let mut keys: Vec<_> = (0..dofs.count as u32).map(|dof| [u32::MAX, u32::MAX, dof]).collect();
+    let mut keys: Vec<_> = (0..dofs.count as u32).map(|dof| (u64::MAX, dof)).collect();
     for (key, &rank) in keys.iter_mut().zip(&corner_rank) {
-        key[0] = rank;
+        key.0 = sort::pair([rank, u32::MAX]);
     }
     for dofs in &dofs.of_triangle {
         for i in 0..3 {
             let ends = [dofs[i], dofs[(i + 1) % 3]].map(|corner| corner_rank[corner as usize]);
-            keys[dofs[3 + i] as usize][..2].copy_from_slice(&[ends[0].min(ends[1]), ends[0].max(ends[1])]);
+            keys[dofs[3 + i] as usize].0 = sort::pair([ends[0].min(ends[1]), ends[0].max(ends[1])]);
         }
     }
-    keys.sort_unstable();
+    sort::sort(&mut keys);
     let mut rank = vec![0; dofs.count];
-    for (place, [_, _, dof]) in (0..).zip(keys) {
+    for (place, (_, dof)) in (0..).zip(keys) {
         rank[dof as usize] = place;
     }
     Ok(rank)
