@@ -2,8 +2,9 @@
 
 use kurbo::{Point, Vec2};
 
+use super::index::Index;
 use super::outline::{Outline, ends};
-use super::reach::{Index, Sighting};
+use super::sighting::Sighting;
 use super::{ALPHA, BETA, GAMMA};
 use crate::planar_map::PlanarMap;
 use crate::triangulation::SideId;
