@@ -69,6 +69,8 @@ pub(super) struct View {
     /// In the triangulation's sense of turn. The first one begins a run, unless all are joined.
     pub(super) glimpses: Vec<Glimpse>,
     runs: Vec<Run>,
+    /// Distance of the nearest side, to within the length of one, in du.
+    pub(super) clearance_du: f64,
 }
 
 impl View {
@@ -82,14 +84,10 @@ impl View {
             first += run.len();
         }
         mark_outward(eye, &mut runs);
-        Self { eye, glimpses, runs }
-    }
-
-    /// Distance of the nearest side, to within the length of one, in du.
-    pub(super) fn clearance_du(&self) -> f64 {
-        let middles = self.glimpses.iter().map(|glimpse| glimpse.line[0].midpoint(glimpse.line[1]));
-        let nearest = middles.map(|middle| (middle - self.eye).hypot2()).reduce(f64::min);
-        nearest.unwrap_or_default().sqrt()
+        let middles = glimpses.iter().map(|glimpse| glimpse.line[0].midpoint(glimpse.line[1]));
+        let nearest = middles.map(|middle| (middle - eye).hypot2()).reduce(f64::min);
+        let clearance_du = nearest.unwrap_or_default().sqrt();
+        Self { eye, glimpses, runs, clearance_du }
     }
 
     /// The jumps of a glance around: between neighbouring runs, and across the openings that it looks out of.
