@@ -39,14 +39,13 @@ impl Sighting {
     pub(super) fn add(&mut self, eye: Point, glimpse: &Glimpse, samples: u32) {
         let [a, b] = glimpse.line;
         let weight = f64::from(samples);
-        let to_eye = eye - a.midpoint(b);
-        let distance_du = to_eye.hypot().max(NEAREST_DU);
+        let distance_du = glimpse.distance_du.max(NEAREST_DU);
         let nearness = distance_du.recip();
         self.kappa += samples;
         self.distance_du += weight * distance_du;
         self.nearness += weight * nearness;
         self.angle += weight * angle_of((a - eye).cross(b - eye), distance_du, (b - a).hypot2());
-        self.rays |= rays_that_hit(angle_part(b - a, to_eye), nearness);
+        self.rays |= rays_that_hit(angle_part(b - a, glimpse.to_eye), nearness);
         self.joined |= glimpse.joined;
     }
 

@@ -3,13 +3,13 @@
 
 use std::ops::Range;
 
-use kurbo::Point;
+use kurbo::{Point, Vec2};
 
 use super::index::Index;
 use super::outline::Outline;
 use crate::planar_map::PlanarMap;
 use crate::triangulation::SideId;
-use crate::visibility::visibility_polygon;
+use crate::visibility::{Visible, visibility_polygon};
 
 /// A place on a scribble.
 #[derive(Clone, Copy, Debug)]
@@ -27,11 +27,19 @@ pub(super) struct Glimpse {
     pub(super) line: [Point; 2],
     /// The first and the last place of it that is seen, in `0..=1`.
     interval: [f64; 2],
+    /// From its middle to the eye.
+    pub(super) to_eye: Vec2,
+    pub(super) distance_du: f64,
     /// Whether the next glimpse goes on where this one ends.
     pub(super) joined: bool,
 }
 
 impl Glimpse {
+    fn new(eye: Point, side: SideId, line: [Point; 2], interval: [f64; 2]) -> Self {
+        let to_eye = eye - line[0].midpoint(line[1]);
+        Self { side, line, interval, to_eye, distance_du: to_eye.hypot2().sqrt(), joined: false }
+    }
+
     /// The first place of it that is seen.
     pub(super) fn entry(&self) -> Point {
         self.line[0].lerp(self.line[1], self.interval[0])
@@ -80,13 +88,12 @@ impl View {
         let mut runs = Vec::new();
         let mut first = 0;
         for run in glimpses.chunk_by(|a, _| a.joined) {
-            runs.extend(Run::new(eye, first, run));
+            runs.extend(Run::new(first, run));
             first += run.len();
         }
         mark_outward(eye, &mut runs);
-        let middles = glimpses.iter().map(|glimpse| glimpse.line[0].midpoint(glimpse.line[1]));
-        let nearest = middles.map(|middle| (middle - eye).hypot2()).reduce(f64::min);
-        let clearance_du = nearest.unwrap_or_default().sqrt();
+        let clearance_du =
+            glimpses.iter().map(|glimpse| glimpse.distance_du).reduce(f64::min).unwrap_or_default();
         Self { eye, glimpses, runs, clearance_du }
     }
 
@@ -145,16 +152,14 @@ impl View {
 
 fn glimpses(map: &PlanarMap, outline: &Outline, eye: Point, triangle: usize) -> Vec<Glimpse> {
     let mesh = map.triangulation();
-    let polygon = visibility_polygon(mesh, eye, triangle);
-    let mut all: Vec<Glimpse> = Vec::with_capacity(polygon.len());
-    for visible in polygon {
-        let (Some(side), interval @ [from, to]) = (mesh.side(visible.half_edge), visible.interval) else {
-            continue;
-        };
-        if from <= 0.5 && 0.5 <= to && all.last().is_none_or(|last| last.side != side) {
-            all.push(Glimpse { side, line: mesh.segment(visible.half_edge), interval, joined: false });
+    let mut all: Vec<Glimpse> = Vec::new();
+    visibility_polygon(mesh, eye, triangle, |Visible { half_edge, interval }| {
+        let is_new = |side: &SideId| all.last().is_none_or(|last| last.side != *side);
+        let is_middle_seen = interval[0] <= 0.5 && 0.5 <= interval[1];
+        if let Some(side) = mesh.side(half_edge).filter(|side| is_middle_seen && is_new(side)) {
+            all.push(Glimpse::new(eye, side, mesh.segment(half_edge), interval));
         }
-    }
+    });
     join(outline, &mut all);
     let first = all.iter().position(|glimpse| !glimpse.joined).map_or(0, |last| (last + 1) % all.len());
     all.rotate_left(first);
@@ -185,16 +190,15 @@ struct Run {
 
 impl Run {
     /// The run of some glimpses, of which the first has a number.
-    fn new(eye: Point, number: usize, glimpses: &[Glimpse]) -> Option<Self> {
+    fn new(number: usize, glimpses: &[Glimpse]) -> Option<Self> {
         let [first, last] = [glimpses.first()?, glimpses.last()?];
-        let places = glimpses.iter().map(Glimpse::entry).map(|place| ((place - eye).hypot2(), place));
-        let (_, nearest) = places.min_by(|a, b| a.0.total_cmp(&b.0))?;
+        let nearest = glimpses.iter().min_by(|a, b| a.distance_du.total_cmp(&b.distance_du))?;
         Some(Self {
             glimpses: number..number + glimpses.len(),
             sides: [first.side, last.side],
             entry: first.entry(),
             exit: last.exit(),
-            nearest,
+            nearest: nearest.entry(),
             is_outward: false,
         })
     }
