@@ -43,7 +43,7 @@ pub mod triangulation;
 mod visibility;
 
 pub use color::{Blend, BlendColor, ColorError, Paint, Rgba8, Srgb8};
-pub use color_points::{Boundary, ColorPoint, ColorSpan, SideColors, boundary, color_spans, side_colors};
+pub use color_points::{Boundary, SideColors, boundary};
 pub use drawing::{Curve, Drawing, Fill, Line};
 pub use edit::{Document, Editor};
 pub use engine::{Engine, Labels};

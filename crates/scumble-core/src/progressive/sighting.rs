@@ -45,7 +45,7 @@ impl Sighting {
         self.distance_du += weight * distance_du;
         self.nearness += weight * nearness;
         self.angle += weight * angle_of((a - eye).cross(b - eye), distance_du, (b - a).hypot2());
-        self.rays |= rays_that_hit(angle_part(b - a, glimpse.to_eye), nearness);
+        self.rays |= rays_that_hit(angle_part(b - a, glimpse.to_eye), weight * nearness);
         self.joined |= glimpse.joined;
     }
 
@@ -72,8 +72,8 @@ fn angle_of(double_area: f64, distance_du: f64, length2_du2: f64) -> f64 {
     double_area.abs() / (distance_du * distance_du + 0.25 * length2_du2) / std::f64::consts::TAU
 }
 
-/// The rays that hit a sample: it hides what it is wide, and lies at `direction` (a part of the half turn).
-/// `nearness` is 1 / its distance.
+/// The rays that hit some samples in a row: they hide what they are wide, and lie at `direction` (a part of the half
+/// turn). `nearness` is their number / their distance.
 fn rays_that_hit(direction: f64, nearness: f64) -> u64 {
     let half_width = 0.5 * SAMPLE_SPACING_DU * std::f64::consts::FRAC_1_PI * nearness;
     let ray = |part: f64| ((part * f64::from(RAYS)) as u32).min(RAYS - 1);
