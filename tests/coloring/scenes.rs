@@ -26,7 +26,7 @@ pub(crate) const LINE_WIDTH_DU: f64 = 6.0;
 const SCRIBBLE_WIDTH_DU: f64 = 12.0;
 
 /// Where engines are known not to do what a person would expect, and what they do.
-const FALLS_SHORT: [(EngineKind, &str); 8] = [
+const FALLS_SHORT: [(EngineKind, &str); 7] = [
     // Triangles span the region: what is left of one is as well right of it, whichever scribble is near.
     (EngineKind::Global, "figure-8-three-scribbles"),
     (EngineKind::Global, "figure-11-four-scribbles"),
@@ -35,8 +35,6 @@ const FALLS_SHORT: [(EngineKind, &str); 8] = [
     (EngineKind::Progressive, "figure-11-with-a-crease"),
     // The same between the tip of the vein and the outline: half of the leaf stays white.
     (EngineKind::Global, "a-leaf-with-a-vein"),
-    // A patch of a scribble that is behind two others.
-    (EngineKind::Progressive, "figure-8-three-scribbles"),
     // Colour runs out onto the page.
     (EngineKind::Progressive, "figure-17-several-open-regions"),
     (EngineKind::Progressive, "a-leaf-with-a-vein"),

@@ -30,7 +30,7 @@
 //!   the paper, and d is the mean over directions. Both scribbles have seen what they contest.
 //!
 //! A gap of the map is closed where the circuits of a scribble that colours anything go between the rooms that it
-//! parts.
+//! parts, unless another such scribble has both rooms within its own: to that one they are one place.
 
 mod angle;
 mod circuit;
@@ -148,19 +148,19 @@ impl Progressive {
     }
 
     /// A gap is closed where the circuit of a scribble that has any side goes between the rooms that it
-    /// parts.
+    /// parts, and no such scribble has both within.
     fn closed_gaps(&self, map: &PlanarMap) -> Vec<bool> {
-        let mut closed = vec![false; map.gaps().len()];
         let mut has_sides = vec![false; self.reaches.len()];
         for &scribble in self.labels.iter().flatten() {
             has_sides[scribble as usize] = true;
         }
+        let [mut parted, mut joined] = [(); 2].map(|()| vec![false; map.gaps().len()]);
         for (reach, _) in self.reaches.iter().zip(has_sides).filter(|&(_, has_sides)| has_sides) {
-            for &gap in reach.gaps() {
-                closed[gap as usize] = true;
+            for &(gap, is_parted) in reach.gaps() {
+                (if is_parted { &mut parted } else { &mut joined })[gap as usize] = true;
             }
         }
-        closed
+        parted.into_iter().zip(joined).map(|(parted, joined)| parted && !joined).collect()
     }
 
     /// Takes back the labels of all scribbles from `first` on.

@@ -38,8 +38,8 @@ pub(super) struct Reach {
     way_du: f64,
     /// The sides that it influences, in ascending order.
     influence: Vec<(SideId, Evidence)>,
-    /// The gaps that its circuits close.
-    gaps: Vec<u32>,
+    /// The gaps of the rooms within its circuits, and whether it parts these from what lies without.
+    gaps: Vec<(u32, bool)>,
 }
 
 impl Reach {
@@ -58,8 +58,8 @@ impl Reach {
         &self.influence
     }
 
-    /// The gaps of the map that its circuits close.
-    pub(super) fn gaps(&self) -> &[u32] {
+    /// The gaps of the rooms that lie within its circuits, and whether the room on the other side lies without.
+    pub(super) fn gaps(&self) -> &[(u32, bool)] {
         &self.gaps
     }
 
@@ -123,7 +123,7 @@ impl Reach {
         let is_within = |side: SideId| self.influence.binary_search_by_key(&side, |&(side, _)| side).is_ok();
         let seen = survey.sides();
         let seen = seen.filter_map(|side| Some((around.outline.triangle_of_side(side)?, is_within(side))));
-        self.gaps = around.outline.rooms.closed(seen);
+        self.gaps = around.outline.rooms.gaps(seen);
     }
 }
 

@@ -24,19 +24,20 @@ impl Rooms {
         Self { of_triangle, count, of_gap }
     }
 
-    /// The gaps between a room that lies within the circuits of a scribble and one that does not, given the triangles
-    /// of the sides that it sees, and whether each lies within. A room does where most of what is seen of it does.
+    /// The gaps of rooms that lie within the circuits of a scribble, and whether it parts them: whether the room on the
+    /// other side lies without. Takes the triangles of the sides that it sees, and whether each lies within; a room does
+    /// where most of what is seen of it does.
     ///
     /// A circuit jumps from where a sample's glance leaves a line, the gap lies at the narrowest place: looking for gaps
     /// along jumps misses many.
-    pub(super) fn closed(&self, seen: impl Iterator<Item = (usize, bool)>) -> Vec<u32> {
+    pub(super) fn gaps(&self, seen: impl Iterator<Item = (usize, bool)>) -> Vec<(u32, bool)> {
         let mut balance = vec![0_i64; self.count];
         for (triangle, is_within) in seen {
             balance[self.of_triangle[triangle] as usize] += if is_within { 1 } else { -1 };
         }
-        let is_within = |room: u32| balance[room as usize] > 0;
-        let parts = |(_, rooms): &(u32, &[u32; 2])| is_within(rooms[0]) != is_within(rooms[1]);
-        (0..).zip(&self.of_gap).filter(parts).map(|(gap, _)| gap).collect()
+        let within = self.of_gap.iter().map(|rooms| rooms.map(|room| balance[room as usize] > 0));
+        let found = (0..).zip(within).filter(|(_, [a, b])| *a || *b);
+        found.map(|(gap, [a, b])| (gap, a != b)).collect()
     }
 
     /// Whether there is no gap at all.
