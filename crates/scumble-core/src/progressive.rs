@@ -30,7 +30,7 @@
 //!   the paper, and d is the mean over directions. Both scribbles have seen what they contest.
 //!
 //! A gap of the map is closed where the circuits of a scribble that colours anything go between the rooms that it
-//! parts, unless another such scribble has both rooms within its own: to that one they are one place.
+//! parts, unless another such scribble clearly has both rooms within its own: to that one they are one place.
 
 mod angle;
 mod circuit;
@@ -148,7 +148,7 @@ impl Progressive {
     }
 
     /// A gap is closed where the circuit of a scribble that has any side goes between the rooms that it
-    /// parts, and no such scribble has both within.
+    /// parts, and no such scribble has both clearly within.
     fn closed_gaps(&self, map: &PlanarMap) -> Vec<bool> {
         let mut has_sides = vec![false; self.reaches.len()];
         for &scribble in self.labels.iter().flatten() {

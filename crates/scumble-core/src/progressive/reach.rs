@@ -38,7 +38,7 @@ pub(super) struct Reach {
     way_du: f64,
     /// The sides that it influences, in ascending order.
     influence: Vec<(SideId, Evidence)>,
-    /// The gaps of the rooms within its circuits, and whether it parts these from what lies without.
+    /// The gaps that its circuits part or join, and whether they part them.
     gaps: Vec<(u32, bool)>,
 }
 
@@ -58,7 +58,7 @@ impl Reach {
         &self.influence
     }
 
-    /// The gaps of the rooms that lie within its circuits, and whether the room on the other side lies without.
+    /// The gaps that its circuits part or join, and whether they part them.
     pub(super) fn gaps(&self) -> &[(u32, bool)] {
         &self.gaps
     }
@@ -144,5 +144,68 @@ fn between(
         between(map, around, survey, Some(&middle), second_half, last);
     } else {
         survey.add(&around.outline, &mut around.sighting_of, samples, last);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::drawing::{Curve, Drawing};
+    use crate::planar_map::Sampling;
+    use kurbo::{BezPath, Rect};
+
+    /// A room with two alleys.
+    const ROOM: &str =
+        "M 510 500 V 200 H 490 V 500 H 200 V 900 H 800 V 500 H 650 L 600 300 H 590 L 640 500 Z";
+
+    fn map() -> PlanarMap {
+        let path = BezPath::from_svg(ROOM).expect("a path");
+        let drawing = Drawing {
+            curves: vec![Curve { path, line: None }],
+            ..Drawing::new(Rect::new(0.0, 0.0, 1024.0, 1024.0))
+        };
+        PlanarMap::build(&drawing, &Sampling::default()).expect("a map")
+    }
+
+    /// The sides that a scribble sees, and how many there would be if every sample looked around.
+    fn seen(map: &PlanarMap, points: &[Point]) -> [Vec<SideId>; 2] {
+        let mut around = Surroundings::new(map);
+        let mut reach = Reach::default();
+        reach.follow(map, &mut around, points);
+        let mut found: Vec<_> = reach.settled.sides().collect();
+        found.extend(View::new(map, &around.outline, reach.since[reach.since.len() - 1]).sides());
+        let mut all = Vec::new();
+        Stroke::default().follow(map, points, |eye, triangle| {
+            all.extend(View::new(map, &around.outline, Sample { eye, triangle }).sides());
+        });
+        [found, all].map(|mut sides| {
+            sides.sort_unstable();
+            sides.dedup();
+            sides
+        })
+    }
+
+    #[test]
+    fn what_is_seen_on_a_short_stretch_of_the_way_alone_is_not_missed() {
+        let map = map();
+        for y in [650.0, 700.0, 740.0] {
+            for x in (300..340).step_by(3) {
+                let start = Point::new(f64::from(x), y);
+                let [found, all] = seen(&map, &[start, start + kurbo::Vec2::new(400.0, 60.0)]);
+                assert_eq!(found, all, "from {start}");
+            }
+        }
+    }
+
+    #[test]
+    fn a_bend_between_two_views_is_looked_around_from() {
+        let map = map();
+        for x in (300..340).step_by(3) {
+            let x = f64::from(x);
+            let points =
+                [(x, 700.0), (x + 160.0, 700.0), (x, 705.0), (x + 190.0, 710.0), (x, 720.0)].map(Point::from);
+            let [found, all] = seen(&map, &points);
+            assert_eq!(found, all, "from {x}");
+        }
     }
 }

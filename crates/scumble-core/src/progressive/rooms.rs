@@ -2,6 +2,9 @@
 
 use crate::triangulation::Triangulation;
 
+/// A room clearly lies within where so many times as many sides of it do as do not.
+const CLEARLY: u32 = 8;
+
 /// What the gaps of a map part.
 #[derive(Clone, Debug)]
 pub(super) struct Rooms {
@@ -24,20 +27,27 @@ impl Rooms {
         Self { of_triangle, count, of_gap }
     }
 
-    /// The gaps of rooms that lie within the circuits of a scribble, and whether it parts them: whether the room on the
-    /// other side lies without. Takes the triangles of the sides that it sees, and whether each lies within; a room does
-    /// where most of what is seen of it does.
+    /// The gaps that the circuits of a scribble part or join, and whether they part them: whether one of the rooms on
+    /// either side lies within and the other does not. They join them where both clearly lie within. Takes the triangles
+    /// of the sides that the scribble sees, and whether each lies within; a room does where most of what is seen of it
+    /// does.
     ///
     /// A circuit jumps from where a sample's glance leaves a line, the gap lies at the narrowest place: looking for gaps
     /// along jumps misses many.
     pub(super) fn gaps(&self, seen: impl Iterator<Item = (usize, bool)>) -> Vec<(u32, bool)> {
-        let mut balance = vec![0_i64; self.count];
+        let mut counts = vec![[0_u32; 2]; self.count];
         for (triangle, is_within) in seen {
-            balance[self.of_triangle[triangle] as usize] += if is_within { 1 } else { -1 };
+            counts[self.of_triangle[triangle] as usize][usize::from(is_within)] += 1;
         }
-        let within = self.of_gap.iter().map(|rooms| rooms.map(|room| balance[room as usize] > 0));
-        let found = (0..).zip(within).filter(|(_, [a, b])| *a || *b);
-        found.map(|(gap, [a, b])| (gap, a != b)).collect()
+        let is_within = |room: u32, least: u32| {
+            let [without, within] = counts[room as usize];
+            within > least * without
+        };
+        let kind = |rooms: &[u32; 2]| {
+            let is_parted = is_within(rooms[0], 1) != is_within(rooms[1], 1);
+            (is_parted || rooms.iter().all(|&room| is_within(room, CLEARLY))).then_some(is_parted)
+        };
+        (0..).zip(&self.of_gap).filter_map(|(gap, rooms)| Some((gap, kind(rooms)?))).collect()
     }
 
     /// Whether there is no gap at all.

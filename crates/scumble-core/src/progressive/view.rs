@@ -111,6 +111,11 @@ impl View {
         }
     }
 
+    /// The sides that are seen.
+    pub(super) fn sides(&self) -> impl Iterator<Item = SideId> {
+        self.glimpses.iter().map(|glimpse| glimpse.side)
+    }
+
     /// A run, counted on around the eye.
     fn run(&self, i: usize) -> &Run {
         &self.runs[i % self.runs.len()]
@@ -130,7 +135,7 @@ impl View {
             other.glimpses[run.glimpses.clone()].iter().for_each(|glimpse| run_of.set(glimpse.side, i));
         }
         let is_in = self.is_found(other, run_of);
-        run_of.clear(other.glimpses.iter().map(|glimpse| glimpse.side));
+        run_of.clear(other.sides());
         is_in
     }
 
