@@ -49,7 +49,7 @@ impl Reach {
         }
         let sides = &mut self.sides;
         self.stroke.follow(map, points, |eye, triangle| see(map, eye, triangle, sides));
-        sort::sort_by_key(sides, |side| side.0.into());
+        sort::sort_copies_by_key(sides, |side| side.0.into());
         sides.dedup();
     }
 }

@@ -83,7 +83,7 @@ impl<'a> Graph<'a> {
         let mut places: Vec<Place> = leaps.iter().flat_map(|leap| [leap.from, leap.to]).collect();
         let closed = segments.segments.iter().enumerate().filter(|(_, segment)| segment.is_closed);
         places.extend(closed.map(|(i, _)| Place { segment: i as u32, at: 0 }));
-        sort::sort_by_key(&mut places, |place| sort::pair([place.segment, place.at]));
+        sort::sort_copies_by_key(&mut places, |place| sort::pair([place.segment, place.at]));
         places.dedup();
         let mut graph = Self { segments, places, edges: Vec::new() };
         for leap in &leaps {
@@ -214,7 +214,7 @@ fn shortest(segments: &Segments, mut leaps: Vec<Leap>) -> Vec<Leap> {
         };
         (leap.kind as u64) << 62 | sort::pair(places)
     };
-    sort::sort_by_key(&mut leaps, key);
+    sort::sort_copies_by_key(&mut leaps, key);
     let length_du = |leap: &&Leap| leap.length_du(segments);
     let alike = leaps.chunk_by(|a, b| key(a) == key(b));
     alike

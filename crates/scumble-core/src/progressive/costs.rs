@@ -95,7 +95,7 @@ impl Watch {
         let direction = |glimpse: &Glimpse| direction(glimpse.entry() - view.eye);
         let mut sides: Vec<_> =
             view.glimpses.iter().map(|glimpse| (direction(glimpse), glimpse.line)).collect();
-        sort::sort_by_key(&mut sides, |side| sort::float(side.0));
+        sort::sort_copies_by_key(&mut sides, |side| sort::float(side.0));
         Self { view, sides }
     }
 

@@ -113,7 +113,7 @@ impl Reach {
             let sightings = circuit.sides.iter().map(|&number| &survey.sightings[number]);
             self.influence.extend(sightings.map(|sighting| (sighting.side, sighting.evidence())));
         }
-        sort::sort_by_key(&mut self.influence, |(side, _)| side.0.into());
+        sort::sort_copies_by_key(&mut self.influence, |(side, _)| side.0.into());
         if !around.outline.rooms.is_one() {
             self.find_gaps(around, survey);
         }

@@ -77,7 +77,7 @@ impl Survey {
 impl Part {
     fn sort(&mut self) {
         // Sides number less than 2³⁰.
-        sort::sort_by_key(&mut self.jumps, |jump| {
+        sort::sort_copies_by_key(&mut self.jumps, |jump| {
             sort::pair([jump.from.0, jump.to.0]) << 2 | jump.kind as u64
         });
         self.jumps.dedup();
