@@ -44,27 +44,27 @@ pub const TRANSITION_DU: f64 = 24.0;
 
 /// A colour at a place along one side of a curve.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct ColorPoint {
+pub(crate) struct ColorPoint {
     /// Distance from the start of the curve along it, in du.
-    pub arc_du: f64,
+    pub(crate) arc_du: f64,
     /// The colour as picked, or nothing: around it the picture fades into the paper.
-    pub color: Paint,
+    pub(crate) color: Paint,
 }
 
 /// A coloured stretch of one side of a curve: linear between its points, and from its first to its last only.
 #[derive(Clone, Debug, PartialEq)]
-pub struct ColorSpan {
+pub(crate) struct ColorSpan {
     /// Index of the curve.
-    pub curve: u32,
+    pub(crate) curve: u32,
     /// Whether it lies to the right of the curve's direction.
-    pub right: bool,
+    pub(crate) right: bool,
     /// At least two, in ascending order. On a closed curve the arc position may count on past the curve's end
     /// into its next round.
-    pub points: Vec<ColorPoint>,
+    pub(crate) points: Vec<ColorPoint>,
 }
 
 /// The colour points of all curves, where `color_of` gives the colour of a side that has one.
-pub fn color_spans(map: &PlanarMap, color_of: impl Fn(SideId) -> Option<Paint>) -> Vec<ColorSpan> {
+pub(crate) fn color_spans(map: &PlanarMap, color_of: impl Fn(SideId) -> Option<Paint>) -> Vec<ColorSpan> {
     let mut spans = Vec::new();
     for curve in 0..map.curve_count() {
         for right in [false, true] {
@@ -135,7 +135,7 @@ fn points(runs: &[Run]) -> Vec<ColorPoint> {
 /// The colours that spans give the sides of the map, in a blend space.
 ///
 /// Where several curves run along one piece, the first of them colours it.
-pub fn side_colors(map: &PlanarMap, spans: &[ColorSpan], blend: Blend) -> SideColors {
+pub(crate) fn side_colors(map: &PlanarMap, spans: &[ColorSpan], blend: Blend) -> SideColors {
     let mut colors = vec![None; map.side_count()];
     for span in spans {
         let knots: Vec<_> = span.points.iter().map(|p| (p.arc_du, blend.from_paint(p.color))).collect();
@@ -167,8 +167,9 @@ fn color_steps(map: &PlanarMap, span: &ColorSpan, knots: &[Knot], before_du: f64
 }
 
 fn interpolate(knots: &[Knot], arc_du: f64) -> BlendColor {
-    let after = knots.partition_point(|knot| knot.0 <= arc_du).clamp(1, knots.len() - 1);
-    let ((a, from), (b, to)) = (knots[after - 1], knots[after]);
+    let after = knots.partition_point(|knot| knot.0 <= arc_du);
+    let [before, after] = [after.saturating_sub(1), after.min(knots.len() - 1)];
+    let ((a, from), (b, to)) = (knots[before], knots[after]);
     let t = if b > a { ((arc_du - a) / (b - a)).clamp(0.0, 1.0) } else { 0.0 };
     if from == to { from } else { [0, 1, 2, 3].map(|i| from[i] + t * (to[i] - from[i])) }
 }
@@ -241,6 +242,14 @@ mod tests {
         assert_eq!(at(2 * count / 3), [0.0; 4]);
         let border = Blend::Oklab.to_rgba8(at(count / 3)).0;
         assert!(border[..3] == [200, 0, 0] && border[3].abs_diff(128) < 26, "{border:?}");
+    }
+
+    #[test]
+    fn a_span_of_one_point_colours_what_is_there() {
+        let red = Blend::Srgb.from_paint(RED);
+        for arc_du in [0.0, 5.0, 9.0] {
+            assert_eq!(interpolate(&[(5.0, red)], arc_du), red);
+        }
     }
 
     #[test]

@@ -138,7 +138,7 @@ impl Editor {
         self.commit_scribble();
         let mut indices: Vec<_> =
             indices.iter().copied().filter(|i| *i < self.document.scribbles.len()).collect();
-        sort::sort_by_key(&mut indices, |index| *index as u64);
+        sort::sort_copies_by_key(&mut indices, |index| *index as u64);
         indices.dedup();
         let back: Vec<_> = indices.iter().rev().map(|i| self.apply(Change::RemoveScribble(*i))).collect();
         self.done(back);

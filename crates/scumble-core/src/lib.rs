@@ -12,7 +12,7 @@
 //! | crossings found and rounded | `snap` |
 //! | curves as pieces that meet only at nodes | [`planar_map`] |
 //! | samples along a stroke | `stroke` |
-//! | what a point sees | [`visibility`] |
+//! | what a point sees | `visibility` |
 //! | how wide the ways between lines are | `clearance` |
 //! | narrow passages between wide places | `gaps` |
 //! | which scribble colours which side | [`engine`], [`global`], [`progressive`], [`sight`] |
@@ -40,10 +40,10 @@ mod snap;
 pub mod sort;
 mod stroke;
 pub mod triangulation;
-pub mod visibility;
+mod visibility;
 
 pub use color::{Blend, BlendColor, ColorError, Paint, Rgba8, Srgb8};
-pub use color_points::{Boundary, ColorPoint, ColorSpan, SideColors, boundary, color_spans, side_colors};
+pub use color_points::{Boundary, SideColors, boundary};
 pub use drawing::{Curve, Drawing, Fill, Line};
 pub use edit::{Document, Editor};
 pub use engine::{Engine, Labels};
@@ -54,4 +54,3 @@ pub use scribble::Scribble;
 pub use settings::{EngineKind, Settings};
 pub use sight::Sight;
 pub use triangulation::{HalfEdge, SideId, Triangulation};
-pub use visibility::{Visible, visibility_polygon};

@@ -244,7 +244,7 @@ fn pieces_and_steps(polylines: &[Vec<Stretch>], snapped: &Snapped) -> (Vec<Piece
         .iter()
         .flat_map(|chain| chain.windows(2).map(|w| [w[0].min(w[1]), w[0].max(w[1])]))
         .collect();
-    sort::sort_by_key(&mut ends, |&ends| sort::pair(ends));
+    sort::sort_copies_by_key(&mut ends, |&ends| sort::pair(ends));
     ends.dedup();
     let mut pieces: Vec<_> = ends.iter().map(|&nodes| Piece { nodes, curve: None }).collect();
     let mut chains = snapped.chains.iter();

@@ -30,16 +30,19 @@
 //!   the paper, and d is the mean over directions. Both scribbles have seen what they contest.
 //!
 //! A gap of the map is closed where the circuits of a scribble that colours anything go between the rooms that it
-//! parts.
+//! parts, unless another such scribble clearly has both rooms within its own: to that one they are one place.
 
 mod angle;
 mod circuit;
 mod costs;
-mod gaps;
+mod index;
 mod outline;
 mod partition;
 mod reach;
+mod rooms;
 mod segments;
+mod sighting;
+mod survey;
 mod view;
 mod walk;
 
@@ -48,9 +51,11 @@ use crate::planar_map::PlanarMap;
 use crate::scribble::Scribble;
 use crate::triangulation::SideId;
 
+use index::Index;
 use outline::{Outline, ends};
 use partition::Contested;
-use reach::{Evidence, Index, Reach};
+use reach::Reach;
+use sighting::Evidence;
 
 /// Weight of the segments of a circuit against its jumps (equation 2).
 const MU: f64 = 0.5;
@@ -81,37 +86,47 @@ const SLIP: f64 = 0.1;
 /// back.
 #[derive(Clone, Debug, Default)]
 pub struct Progressive {
-    surroundings: Option<(Outline, Index)>,
+    surroundings: Option<Surroundings>,
     reaches: Vec<Reach>,
     labels: Vec<Option<u32>>,
     /// For each scribble the labels that it replaced.
     replaced: Vec<Vec<(SideId, Option<u32>)>>,
 }
 
+/// What scribbles are followed in.
+#[derive(Clone, Debug)]
+struct Surroundings {
+    outline: Outline,
+    /// Numbers of the sightings of the scribble that is being followed.
+    sighting_of: Index,
+    /// Numbers of the runs of a view that is being compared.
+    run_of: Index,
+}
+
+impl Surroundings {
+    fn new(map: &PlanarMap) -> Self {
+        let none = Index::new(map.side_count());
+        Self { outline: Outline::new(map), sighting_of: none.clone(), run_of: none }
+    }
+}
+
 impl Engine for Progressive {
     fn label(&mut self, map: &PlanarMap, scribbles: &[Scribble]) -> Labels {
         self.labels.resize(map.side_count(), None);
-        let (outline, mut index) =
-            self.surroundings.take().unwrap_or_else(|| (Outline::new(map), Index::new(map.side_count())));
-        let unchanged = self.follow(map, &outline, &mut index, scribbles);
+        let mut around = self.surroundings.take().unwrap_or_else(|| Surroundings::new(map));
+        let unchanged = self.follow(map, &mut around, scribbles);
         self.take_back(unchanged);
         for i in unchanged..scribbles.len() {
-            self.apply(map, &outline, i);
+            self.apply(map, &around.outline, i);
         }
-        self.surroundings = Some((outline, index));
+        self.surroundings = Some(around);
         Labels { sides: self.labels.clone(), closed_gaps: self.closed_gaps(map) }
     }
 }
 
 impl Progressive {
     /// Brings the reaches up to date; gives the number of scribbles before the first that changed.
-    fn follow(
-        &mut self,
-        map: &PlanarMap,
-        outline: &Outline,
-        index: &mut Index,
-        scribbles: &[Scribble],
-    ) -> usize {
+    fn follow(&mut self, map: &PlanarMap, around: &mut Surroundings, scribbles: &[Scribble]) -> usize {
         let same = self.reaches.iter().zip(scribbles).take_while(|(reach, s)| reach.points() == s.points);
         let unchanged = same.count();
         let mut old: Vec<_> = self.reaches.drain(unchanged..).map(Some).collect();
@@ -124,7 +139,7 @@ impl Progressive {
             let reach = take(&|reach| reach.points() == points, 0).unwrap_or_else(|| {
                 let grown = take(&|reach| !reach.points().is_empty() && reach.begins(points), i - unchanged);
                 let mut reach = grown.unwrap_or_default();
-                reach.follow(map, outline, index, points);
+                reach.follow(map, around, points);
                 reach
             });
             self.reaches.push(reach);
@@ -133,19 +148,19 @@ impl Progressive {
     }
 
     /// A gap is closed where the circuit of a scribble that has any side goes between the rooms that it
-    /// parts.
+    /// parts, and no such scribble has both clearly within.
     fn closed_gaps(&self, map: &PlanarMap) -> Vec<bool> {
-        let mut closed = vec![false; map.gaps().len()];
         let mut has_sides = vec![false; self.reaches.len()];
         for &scribble in self.labels.iter().flatten() {
             has_sides[scribble as usize] = true;
         }
+        let [mut parted, mut joined] = [(); 2].map(|()| vec![false; map.gaps().len()]);
         for (reach, _) in self.reaches.iter().zip(has_sides).filter(|&(_, has_sides)| has_sides) {
-            for &gap in reach.gaps() {
-                closed[gap as usize] = true;
+            for &(gap, is_parted) in reach.gaps() {
+                (if is_parted { &mut parted } else { &mut joined })[gap as usize] = true;
             }
         }
-        closed
+        parted.into_iter().zip(joined).map(|(parted, joined)| parted && !joined).collect()
     }
 
     /// Takes back the labels of all scribbles from `first` on.
@@ -180,12 +195,12 @@ impl Progressive {
     fn contested_chains(&self, map: &PlanarMap, outline: &Outline, scribble: usize) -> Vec<Chain> {
         let influence = self.reaches[scribble].influence();
         let owner = |side: SideId| self.labels[side.index()];
-        let place = |side: SideId| influence.binary_search_by_key(&side, |&(side, _)| side).ok();
+        let number = |side: SideId| influence.binary_search_by_key(&side, |&(side, _)| side).ok();
         let mut is_taken = vec![false; influence.len()];
         let mut chains = Vec::new();
         let is_start = |side: SideId| {
             let prev = outline.prev(side);
-            owner(prev) != owner(side) || place(prev).is_none()
+            owner(prev) != owner(side) || number(prev).is_none()
         };
         let starts = (0..influence.len()).filter(|&i| is_start(influence[i].0));
         // Whole outlines have no start: they are what is left.
@@ -197,7 +212,7 @@ impl Progressive {
                 is_taken[i] = true;
                 let (side, evidence) = influence[i];
                 chain.push(map, side, [self.evidence(other, side).unwrap_or(evidence), evidence]);
-                at = place(outline.next(side)).filter(|&next| owner(influence[next].0) == Some(other));
+                at = number(outline.next(side)).filter(|&next| owner(influence[next].0) == Some(other));
             }
             chain.is_closed = at == Some(first);
             chains.push(chain);
@@ -207,8 +222,8 @@ impl Progressive {
 
     fn evidence(&self, scribble: u32, side: SideId) -> Option<Evidence> {
         let influence = self.reaches[scribble as usize].influence();
-        let place = influence.binary_search_by_key(&side, |&(side, _)| side).ok()?;
-        Some(influence[place].1)
+        let number = influence.binary_search_by_key(&side, |&(side, _)| side).ok()?;
+        Some(influence[number].1)
     }
 }
 

@@ -48,16 +48,18 @@ impl Reach {
             *self = Self::default();
         }
         let sides = &mut self.sides;
-        self.stroke.follow(map, points, |eye, triangle| sides.extend(seen(map, eye, triangle)));
-        sort::sort_by_key(sides, |side| side.0.into());
+        self.stroke.follow(map, points, |eye, triangle| see(map, eye, triangle, sides));
+        sort::sort_copies_by_key(sides, |side| side.0.into());
         sides.dedup();
     }
 }
 
-/// The sides whose middle is seen from a point in a triangle.
-fn seen(map: &PlanarMap, eye: Point, triangle: usize) -> impl Iterator<Item = SideId> {
+/// Adds the sides whose middle is seen from a point in a triangle.
+fn see(map: &PlanarMap, eye: Point, triangle: usize, sides: &mut Vec<SideId>) {
     let mesh = map.triangulation();
-    let polygon = visibility_polygon(mesh, eye, triangle).into_iter();
-    let middles = polygon.filter(|seen| seen.interval[0] <= 0.5 && 0.5 <= seen.interval[1]);
-    middles.filter_map(|seen| mesh.side(seen.half_edge))
+    visibility_polygon(mesh, eye, triangle, |seen| {
+        if seen.interval[0] <= 0.5 && 0.5 <= seen.interval[1] {
+            sides.extend(mesh.side(seen.half_edge));
+        }
+    });
 }

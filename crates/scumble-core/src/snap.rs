@@ -56,7 +56,7 @@ pub(crate) fn snap(segments: &[Segment], frame: LatticePoint, limit: usize) -> O
 
 fn sort_unique(nodes: &mut Vec<LatticePoint>) {
     // Coordinates are not negative.
-    sort::sort_by_key(nodes, |node| sort::pair([node.x as u32, node.y as u32]));
+    sort::sort_copies_by_key(nodes, |node| sort::pair([node.x as u32, node.y as u32]));
     nodes.dedup();
 }
 

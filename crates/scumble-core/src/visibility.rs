@@ -11,34 +11,33 @@ use crate::triangulation::{HalfEdge, Triangulation};
 
 /// The part of a curve's side, or of the border, that an eye sees.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Visible {
+pub(crate) struct Visible {
     /// The half-edge that faces the eye.
-    pub half_edge: HalfEdge,
+    pub(crate) half_edge: HalfEdge,
     /// First and last visible place along it: 0 at its start, 1 at its end.
-    pub interval: [f64; 2],
+    pub(crate) interval: [f64; 2],
 }
 
-/// The visibility polygon of a point, as the visible intervals of sides in the triangulation's sense of turn.
+/// The visibility polygon of a point: calls `see` with the visible intervals of sides in the triangulation's sense of
+/// turn.
 ///
 /// `triangle` is the one that the eye lies in (see [`Triangulation::locate`]). The cost is proportional to the
 /// number of triangles that are seen.
-pub fn visibility_polygon(mesh: &Triangulation, eye: Point, triangle: usize) -> Vec<Visible> {
-    let mut polygon = Vec::new();
-    let mut wedges: Vec<Wedge> = (0..3)
-        .rev()
-        .map(|i| HalfEdge::of(triangle, i))
-        .map(|through| {
-            let [right, left] = mesh.segment(through);
-            Wedge { through, right, left }
-        })
-        .collect();
-    while let Some(wedge) = wedges.pop() {
-        match mesh.passage(wedge.through) {
-            Some(twin) => wedges.extend(wedge.beyond(mesh, eye, twin).into_iter().flatten()),
-            None => polygon.push(wedge.seen(mesh, eye)),
+pub(crate) fn visibility_polygon(
+    mesh: &Triangulation,
+    eye: Point,
+    triangle: usize,
+    mut see: impl FnMut(Visible),
+) {
+    let mut wedges = Vec::new();
+    for i in 0..3 {
+        let through = HalfEdge::of(triangle, i);
+        let [right, left] = mesh.segment(through);
+        wedges.push(Wedge { through, right, left });
+        while let Some(wedge) = wedges.pop() {
+            wedge.follow(mesh, eye, &mut wedges, &mut see);
         }
     }
-    polygon
 }
 
 /// The rays from the eye between two nodes, as they arrive at an edge.
@@ -51,16 +50,31 @@ struct Wedge {
 }
 
 impl Wedge {
-    /// What it leaves open behind its edge: left part first, so that the right part is taken from the stack first.
-    fn beyond(self, mesh: &Triangulation, eye: Point, twin: HalfEdge) -> [Option<Self>; 2] {
-        let apex = mesh.points()[mesh.origin(twin.prev()) as usize];
-        let left_of_right_ray = turn(eye, self.right, apex) > 0.0;
-        let right_of_left_ray = turn(eye, apex, self.left) > 0.0;
-        let right_part =
-            Self { through: twin.next(), left: if right_of_left_ray { apex } else { self.left }, ..self };
-        let left_part =
-            Self { through: twin.prev(), right: if left_of_right_ray { apex } else { self.right }, ..self };
-        [right_of_left_ray.then_some(left_part), left_of_right_ray.then_some(right_part)]
+    /// Goes on to where curves close it; where a node parts it, along its right part, and leaves its left part to later.
+    fn follow(
+        mut self,
+        mesh: &Triangulation,
+        eye: Point,
+        later: &mut Vec<Self>,
+        see: &mut impl FnMut(Visible),
+    ) {
+        while let Some(twin) = mesh.passage(self.through) {
+            let apex = mesh.points()[mesh.origin(twin.prev()) as usize];
+            let left_of_right_ray = turn(eye, self.right, apex) > 0.0;
+            let right_of_left_ray = turn(eye, apex, self.left) > 0.0;
+            let left_part = Self { through: twin.prev(), ..self };
+            let right_part = Self { through: twin.next(), ..self };
+            self = match (left_of_right_ray, right_of_left_ray) {
+                (true, true) => {
+                    later.push(Self { right: apex, ..left_part });
+                    Self { left: apex, ..right_part }
+                }
+                (true, false) => right_part,
+                (false, true) => left_part,
+                (false, false) => return,
+            }
+        }
+        see(self.seen(mesh, eye));
     }
 
     fn seen(self, mesh: &Triangulation, eye: Point) -> Visible {
@@ -137,7 +151,9 @@ mod tests {
 
     fn seen_from(map: &PlanarMap, eye: Point) -> Vec<Visible> {
         let mesh = map.triangulation();
-        visibility_polygon(mesh, eye, mesh.locate(eye, 0).expect("on the page"))
+        let mut polygon = Vec::new();
+        visibility_polygon(mesh, eye, mesh.locate(eye, 0).expect("on the page"), |seen| polygon.push(seen));
+        polygon
     }
 
     /// The visible intervals as a closed polygon around the eye.

@@ -4,10 +4,12 @@ use kurbo::Point;
 
 use super::MU;
 use super::costs::Costs;
+use super::index::Index;
 use super::outline::Outline;
-use super::reach::{Index, Part, Sighting};
 use super::segments::{Place, Segments};
-use super::view::{self, Jump, JumpKind};
+use super::sighting::Sighting;
+use super::survey::Part;
+use super::view::{Jump, JumpKind, View};
 use super::walk::{Edge, cheapest_odd_walk};
 use crate::planar_map::PlanarMap;
 use crate::sort;
@@ -15,7 +17,7 @@ use crate::sort;
 /// What a scribble influences in one region.
 #[derive(Debug, Default)]
 pub(super) struct Circuit {
-    /// Places in the list of sightings.
+    /// Numbers of sightings.
     pub(super) sides: Vec<usize>,
 }
 
@@ -28,14 +30,10 @@ impl Circuit {
         sightings: &[Sighting],
         index: &Index,
     ) -> Self {
-        let segments = Segments::new(map, outline, sightings, &part.places, index, part.samples.len());
-        let middle = part.samples.len() / 2;
-        let (Some(&center), Some(&triangle)) = (part.samples.get(middle), part.triangles.get(middle)) else {
-            return Self::default();
-        };
-        let mut own = Vec::new();
-        view::jumps(center, &view::glimpses(map, outline, center, triangle), &mut own);
-        let graph = Graph::new(&segments, &Costs::new(map, outline, part), part, &own, center);
+        let segments = Segments::new(map, outline, sightings, &part.sightings, index, part.samples.len());
+        let costs = Costs::new(map, outline, part);
+        let Some(middle) = costs.middle() else { return Self::default() };
+        let graph = Graph::new(&segments, &costs, part, middle);
         match cheapest_odd_walk(graph.places.len(), &graph.edges) {
             Some(walk) => graph.trace(&walk),
             // Nothing closes around the scribble: all that it sees is its own.
@@ -71,7 +69,9 @@ struct Graph<'a> {
 }
 
 impl<'a> Graph<'a> {
-    fn new(segments: &'a Segments<'a>, costs: &Costs, part: &Part, own: &[Jump], center: Point) -> Self {
+    fn new(segments: &'a Segments<'a>, costs: &Costs, part: &Part, middle: &View) -> Self {
+        let mut own = Vec::new();
+        middle.jumps(&mut own);
         let leap = |jump: &Jump| {
             let (from, to) = (segments.after(jump.from)?, segments.before(jump.to)?);
             Some(Leap { kind: jump.kind, from, to })
@@ -83,7 +83,7 @@ impl<'a> Graph<'a> {
         let mut places: Vec<Place> = leaps.iter().flat_map(|leap| [leap.from, leap.to]).collect();
         let closed = segments.segments.iter().enumerate().filter(|(_, segment)| segment.is_closed);
         places.extend(closed.map(|(i, _)| Place { segment: i as u32, at: 0 }));
-        sort::sort_by_key(&mut places, |place| sort::pair([place.segment, place.at]));
+        sort::sort_copies_by_key(&mut places, |place| sort::pair([place.segment, place.at]));
         places.dedup();
         let mut graph = Self { segments, places, edges: Vec::new() };
         for leap in &leaps {
@@ -92,7 +92,7 @@ impl<'a> Graph<'a> {
             graph.add(leap.from, leap.to, cost, true);
         }
         graph.add_ways();
-        let rays = [0, 1, 2, 3].map(|ray| graph.crossed(center, ray));
+        let rays = [0, 1, 2, 3].map(|ray| graph.crossed(middle.eye, ray));
         let fewest = rays.into_iter().min_by_key(|odd| odd.iter().filter(|&&odd| odd).count());
         for (edge, odd) in graph.edges.iter_mut().zip(fewest.unwrap_or_default()) {
             edge.is_odd = odd;
@@ -214,7 +214,7 @@ fn shortest(segments: &Segments, mut leaps: Vec<Leap>) -> Vec<Leap> {
         };
         (leap.kind as u64) << 62 | sort::pair(places)
     };
-    sort::sort_by_key(&mut leaps, key);
+    sort::sort_copies_by_key(&mut leaps, key);
     let length_du = |leap: &&Leap| leap.length_du(segments);
     let alike = leaps.chunk_by(|a, b| key(a) == key(b));
     alike

@@ -4,14 +4,14 @@ use kurbo::{Point, Vec2};
 
 use super::angle::angle_part;
 use super::outline::Outline;
-use super::reach::Part;
-use super::view::{self, JumpKind};
+use super::survey::Part;
+use super::view::{Glimpse, JumpKind, Sample, View};
 use super::{CUT, ETA, MU, SKIP};
 use crate::planar_map::PlanarMap;
 use crate::sort;
 
-/// Samples whose view is looked at, evenly spaced along the scribble.
-const WATCHES: usize = 4;
+/// Samples whose view is looked at, evenly spaced along the scribble, one of them at its middle.
+const WATCHES: usize = 3;
 
 /// Samples that jumps are tested against.
 const MOST_SAMPLES: usize = 128;
@@ -34,9 +34,14 @@ impl Costs {
         let watched = (0..count).map(|i| (2 * i + 1) * len / (2 * count));
         let step = len.div_ceil(MOST_SAMPLES).max(1);
         Self {
-            watches: watched.map(|i| Watch::new(map, outline, part.samples[i], part.triangles[i])).collect(),
-            stroke: part.samples.iter().copied().step_by(step).collect(),
+            watches: watched.map(|i| Watch::new(map, outline, part.samples[i])).collect(),
+            stroke: part.samples.iter().map(|sample| sample.eye).step_by(step).collect(),
         }
+    }
+
+    /// What the sample half-way along the scribble sees.
+    pub(super) fn middle(&self) -> Option<&View> {
+        self.watches.get(self.watches.len() / 2).map(|watch| &watch.view)
     }
 
     /// The cost of a jump along a line that arrives and leaves in the given directions; the longest of all jumps is
@@ -79,34 +84,35 @@ impl Costs {
 /// What one sample sees, made to look up places.
 #[derive(Debug)]
 struct Watch {
-    eye: Point,
+    view: View,
     /// The sides that it sees, by the direction in which each begins.
     sides: Vec<(f64, [Point; 2])>,
 }
 
 impl Watch {
-    fn new(map: &PlanarMap, outline: &Outline, eye: Point, triangle: usize) -> Self {
-        let all = view::glimpses(map, outline, eye, triangle);
+    fn new(map: &PlanarMap, outline: &Outline, sample: Sample) -> Self {
+        let view = View::new(map, outline, sample);
+        let direction = |glimpse: &Glimpse| direction(glimpse.entry() - view.eye);
         let mut sides: Vec<_> =
-            all.iter().map(|glimpse| (direction(glimpse.entry() - eye), glimpse.line)).collect();
-        sort::sort_by_key(&mut sides, |side| sort::float(side.0));
-        Self { eye, sides }
+            view.glimpses.iter().map(|glimpse| (direction(glimpse), glimpse.line)).collect();
+        sort::sort_copies_by_key(&mut sides, |side| sort::float(side.0));
+        Self { view, sides }
     }
 
     /// The angle, as a part of the full turn, in which a line is seen before anything else; 0 for one that has the eye
     /// on its right, where the outside of the circuit is.
     fn behind(&self, [from, to]: [Point; 2]) -> f64 {
-        if (to - from).cross(self.eye - from) <= 0.0 {
+        if (to - from).cross(self.view.eye - from) <= 0.0 {
             return 0.0;
         }
         let seen = MARKS.iter().filter(|&&mark| self.sees(from.lerp(to, mark))).count();
-        let angle = if seen > 0 { 0.5 * angle_part(from - self.eye, to - self.eye) } else { 0.0 };
+        let angle = if seen > 0 { 0.5 * angle_part(from - self.view.eye, to - self.view.eye) } else { 0.0 };
         angle * seen as f64 / MARKS.len() as f64
     }
 
     /// Whether nothing lies before a place.
     fn sees(&self, place: Point) -> bool {
-        let after = self.sides.partition_point(|&(start, _)| start <= direction(place - self.eye));
+        let after = self.sides.partition_point(|&(start, _)| start <= direction(place - self.view.eye));
         let side = self.sides.get(after.wrapping_sub(1)).or(self.sides.last());
         side.is_some_and(|&(_, [a, b])| (b - a).cross(place - a) > 0.0)
     }

@@ -2,7 +2,7 @@
 
 use kurbo::Point;
 
-use super::gaps::Rooms;
+use super::rooms::Rooms;
 use crate::planar_map::PlanarMap;
 use crate::triangulation::{HalfEdge, SideId, Triangulation};
 

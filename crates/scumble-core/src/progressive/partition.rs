@@ -1,6 +1,6 @@
 //! Two scribbles that want the same sides: where along them one colour passes into the other (section 4.2).
 
-use super::reach::Evidence;
+use super::sighting::Evidence;
 use super::{OMEGA, TAU};
 
 /// The largest number of pieces: the penalty has its pole at 13.9.

@@ -1,142 +1,45 @@
-//! What a scribble sees, gathered sample by sample: for each side how often, how far and from where.
+//! What one scribble reaches: followed view by view, as far as the pen has gone, and what it influences of it.
+//!
+//! The paper looks around from each sample. Here a view stands for the samples before it as well, as long as the pen
+//! goes nearly straight, not far in comparison with the distance of the nearest side, and nothing comes or goes on the
+//! way. Tried on the scribbles of 100 drawings: less than a quarter of the views, and of the sides that a scribble
+//! influences when every sample looks around, less than 1 in 10,000 is missed.
 
 use kurbo::Point;
 
 use super::SLIP;
-use super::angle::angle_part;
+use super::Surroundings;
 use super::circuit::Circuit;
-use super::outline::Outline;
-use super::view::{self, Glimpse, Jump};
+use super::sighting::Evidence;
+use super::survey::Survey;
+use super::view::{Sample, View};
 use crate::planar_map::PlanarMap;
-use crate::small_map::SmallMap;
 use crate::sort;
 use crate::stroke::{SAMPLE_SPACING_DU, Stroke};
 use crate::triangulation::SideId;
 
-/// Rays that a side sends out to look for scribbles: one every 5°, as in section 4.2.
-const RAYS: u32 = 36;
+/// How far the pen goes between views, as a part of the distance of the nearest side. Less than 1: what lies between
+/// is free space.
+const STRIDE: f64 = 0.5;
 
-/// Samples nearer to a side than this count as being at this distance, in du.
-const NEAREST_DU: f64 = 0.5;
-
-/// How a scribble sees one side. Sums are over its samples.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Sighting {
-    pub(super) side: SideId,
-    /// Number of samples that see it: κ.
-    pub(super) kappa: u32,
-    pub(super) distance_du: f64,
-    /// Sum of 1 / distance.
-    nearness: f64,
-    /// Angle that it covers, as a part of the full turn.
-    pub(super) angle: f64,
-    /// The rays of the side that hit the scribble, one bit each.
-    rays: u64,
-    /// Whether a sample sees the next side of the outline right after it.
-    pub(super) joined: bool,
-}
-
-impl Sighting {
-    fn none(side: SideId) -> Self {
-        Self { side, kappa: 0, distance_du: 0.0, nearness: 0.0, angle: 0.0, rays: 0, joined: false }
-    }
-
-    fn add(&mut self, eye: Point, [a, b]: [Point; 2], joined: bool) {
-        let to_eye = eye - a.midpoint(b);
-        let distance_du = to_eye.hypot().max(NEAREST_DU);
-        self.kappa += 1;
-        self.distance_du += distance_du;
-        let nearness = distance_du.recip();
-        self.nearness += nearness;
-        self.angle += angle_of((a - eye).cross(b - eye), distance_du, (b - a).hypot2());
-        self.rays |= rays_that_hit(angle_part(b - a, to_eye), nearness);
-        self.joined |= joined;
-    }
-
-    /// What speaks for the scribble at this side (equation 5).
-    pub(super) fn evidence(&self) -> Evidence {
-        Evidence {
-            hits: f64::from(self.rays.count_ones()),
-            distance_du: f64::from(self.kappa) / self.nearness,
-        }
-    }
-}
-
-/// What the rays from a side find of one scribble: n(Q) and d(Q) of equation 5.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Evidence {
-    /// Number of rays that hit the scribble.
-    pub(super) hits: f64,
-    /// Mean length of these rays.
-    pub(super) distance_du: f64,
-}
-
-/// Roughly the angle that a piece covers, as a part of the full turn: exact where it is small.
-fn angle_of(double_area: f64, distance_du: f64, length2_du2: f64) -> f64 {
-    double_area.abs() / (distance_du * distance_du + 0.25 * length2_du2) / std::f64::consts::TAU
-}
-
-/// The rays that hit a sample: it hides what it is wide, and lies at `direction` (a part of the half turn).
-/// `nearness` is 1 / its distance.
-fn rays_that_hit(direction: f64, nearness: f64) -> u64 {
-    let half_width = 0.5 * SAMPLE_SPACING_DU * std::f64::consts::FRAC_1_PI * nearness;
-    let ray = |part: f64| ((part * f64::from(RAYS)) as u32).min(RAYS - 1);
-    let [first, last] = [ray((direction - half_width).max(0.0)), ray(direction + half_width)];
-    (2 << last) - (1 << first)
-}
-
-/// A place in a list of sightings for each side; kept between calls so that it need not be cleared whole.
-#[derive(Clone, Debug)]
-pub(super) struct Index(Vec<u32>);
-
-impl Index {
-    const ABSENT: u32 = u32::MAX;
-
-    pub(super) fn new(side_count: usize) -> Self {
-        Self(vec![Self::ABSENT; side_count])
-    }
-
-    /// Where the sighting of a side is, if it is seen.
-    pub(super) fn get(&self, side: SideId) -> Option<usize> {
-        let place = self.0[side.index()];
-        (place != Self::ABSENT).then_some(place as usize)
-    }
-
-    fn fill(&mut self, sightings: &[Sighting]) {
-        for (place, sighting) in sightings.iter().enumerate() {
-            self.0[sighting.side.index()] = place as u32;
-        }
-    }
-
-    fn clear(&mut self, sightings: &[Sighting]) {
-        for sighting in sightings {
-            self.0[sighting.side.index()] = Self::ABSENT;
-        }
-    }
-}
+/// How much longer than straight the pen's way between views may be, in du.
+const DETOUR_DU: f64 = SAMPLE_SPACING_DU;
 
 /// What one scribble sees and influences, as far as it has been followed.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Reach {
     stroke: Stroke,
-    sightings: Vec<Sighting>,
-    parts: SmallMap<Part>,
+    /// What is seen up to and with `last`.
+    settled: Survey,
+    last: Option<View>,
+    /// The samples after `last`.
+    since: Vec<Sample>,
+    /// Their way from there, in du.
+    way_du: f64,
     /// The sides that it influences, in ascending order.
     influence: Vec<(SideId, Evidence)>,
-    /// The gaps that its circuits close.
-    gaps: Vec<u32>,
-}
-
-/// The part of a scribble that lies in one region.
-#[derive(Clone, Debug, Default)]
-pub(super) struct Part {
-    pub(super) samples: Vec<Point>,
-    /// The triangles of the samples.
-    pub(super) triangles: Vec<usize>,
-    /// In ascending order of sides, without repeats.
-    pub(super) jumps: Vec<Jump>,
-    /// Places of what is seen of the region in the list of sightings.
-    pub(super) places: Vec<usize>,
+    /// The gaps that its circuits part or join, and whether they part them.
+    gaps: Vec<(u32, bool)>,
 }
 
 impl Reach {
@@ -155,71 +58,154 @@ impl Reach {
         &self.influence
     }
 
-    /// The gaps of the map that its circuits close.
-    pub(super) fn gaps(&self) -> &[u32] {
+    /// The gaps that its circuits part or join, and whether they part them.
+    pub(super) fn gaps(&self) -> &[(u32, bool)] {
         &self.gaps
     }
 
     /// Goes on to the end of a scribble that [begins](Reach::begins) like this.
-    pub(super) fn follow(&mut self, map: &PlanarMap, outline: &Outline, index: &mut Index, points: &[Point]) {
-        index.fill(&self.sightings);
-        let Self { stroke, sightings, parts, .. } = self;
-        stroke.follow(map, points, |eye, triangle| {
-            let glimpses = view::glimpses(map, outline, eye, triangle);
-            for glimpse in &glimpses {
-                add(index, sightings, eye, glimpse);
-            }
-            let part = parts.entry(outline.region_of_triangle(triangle));
-            part.samples.push(eye);
-            part.triangles.push(triangle);
-            view::jumps(eye, &glimpses, &mut part.jumps);
-        });
-        self.find_influence(map, outline, index);
-        index.clear(&self.sightings);
+    pub(super) fn follow(&mut self, map: &PlanarMap, around: &mut Surroundings, points: &[Point]) {
+        (0..).zip(self.settled.sides()).for_each(|(number, side)| around.sighting_of.set(side, number));
+        let mut stroke = std::mem::take(&mut self.stroke);
+        stroke.follow(map, points, |eye, triangle| self.go_on(map, around, Sample { eye, triangle }));
+        self.stroke = stroke;
+        let mut survey = self.settled.clone();
+        self.look_back(map, around, &mut survey);
+        self.find_influence(map, around, &mut survey);
+        around.sighting_of.clear(survey.sides());
     }
 
-    fn find_influence(&mut self, map: &PlanarMap, outline: &Outline, index: &Index) {
-        self.parts.values_mut().for_each(|part| part.places.clear());
-        for (place, sighting) in self.sightings.iter().enumerate() {
-            let region = outline.region_of_side(sighting.side);
-            if let Some(part) = region.and_then(|region| self.parts.get_mut(region)) {
-                part.places.push(place);
-            }
+    /// Goes on to one more sample.
+    fn go_on(&mut self, map: &PlanarMap, around: &mut Surroundings, sample: Sample) {
+        let from = self.since.last().map(|last| last.eye).or(self.last.as_ref().map(|last| last.eye));
+        let step_du = from.map_or(0.0, |from| (sample.eye - from).hypot());
+        self.way_du += step_du;
+        if !self.since.is_empty() && !self.is_within_stride(sample.eye) {
+            let mut settled = std::mem::take(&mut self.settled);
+            self.last = self.look_back(map, around, &mut settled);
+            self.settled = settled;
+            self.since.clear();
+            self.way_du = step_du;
         }
+        self.since.push(sample);
+    }
+
+    /// Whether the pen may go as far as here without another look around.
+    fn is_within_stride(&self, eye: Point) -> bool {
+        self.last.as_ref().is_some_and(|last| {
+            let straight_du = (eye - last.eye).hypot();
+            self.way_du <= STRIDE * last.clearance_du && self.way_du <= straight_du + DETOUR_DU
+        })
+    }
+
+    /// Looks around from the last sample, and from those before it as far as there is more to see.
+    fn look_back(&self, map: &PlanarMap, around: &mut Surroundings, survey: &mut Survey) -> Option<View> {
+        let view = View::new(map, &around.outline, *self.since.last()?);
+        between(map, around, survey, self.last.as_ref(), &self.since, &view);
+        Some(view)
+    }
+
+    fn find_influence(&mut self, map: &PlanarMap, around: &Surroundings, survey: &mut Survey) {
         self.influence.clear();
-        let most = self.parts.values().map(|part| part.samples.len()).max().unwrap_or_default();
-        let is_meant = |part: &Part| part.samples.len() as f64 >= SLIP * most as f64;
-        for part in self.parts.values_mut().filter(|part| is_meant(part)) {
-            // Sides number less than 2³⁰.
-            sort::sort_by_key(&mut part.jumps, |jump| {
-                sort::pair([jump.from.0, jump.to.0]) << 2 | jump.kind as u64
-            });
-            part.jumps.dedup();
-            let circuit = Circuit::around(map, outline, part, &self.sightings, index);
-            self.influence.extend(
-                circuit.sides.iter().map(|&place| self.sightings[place]).map(|s| (s.side, s.evidence())),
-            );
+        survey.complete(&around.outline);
+        for part in survey.parts(SLIP) {
+            let circuit = Circuit::around(map, &around.outline, part, &survey.sightings, &around.sighting_of);
+            let sightings = circuit.sides.iter().map(|&number| &survey.sightings[number]);
+            self.influence.extend(sightings.map(|sighting| (sighting.side, sighting.evidence())));
         }
-        sort::sort_by_key(&mut self.influence, |(side, _)| side.0.into());
-        if !outline.rooms.is_one() {
-            self.find_gaps(outline);
+        sort::sort_copies_by_key(&mut self.influence, |(side, _)| side.0.into());
+        if !around.outline.rooms.is_one() {
+            self.find_gaps(around, survey);
         }
     }
 
-    fn find_gaps(&mut self, outline: &Outline) {
+    fn find_gaps(&mut self, around: &Surroundings, survey: &Survey) {
         let is_within = |side: SideId| self.influence.binary_search_by_key(&side, |&(side, _)| side).is_ok();
-        let seen = self.sightings.iter().map(|sighting| sighting.side);
-        let seen = seen.filter_map(|side| Some((outline.triangle_of_side(side)?, is_within(side))));
-        self.gaps = outline.rooms.closed(seen);
+        let seen = survey.sides();
+        let seen = seen.filter_map(|side| Some((around.outline.triangle_of_side(side)?, is_within(side))));
+        self.gaps = around.outline.rooms.gaps(seen);
     }
 }
 
-fn add(index: &mut Index, sightings: &mut Vec<Sighting>, eye: Point, glimpse: &Glimpse) {
-    let side = glimpse.side;
-    let place = index.get(side).unwrap_or_else(|| {
-        index.0[side.index()] = sightings.len() as u32;
-        sightings.push(Sighting::none(side));
-        sightings.len() - 1
-    });
-    sightings[place].add(eye, glimpse.line, glimpse.joined);
+/// Adds some samples in a row, the view before them and that of the last being known.
+fn between(
+    map: &PlanarMap,
+    around: &mut Surroundings,
+    survey: &mut Survey,
+    before: Option<&View>,
+    samples: &[Sample],
+    last: &View,
+) {
+    let is_new = before.is_some_and(|before| samples.len() > 1 && !before.is_like(last, &mut around.run_of));
+    if is_new {
+        let (first_half, second_half) = samples.split_at(samples.len() / 2);
+        let middle = View::new(map, &around.outline, first_half[first_half.len() - 1]);
+        between(map, around, survey, before, first_half, &middle);
+        between(map, around, survey, Some(&middle), second_half, last);
+    } else {
+        survey.add(&around.outline, &mut around.sighting_of, samples, last);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::drawing::{Curve, Drawing};
+    use crate::planar_map::Sampling;
+    use kurbo::{BezPath, Rect};
+
+    /// A room with two alleys.
+    const ROOM: &str =
+        "M 510 500 V 200 H 490 V 500 H 200 V 900 H 800 V 500 H 650 L 600 300 H 590 L 640 500 Z";
+
+    fn map() -> PlanarMap {
+        let path = BezPath::from_svg(ROOM).expect("a path");
+        let drawing = Drawing {
+            curves: vec![Curve { path, line: None }],
+            ..Drawing::new(Rect::new(0.0, 0.0, 1024.0, 1024.0))
+        };
+        PlanarMap::build(&drawing, &Sampling::default()).expect("a map")
+    }
+
+    /// The sides that a scribble sees, and how many there would be if every sample looked around.
+    fn seen(map: &PlanarMap, points: &[Point]) -> [Vec<SideId>; 2] {
+        let mut around = Surroundings::new(map);
+        let mut reach = Reach::default();
+        reach.follow(map, &mut around, points);
+        let mut found: Vec<_> = reach.settled.sides().collect();
+        found.extend(View::new(map, &around.outline, reach.since[reach.since.len() - 1]).sides());
+        let mut all = Vec::new();
+        Stroke::default().follow(map, points, |eye, triangle| {
+            all.extend(View::new(map, &around.outline, Sample { eye, triangle }).sides());
+        });
+        [found, all].map(|mut sides| {
+            sides.sort_unstable();
+            sides.dedup();
+            sides
+        })
+    }
+
+    #[test]
+    fn what_is_seen_on_a_short_stretch_of_the_way_alone_is_not_missed() {
+        let map = map();
+        for y in [650.0, 700.0, 740.0] {
+            for x in (300..340).step_by(3) {
+                let start = Point::new(f64::from(x), y);
+                let [found, all] = seen(&map, &[start, start + kurbo::Vec2::new(400.0, 60.0)]);
+                assert_eq!(found, all, "from {start}");
+            }
+        }
+    }
+
+    #[test]
+    fn a_bend_between_two_views_is_looked_around_from() {
+        let map = map();
+        for x in (300..340).step_by(3) {
+            let x = f64::from(x);
+            let points =
+                [(x, 700.0), (x + 160.0, 700.0), (x, 705.0), (x + 190.0, 710.0), (x, 720.0)].map(Point::from);
+            let [found, all] = seen(&map, &points);
+            assert_eq!(found, all, "from {x}");
+        }
+    }
 }

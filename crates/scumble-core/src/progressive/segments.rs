@@ -2,8 +2,9 @@
 
 use kurbo::{Point, Vec2};
 
+use super::index::Index;
 use super::outline::{Outline, ends};
-use super::reach::{Index, Sighting};
+use super::sighting::Sighting;
 use super::{ALPHA, BETA, GAMMA};
 use crate::planar_map::PlanarMap;
 use crate::triangulation::SideId;
@@ -32,7 +33,7 @@ pub(super) struct Segments<'a> {
     index: &'a Index,
     sightings: &'a [Sighting],
     pub(super) segments: Vec<Segment>,
-    /// Places in the list of sightings, segment by segment.
+    /// Numbers of sightings, segment by segment.
     pub(super) sides: Vec<usize>,
     /// For each sighting its place in `sides` and its segment.
     place_of: Vec<(u32, u32)>,
@@ -44,12 +45,12 @@ pub(super) struct Segments<'a> {
 const TANGENT_SIDES: usize = 3;
 
 impl<'a> Segments<'a> {
-    /// Merges the sightings at `places`, seen by `sample_count` samples.
+    /// Merges the sightings with some numbers, seen by `sample_count` samples.
     pub(super) fn new(
         map: &'a PlanarMap,
         outline: &Outline,
         sightings: &'a [Sighting],
-        places: &[usize],
+        numbers: &[usize],
         index: &'a Index,
         sample_count: usize,
     ) -> Self {
@@ -58,20 +59,20 @@ impl<'a> Segments<'a> {
             index,
             sightings,
             segments: Vec::new(),
-            sides: Vec::with_capacity(places.len()),
+            sides: Vec::with_capacity(numbers.len()),
             place_of: vec![(u32::MAX, u32::MAX); sightings.len()],
             cost_before: Vec::new(),
         };
-        let is_start = |place: usize| {
-            let before = index.get(outline.prev(sightings[place].side));
+        let is_start = |sighting: usize| {
+            let before = index.get(outline.prev(sightings[sighting].side));
             before.is_none_or(|before| !sightings[before].joined)
         };
-        for &place in places.iter().filter(|&&place| is_start(place)) {
-            this.add_segment(outline, place);
+        for &sighting in numbers.iter().filter(|&&sighting| is_start(sighting)) {
+            this.add_segment(outline, sighting);
         }
-        for &place in places {
-            if this.place_of[place].0 == u32::MAX {
-                this.add_segment(outline, place);
+        for &sighting in numbers {
+            if this.place_of[sighting].0 == u32::MAX {
+                this.add_segment(outline, sighting);
             }
         }
         this.charge(sample_count);
@@ -81,19 +82,19 @@ impl<'a> Segments<'a> {
     fn add_segment(&mut self, outline: &Outline, start: usize) {
         let first = self.sides.len();
         let mut is_closed = false;
-        let mut place = start;
+        let mut sighting = start;
         loop {
-            self.place_of[place] = (self.sides.len() as u32, self.segments.len() as u32);
-            self.sides.push(place);
-            let sighting = &self.sightings[place];
-            let after = if sighting.joined { self.index.get(outline.next(sighting.side)) } else { None };
+            self.place_of[sighting] = (self.sides.len() as u32, self.segments.len() as u32);
+            self.sides.push(sighting);
+            let seen = &self.sightings[sighting];
+            let after = if seen.joined { self.index.get(outline.next(seen.side)) } else { None };
             match after {
                 None => break,
                 Some(next) if self.place_of[next].0 != u32::MAX => {
                     is_closed = next == start;
                     break;
                 }
-                Some(next) => place = next,
+                Some(next) => sighting = next,
             }
         }
         self.segments.push(Segment { first, len: self.sides.len() - first, is_closed });
@@ -106,16 +107,17 @@ impl<'a> Segments<'a> {
         let longest_du = lengths_du.iter().copied().fold(0.0, f64::max);
         let distance_du = |sighting: &Sighting| sighting.distance_du / f64::from(sighting.kappa);
         let farthest_du =
-            self.sides.iter().map(|&place| distance_du(&self.sightings[place])).fold(0.0, f64::max);
+            self.sides.iter().map(|&sighting| distance_du(&self.sightings[sighting])).fold(0.0, f64::max);
         let mut sum = 0.0;
         self.cost_before = vec![sum];
         for (segment, length_du) in self.segments.iter().zip(lengths_du) {
-            for &place in &self.sides[segment.first..segment.first + segment.len] {
-                let sighting = &self.sightings[place];
-                let e_vis = 1.0 - f64::from(sighting.kappa) / samples;
-                let e_dist = distance_du(sighting) / farthest_du;
+            for &sighting in &self.sides[segment.first..segment.first + segment.len] {
+                let seen = &self.sightings[sighting];
+                // A view may stand for a sample just across a line: then more seem to see the side than there are.
+                let e_vis = (1.0 - f64::from(seen.kappa) / samples).max(0.0);
+                let e_dist = distance_du(seen) / farthest_du;
                 let e_len = 1.0 - length_du / longest_du;
-                sum += sighting.angle / samples * (ALPHA * e_vis + BETA * e_dist + GAMMA * e_len);
+                sum += seen.angle / samples * (ALPHA * e_vis + BETA * e_dist + GAMMA * e_len);
                 self.cost_before.push(sum);
             }
         }
@@ -123,11 +125,11 @@ impl<'a> Segments<'a> {
 
     fn length_du(&self, segment: &Segment) -> f64 {
         let sides = &self.sides[segment.first..segment.first + segment.len];
-        sides.iter().map(|&place| self.ends(place)).map(|[a, b]| (b - a).hypot()).sum()
+        sides.iter().map(|&sighting| self.ends(sighting)).map(|[a, b]| (b - a).hypot()).sum()
     }
 
-    fn ends(&self, place: usize) -> [Point; 2] {
-        ends(self.map, self.sightings[place].side)
+    fn ends(&self, sighting: usize) -> [Point; 2] {
+        ends(self.map, self.sightings[sighting].side)
     }
 
     /// The place before a side.

@@ -49,7 +49,7 @@ struct Search<'a> {
 impl<'a> Search<'a> {
     fn new(vertex_count: usize, edges: &'a [Edge]) -> Self {
         let mut order: Vec<usize> = (0..edges.len()).collect();
-        sort::sort_by_key(&mut order, |&edge| edges[edge].from.into());
+        sort::sort_copies_by_key(&mut order, |&edge| edges[edge].from.into());
         let first = |vertex: usize| order.partition_point(|&edge| (edges[edge].from as usize) < vertex);
         Self {
             edges,
