@@ -15,6 +15,7 @@
 //! | times and their percentiles | `clock` |
 //! | files in and out | `files` |
 
+mod agree;
 mod baseline;
 mod bench;
 mod clock;
@@ -85,6 +86,11 @@ fn main() -> ExitCode {
 }
 
 fn run() -> anyhow::Result<ExitCode> {
+    let args: Vec<String> = std::env::args().collect();
+    if args.get(1).is_some_and(|a| a == "agree") {
+        agree::run(std::path::Path::new(&args[2]), args[3] == "half", args[4].parse()?, args[5].parse()?)?;
+        return Ok(ExitCode::SUCCESS);
+    }
     match options::parse(pico_args::Arguments::from_env())? {
         Command::Help => print!("{HELP}"),
         Command::Color(options) => color::run(&options)?,

@@ -10,6 +10,7 @@
 //! | what a painter paints | [`scene`] |
 
 pub mod field;
+pub mod grid;
 pub mod ink;
 pub mod mesh;
 pub mod paint;

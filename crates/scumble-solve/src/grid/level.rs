@@ -1,0 +1,210 @@
+//! One level of the hierarchy of grids: cells in rows, and how their unknowns hang together.
+//!
+//! On the finest level a cell is a pixel with one unknown. On the coarser ones it is four cells of the level before, and
+//! has up to [`SLOTS`] unknowns: one for each part of the cell that no wall divides, so that a colour on one side of a
+//! curve is never mixed with that on the other side. Parts beyond that number, those that given colours hold anyway,
+//! are left to the finer level. The unknowns of a cell lie side by side in textures.
+
+use super::cut_links::{CutLinks, Link};
+use super::texture::{Texel, Texture};
+
+/// Unknowns of a cell, save on the finest level.
+pub(super) const SLOTS: usize = 2;
+
+/// A link weaker than this, as a part of the strongest of either unknown, does not make two unknowns one.
+const STRONG: f32 = 0.25;
+
+/// A level: the matrix of its unknowns. It is symmetric; what a row has besides its links holds it to given colours.
+#[derive(Clone, Debug)]
+pub(super) struct Level {
+    pub(super) columns: usize,
+    pub(super) rows: usize,
+    /// Unknowns of a cell.
+    pub(super) slots: usize,
+    /// Weights of the links of each unknown to slots 0 and 1 of the cell to the east, and of that to the south.
+    pub(super) links: Texture,
+    /// For each unknown: how strongly it is held, the diagonal of the matrix, the damping of the interpolation to it,
+    /// and which slot of the coarser cell it is a part of, counted from 1; 0 for none.
+    pub(super) holds: Texture,
+}
+
+impl Level {
+    /// The finest level, and the right side of its equations.
+    pub(super) fn finest(cuts: &CutLinks) -> (Self, Texture) {
+        let (columns, rows) = (cuts.width_px as usize, cuts.height_px as usize);
+        let mut level = Self::empty(columns, rows, 1);
+        let mut right = Texture::new(columns, rows);
+        level.links.draw(|x, y| {
+            let is_within = [x as usize + 1 < columns, y as usize + 1 < rows].map(|is| f32::from(u8::from(is)));
+            [is_within[0], 0.0, is_within[1], 0.0]
+        });
+        for cut in &cuts.cuts {
+            let i = cut.pixel as usize;
+            match cut.link {
+                Link::East => level.links.texels[i][0] = 0.0,
+                Link::South => level.links.texels[i][2] = 0.0,
+                Link::West | Link::North => {}
+            }
+            if let Some(color) = cut.color {
+                let weight = 1.0 / cut.fraction;
+                level.holds.texels[i][0] += weight;
+                right.texels[i] = super::texture::plus(right.texels[i], color.map(|c| weight * c));
+            }
+        }
+        level.sum_up();
+        (level, right)
+    }
+
+    fn empty(columns: usize, rows: usize, slots: usize) -> Self {
+        let texture = Texture::new(columns * slots, rows);
+        Self { columns, rows, slots, links: texture.clone(), holds: texture }
+    }
+
+    /// The next coarser level; marks which unknown of this one is a part of which.
+    pub(super) fn coarser(&mut self) -> Self {
+        let mut coarse = Self::empty(self.columns.div_ceil(2), self.rows.div_ceil(2), SLOTS);
+        for y in 0..coarse.rows as i32 {
+            for x in 0..coarse.columns as i32 {
+                self.part(x, y);
+            }
+        }
+        coarse.links.draw(|x, y| coarse_links(self, x, y));
+        coarse.holds.draw(|x, y| [coarse_hold(self, x, y), 0.0, 0.0, 0.0]);
+        coarse.sum_up();
+        coarse
+    }
+
+    /// Completes the numbers of the unknowns.
+    fn sum_up(&mut self) {
+        let mut holds = Texture::new(self.holds.width, self.holds.height);
+        holds.draw(|x, y| self.summed(x, y));
+        self.holds = holds;
+    }
+
+    fn summed(&self, x: i32, y: i32) -> Texel {
+        let [hold, ..] = self.holds.load(x, y);
+        let (mut sum, mut largest) = (0.0, 0.0_f32);
+        self.for_each_link(x, y, |weight, _, _| {
+            sum += weight;
+            largest = largest.max(weight);
+        });
+        let diagonal = hold + sum;
+        let damping = diagonal.max(4.0 * largest);
+        [hold, diagonal, if damping > 0.0 { 1.0 / damping } else { 0.0 }, 0.0]
+    }
+
+    /// Visits the links of an unknown: weight, and the place of the other one.
+    #[inline]
+    pub(super) fn for_each_link(&self, x: i32, y: i32, mut visit: impl FnMut(f32, i32, i32)) {
+        let slots = self.slots as i32;
+        let slot = x % slots;
+        let here = x - slot;
+        let own = self.links.load(x, y);
+        for t in 0..slots {
+            let (east, west, column) = (here + slots + t, here - slots + t, here + t);
+            visit(own[t as usize], east, y);
+            visit(own[2 + t as usize], column, y + 1);
+            visit(self.links.load(west, y)[slot as usize], west, y);
+            visit(self.links.load(column, y - 1)[2 + slot as usize], column, y - 1);
+        }
+    }
+
+    /// The slot of the coarser cell that an unknown is a part of, counted from 1; 0 for none.
+    #[inline]
+    pub(super) fn parent(&self, x: i32, y: i32) -> usize {
+        self.holds.load(x, y)[3] as usize
+    }
+
+    /// The places of the unknowns in a coarser cell.
+    pub(super) fn members(&self, cell_x: i32, cell_y: i32) -> impl Iterator<Item = (i32, i32)> + use<> {
+        let slots = self.slots as i32;
+        (0..2).flat_map(move |dy| (0..2 * slots).map(move |i| (2 * slots * cell_x + i, 2 * cell_y + dy)))
+    }
+
+    /// Divides the unknowns of a coarser cell into parts and gives the first of these a slot each.
+    fn part(&mut self, cell_x: i32, cell_y: i32) {
+        let places: Vec<_> = self.members(cell_x, cell_y).collect();
+        let mut labels: Vec<usize> = (0..places.len()).collect();
+        for _ in 0..places.len() {
+            for (i, &(x, y)) in places.iter().enumerate() {
+                self.for_each_link(x, y, |weight, nx, ny| {
+                    if let Some(j) = places.iter().position(|&p| p == (nx, ny))
+                        && self.is_strong(weight, (x, y), (nx, ny))
+                    {
+                        let label = labels[i].min(labels[j]);
+                        (labels[i], labels[j]) = (label, label);
+                    }
+                });
+            }
+        }
+        let mut scores = vec![(0.0_f32, 0.0_f32); places.len()];
+        for (i, &(x, y)) in places.iter().enumerate() {
+            let score = &mut scores[labels[i]];
+            score.1 += self.holds.load(x, y)[0];
+            self.for_each_link(x, y, |weight, nx, ny| {
+                if !places.contains(&(nx, ny)) {
+                    score.0 += weight;
+                }
+            });
+        }
+        let scores: Vec<f32> =
+            scores.iter().map(|&(links, hold)| if links > 0.0 { links * links / (links + hold) } else { 0.0 }).collect();
+        let mut order: Vec<usize> = (0..places.len()).filter(|&i| scores[i] > 0.0).collect();
+        order.sort_by(|&i, &j| scores[j].total_cmp(&scores[i]));
+        for (i, &(x, y)) in places.iter().enumerate() {
+            let slot = order.iter().take(SLOTS).position(|&label| label == labels[i]).map_or(0, |slot| slot + 1);
+            if (x as usize) < self.holds.width && (y as usize) < self.holds.height {
+                self.holds.texels[y as usize * self.holds.width + x as usize][3] = slot as f32;
+            }
+        }
+    }
+
+    fn is_strong(&self, weight: f32, a: (i32, i32), b: (i32, i32)) -> bool {
+        weight > 0.0 && weight >= STRONG * self.strongest(a).min(self.strongest(b))
+    }
+
+    fn strongest(&self, (x, y): (i32, i32)) -> f32 {
+        let mut largest = 0.0_f32;
+        self.for_each_link(x, y, |weight, _, _| largest = largest.max(weight));
+        largest
+    }
+}
+
+/// The links of a coarser unknown to the east and to the south: half the sum of those that they are made of, for they
+/// lead twice as far.
+fn coarse_links(fine: &Level, x: i32, y: i32) -> Texel {
+    let (cell, slot) = (x / SLOTS as i32, x as usize % SLOTS + 1);
+    let slots = fine.slots as i32;
+    let mut sums = [0.0; 4];
+    for (fx, fy) in fine.members(cell, y).filter(|&(fx, fy)| fine.parent(fx, fy) == slot) {
+        let own = fine.links.load(fx, fy);
+        let here = fx - fx % slots;
+        for t in 0..slots {
+            if here / slots % 2 == 1 {
+                let parent = fine.parent(here + slots + t, fy);
+                if parent > 0 {
+                    sums[parent - 1] += 0.5 * own[t as usize];
+                }
+            }
+            if fy % 2 == 1 {
+                let parent = fine.parent(here + t, fy + 1);
+                if parent > 0 {
+                    sums[1 + parent] += 0.5 * own[2 + t as usize];
+                }
+            }
+        }
+    }
+    sums
+}
+
+/// How strongly a coarser unknown is held: by all that holds its parts, each through the links of that part.
+fn coarse_hold(fine: &Level, x: i32, y: i32) -> f32 {
+    let (cell, slot) = (x / SLOTS as i32, x as usize % SLOTS + 1);
+    let parts = fine.members(cell, y).filter(|&(fx, fy)| fine.parent(fx, fy) == slot);
+    parts.map(|(fx, fy)| fine.holds.load(fx, fy)).map(|[hold, diagonal, ..]| hold * through(hold, diagonal)).sum()
+}
+
+/// What is left of a hold that reaches on through the links of the unknown that it holds.
+pub(super) fn through(hold: f32, diagonal: f32) -> f32 {
+    if diagonal > 0.0 { (diagonal - hold) / diagonal } else { 0.0 }
+}
