@@ -41,6 +41,9 @@ pub struct Cut {
 /// Crossings nearer to a pixel's centre than this, in px, are taken to be this far: it bounds the weight of a colour.
 pub const LEAST_FRACTION: f32 = 0.02;
 
+/// Steps in which fractions are compared: wider than what they are rounded by, narrower than what two curves are apart.
+const FRACTION_STEPS: f64 = (1 << 20) as f64;
+
 /// All cut links of a picture, by pixel and link, at most one for each link of a pixel.
 #[derive(Clone, Debug, PartialEq)]
 pub struct CutLinks {
@@ -62,14 +65,39 @@ struct Wall {
 impl CutLinks {
     /// The links that the curves of a map and its closed gaps cut in what a view shows.
     pub fn new(map: &PlanarMap, boundary: &Boundary, view: &View) -> Self {
-        let mut links = Self { width_px: view.width_px, height_px: view.height_px, cuts: Vec::new() };
+        let mut crossings =
+            Crossings { width_px: view.width_px, height_px: view.height_px, list: Vec::new() };
         for wall in walls(map, boundary, view) {
-            links.cut_rows(&wall);
-            links.cut_columns(&wall);
+            crossings.cut_rows(&wall);
+            crossings.cut_columns(&wall);
         }
-        sort::sort_copies_by_key(&mut links.cuts, Cut::key);
-        links.cuts.dedup_by_key(|cut| (cut.pixel, cut.link));
-        links
+        Self { width_px: view.width_px, height_px: view.height_px, cuts: crossings.nearest() }
+    }
+}
+
+/// A crossing of a link, and how much nearer it would be if the curve moved as points on rows and columns are taken to.
+#[derive(Clone, Copy)]
+struct Crossing {
+    cut: Cut,
+    nearing: f64,
+}
+
+/// All crossings, in no order.
+struct Crossings {
+    width_px: u32,
+    height_px: u32,
+    list: Vec<Crossing>,
+}
+
+impl Crossings {
+    /// The crossing of each link that is nearest to its pixel.
+    fn nearest(mut self) -> Vec<Cut> {
+        sort::sort_copies_by_key(&mut self.list, |crossing| !sort::float(crossing.nearing));
+        sort::sort_copies_by_key(&mut self.list, |crossing| crossing.cut.key());
+        let mut cuts: Vec<_> = self.list.into_iter().map(|crossing| crossing.cut).collect();
+        cuts.dedup_by_key(|cut| (cut.pixel, cut.link));
+        cuts.iter_mut().for_each(|cut| cut.fraction = cut.fraction.clamp(LEAST_FRACTION, 1.0));
+        cuts
     }
 
     /// Cuts the links that run along rows. A point on a row lies above it.
@@ -80,9 +108,9 @@ impl CutLinks {
             let t = (row as f64 - a.y) / (b.y - a.y);
             let x = a.x + t * (b.x - a.x);
             let west = last_where(x, |column| wall.has_on_left(column, row) == is_down);
-            let fraction = x - west as f64;
-            self.push([west, row], Link::East, fraction, wall.color(is_down, t));
-            self.push([west + 1, row], Link::West, 1.0 - fraction, wall.color(!is_down, t));
+            let (fraction, nearing) = (x - west as f64, (a.x - b.x) / (b.y - a.y));
+            self.push([west, row], Link::East, [fraction, nearing], wall.color(is_down, t));
+            self.push([west + 1, row], Link::West, [1.0 - fraction, -nearing], wall.color(!is_down, t));
         }
     }
 
@@ -94,25 +122,26 @@ impl CutLinks {
             let t = (column as f64 - a.x) / (b.x - a.x);
             let y = a.y + t * (b.y - a.y);
             let north = last_where(y, |row| wall.has_on_left(column, row) == is_back);
-            let fraction = y - north as f64;
-            self.push([column, north], Link::South, fraction, wall.color(is_back, t));
-            self.push([column, north + 1], Link::North, 1.0 - fraction, wall.color(!is_back, t));
+            let (fraction, nearing) = (y - north as f64, (b.y - a.y) / (b.x - a.x));
+            self.push([column, north], Link::South, [fraction, nearing], wall.color(is_back, t));
+            self.push([column, north + 1], Link::North, [1.0 - fraction, -nearing], wall.color(!is_back, t));
         }
     }
 
-    fn push(&mut self, [x, y]: [i64; 2], link: Link, fraction: f64, color: Option<[f32; 4]>) {
+    fn push(&mut self, [x, y]: [i64; 2], link: Link, [fraction, nearing]: [f64; 2], color: Option<[f32; 4]>) {
         let [width, height] = [self.width_px, self.height_px].map(i64::from);
         if (0..width).contains(&x) && (0..height).contains(&y) {
-            let fraction = (fraction as f32).clamp(LEAST_FRACTION, 1.0);
-            self.cuts.push(Cut { pixel: (y * width + x) as u32, link, fraction, color });
+            let cut = Cut { pixel: (y * width + x) as u32, link, fraction: fraction as f32, color };
+            self.list.push(Crossing { cut, nearing });
         }
     }
 }
 
 impl Cut {
-    /// Pixel, link and fraction; the bits of positive floats ascend as they do.
+    /// Pixel, link and fraction, in steps wide enough that crossings at a common node count as equally far.
     fn key(&self) -> u64 {
-        u64::from(self.pixel) << 34 | (self.link as u64) << 32 | u64::from(self.fraction.to_bits())
+        let steps = (f64::from(self.fraction) * FRACTION_STEPS).round();
+        u64::from(self.pixel) << 34 | (self.link as u64) << 32 | steps as u64
     }
 }
 

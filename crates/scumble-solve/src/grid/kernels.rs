@@ -1,7 +1,7 @@
 //! The passes of the grid solver: each computes a texel from the texels around it. `shaders/` has the same by the same
 //! names.
 
-use super::level::{Level, SLOTS, through};
+use super::level::{Level, SLOTS};
 use super::texture::{Texel, Texture, minus, plus, times};
 
 /// The sum of what is linked to an unknown, by the weights of the links.
@@ -86,12 +86,8 @@ pub(super) fn interpolate(level: &Level, values: &Texture, coarse: &Texture, x: 
 
 /// The given colours of a coarser level, by how strongly they hold it.
 pub(super) fn gather(level: &Level, right: &Texture, x: i32, y: i32) -> Texel {
-    let (cell, slot) = (x / SLOTS as i32, x as usize % SLOTS + 1);
     let mut sum = [0.0; 4];
-    for (fx, fy) in level.members(cell, y).filter(|&(fx, fy)| level.parent(fx, fy) == slot) {
-        let [hold, diagonal, ..] = level.holds.load(fx, fy);
-        sum = plus(sum, times(right.load(fx, fy), through(hold, diagonal)));
-    }
+    level.for_each_hold(x, y, |part, fx, fy| sum = plus(sum, times(right.load(fx, fy), part)));
     sum
 }
 

@@ -199,12 +199,29 @@ fn coarse_links(fine: &Level, x: i32, y: i32) -> Texel {
 
 /// How strongly a coarser unknown is held: by all that holds its parts, each through the links of that part.
 fn coarse_hold(fine: &Level, x: i32, y: i32) -> f32 {
-    let (cell, slot) = (x / SLOTS as i32, x as usize % SLOTS + 1);
-    let parts = fine.members(cell, y).filter(|&(fx, fy)| fine.parent(fx, fy) == slot);
-    parts.map(|(fx, fy)| fine.holds.load(fx, fy)).map(|[hold, diagonal, ..]| hold * through(hold, diagonal)).sum()
+    let mut sum = 0.0;
+    fine.for_each_hold(x, y, |part, fx, fy| sum += part * fine.holds.load(fx, fy)[0]);
+    sum
 }
 
 /// What is left of a hold that reaches on through the links of the unknown that it holds.
-pub(super) fn through(hold: f32, diagonal: f32) -> f32 {
+fn through(hold: f32, diagonal: f32) -> f32 {
     if diagonal > 0.0 { (diagonal - hold) / diagonal } else { 0.0 }
+}
+
+impl Level {
+    /// Visits what holds a coarser unknown: the unknowns that are parts of it, and those beside them that are parts of
+    /// none; with the part of their hold that reaches it.
+    pub(super) fn for_each_hold(&self, x: i32, y: i32, mut visit: impl FnMut(f32, i32, i32)) {
+        let (cell, slot) = (x / SLOTS as i32, x as usize % SLOTS + 1);
+        for (fx, fy) in self.members(cell, y).filter(|&(fx, fy)| self.parent(fx, fy) == slot) {
+            let [hold, diagonal, ..] = self.holds.load(fx, fy);
+            visit(through(hold, diagonal), fx, fy);
+            self.for_each_link(fx, fy, |weight, nx, ny| {
+                if weight > 0.0 && self.parent(nx, ny) == 0 {
+                    visit(weight / self.holds.load(nx, ny)[1], nx, ny);
+                }
+            });
+        }
+    }
 }
