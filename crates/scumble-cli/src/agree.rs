@@ -73,7 +73,7 @@ fn one(name: &str, picture: &mut scumble_solve::Picture, boundary: &Boundary, vi
         pixels.iter().zip(&finals).map(|(&a, b)| difference(levels(a), *b)).fold(0.0, f64::max)
     }).collect();
     let diffs: Vec<f64> = mesh.iter().zip(&finals).map(|(&a, b)| difference(levels(a), *b)).collect();
-    let mut worst: Vec<usize> = (0..diffs.len()).filter(|&i| zone[i] == 0 && diffs[i] > 20.0).collect();
+    let mut worst: Vec<usize> = (0..diffs.len()).filter(|&i| zone[i] == 0 && diffs[i] > 4.0).collect();
     worst.sort_by(|&i, &j| diffs[j].total_cmp(&diffs[i]));
     for &i in worst.iter().step_by(worst.len() / 5 + 1) {
         println!("   {} {} of {}: {:.1} mesh {:?} grid {:?}", i % view.width_px as usize, i / view.width_px as usize, worst.len(), diffs[i], mesh[i], solver.pixels()[i]);

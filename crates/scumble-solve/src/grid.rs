@@ -19,6 +19,7 @@ pub struct GridSolver {
     hierarchy: Hierarchy,
     values: Texture,
     residual: Texture,
+    before: Texture,
     direction: Texture,
     /// What the last residual came to.
     power: Texel,
@@ -32,14 +33,14 @@ impl GridSolver {
         let mut residual = Texture::new(values.width, values.height);
         residual.draw(|x, y| kernels::residual(&hierarchy.levels[0], &values, hierarchy.right(), x, y));
         let direction = Texture::new(values.width, values.height);
-        Self { hierarchy, values, residual, direction, power: [0.0; 4] }
+        Self { hierarchy, values, residual, before: direction.clone(), direction, power: [0.0; 4] }
     }
 
     /// One step of conjugate gradients.
     pub fn step(&mut self) {
         let corrected = self.hierarchy.precondition(&self.residual);
         let power = dot(&self.residual, corrected);
-        let part = ratio(power, self.power);
+        let part = ratio(minus(power, dot(&self.before, corrected)), self.power);
         for (direction, corrected) in self.direction.texels.iter_mut().zip(&corrected.texels) {
             *direction = plus(*corrected, product(*direction, part));
         }
@@ -47,11 +48,13 @@ impl GridSolver {
         let level = &self.hierarchy.levels[0];
         let mut image = Texture::new(self.values.width, self.values.height);
         image.draw(|x, y| kernels::multiply(level, &self.direction, x, y));
-        let length = ratio(power, dot(&self.direction, &image));
-        for i in 0..image.texels.len() {
-            self.values.texels[i] = plus(self.values.texels[i], product(self.direction.texels[i], length));
-            self.residual.texels[i] = minus(self.residual.texels[i], product(image.texels[i], length));
+        let length = ratio(dot(&self.residual, &self.direction), dot(&self.direction, &image));
+        for (value, direction) in self.values.texels.iter_mut().zip(&self.direction.texels) {
+            *value = plus(*value, product(*direction, length));
         }
+        std::mem::swap(&mut self.residual, &mut self.before);
+        let (values, right) = (&self.values, self.hierarchy.right());
+        self.residual.draw(|x, y| kernels::residual(level, values, right, x, y));
     }
 
     /// Blend-space colours times opacity, and opacity, row by row.

@@ -50,9 +50,8 @@ fn damped(level: &Level, residual: &Texture, x: i32, y: i32) -> Texel {
 
 /// The right side of the coarser level: the transpose of [`interpolate`], applied to the residual.
 pub(super) fn restrict(level: &Level, residual: &Texture, x: i32, y: i32) -> Texel {
-    let (cell, slot) = (x / SLOTS as i32, x as usize % SLOTS + 1);
     let mut sum = [0.0; 4];
-    for (fx, fy) in level.members(cell, y).filter(|&(fx, fy)| level.parent(fx, fy) == slot) {
+    for (fx, fy) in level.parts(x, y) {
         let [_, diagonal, damping, _] = level.holds.load(fx, fy);
         let mut smooth = times(residual.load(fx, fy), 1.0 - diagonal * damping);
         level.for_each_link(fx, fy, |weight, nx, ny| {

@@ -9,7 +9,7 @@ use super::cut_links::{CutLinks, Link};
 use super::texture::{Texel, Texture};
 
 /// Unknowns of a cell, save on the finest level.
-pub(super) const SLOTS: usize = 2;
+pub(super) const SLOTS: usize = 4;
 
 /// A link weaker than this, as a part of the strongest of either unknown, does not make two unknowns one.
 const STRONG: f32 = 0.25;
@@ -21,8 +21,10 @@ pub(super) struct Level {
     pub(super) rows: usize,
     /// Unknowns of a cell.
     pub(super) slots: usize,
-    /// Weights of the links of each unknown to slots 0 and 1 of the cell to the east, and of that to the south.
-    pub(super) links: Texture,
+    /// Weights of the links of each unknown to the slots of the cell to the east.
+    pub(super) east: Texture,
+    /// The same for the cell to the south.
+    pub(super) south: Texture,
     /// For each unknown: how strongly it is held, the diagonal of the matrix, the damping of the interpolation to it,
     /// and which slot of the coarser cell it is a part of, counted from 1; 0 for none.
     pub(super) holds: Texture,
@@ -34,15 +36,14 @@ impl Level {
         let (columns, rows) = (cuts.width_px as usize, cuts.height_px as usize);
         let mut level = Self::empty(columns, rows, 1);
         let mut right = Texture::new(columns, rows);
-        level.links.draw(|x, y| {
-            let is_within = [x as usize + 1 < columns, y as usize + 1 < rows].map(|is| f32::from(u8::from(is)));
-            [is_within[0], 0.0, is_within[1], 0.0]
-        });
+        let open = |is_within: bool| [f32::from(u8::from(is_within)), 0.0, 0.0, 0.0];
+        level.east.draw(|x, _| open(x as usize + 1 < columns));
+        level.south.draw(|_, y| open(y as usize + 1 < rows));
         for cut in &cuts.cuts {
             let i = cut.pixel as usize;
             match cut.link {
-                Link::East => level.links.texels[i][0] = 0.0,
-                Link::South => level.links.texels[i][2] = 0.0,
+                Link::East => level.east.texels[i][0] = 0.0,
+                Link::South => level.south.texels[i][0] = 0.0,
                 Link::West | Link::North => {}
             }
             if let Some(color) = cut.color {
@@ -57,7 +58,7 @@ impl Level {
 
     fn empty(columns: usize, rows: usize, slots: usize) -> Self {
         let texture = Texture::new(columns * slots, rows);
-        Self { columns, rows, slots, links: texture.clone(), holds: texture }
+        Self { columns, rows, slots, east: texture.clone(), south: texture.clone(), holds: texture }
     }
 
     /// The next coarser level; marks which unknown of this one is a part of which.
@@ -68,7 +69,8 @@ impl Level {
                 self.part(x, y);
             }
         }
-        coarse.links.draw(|x, y| coarse_links(self, x, y));
+        coarse.east.draw(|x, y| coarse_east(self, x, y));
+        coarse.south.draw(|x, y| coarse_south(self, x, y));
         coarse.holds.draw(|x, y| [coarse_hold(self, x, y), 0.0, 0.0, 0.0]);
         coarse.sum_up();
         coarse
@@ -99,13 +101,13 @@ impl Level {
         let slots = self.slots as i32;
         let slot = x % slots;
         let here = x - slot;
-        let own = self.links.load(x, y);
+        let (to_east, to_south) = (self.east.load(x, y), self.south.load(x, y));
         for t in 0..slots {
             let (east, west, column) = (here + slots + t, here - slots + t, here + t);
-            visit(own[t as usize], east, y);
-            visit(own[2 + t as usize], column, y + 1);
-            visit(self.links.load(west, y)[slot as usize], west, y);
-            visit(self.links.load(column, y - 1)[2 + slot as usize], column, y - 1);
+            visit(to_east[t as usize], east, y);
+            visit(to_south[t as usize], column, y + 1);
+            visit(self.east.load(west, y)[slot as usize], west, y);
+            visit(self.south.load(column, y - 1)[slot as usize], column, y - 1);
         }
     }
 
@@ -119,6 +121,21 @@ impl Level {
     pub(super) fn members(&self, cell_x: i32, cell_y: i32) -> impl Iterator<Item = (i32, i32)> + use<> {
         let slots = self.slots as i32;
         (0..2).flat_map(move |dy| (0..2 * slots).map(move |i| (2 * slots * cell_x + i, 2 * cell_y + dy)))
+    }
+
+    /// The places of the unknowns that a coarser unknown is made of.
+    pub(super) fn parts(&self, x: i32, y: i32) -> impl Iterator<Item = (i32, i32)> + use<'_> {
+        let (cell, slot) = (x / SLOTS as i32, x as usize % SLOTS + 1);
+        self.members(cell, y).filter(move |&(fx, fy)| self.parent(fx, fy) == slot)
+    }
+
+    /// Adds half the weights of links to a cell's unknowns, those that start at `x`, to the sums of their parents.
+    fn add_halves(&self, sums: &mut Texel, weights: Texel, x: i32, y: i32) {
+        for t in 0..self.slots {
+            if let Some(sum) = self.parent(x + t as i32, y).checked_sub(1) {
+                sums[sum] += 0.5 * weights[t];
+            }
+        }
     }
 
     /// Divides the unknowns of a coarser cell into parts and gives the first of these a slot each.
@@ -170,29 +187,23 @@ impl Level {
     }
 }
 
-/// The links of a coarser unknown to the east and to the south: half the sum of those that they are made of, for they
-/// lead twice as far.
-fn coarse_links(fine: &Level, x: i32, y: i32) -> Texel {
-    let (cell, slot) = (x / SLOTS as i32, x as usize % SLOTS + 1);
+/// The links of a coarser unknown to the east: half the sum of those that they are made of, for they lead twice as far.
+fn coarse_east(fine: &Level, x: i32, y: i32) -> Texel {
     let slots = fine.slots as i32;
     let mut sums = [0.0; 4];
-    for (fx, fy) in fine.members(cell, y).filter(|&(fx, fy)| fine.parent(fx, fy) == slot) {
-        let own = fine.links.load(fx, fy);
-        let here = fx - fx % slots;
-        for t in 0..slots {
-            if here / slots % 2 == 1 {
-                let parent = fine.parent(here + slots + t, fy);
-                if parent > 0 {
-                    sums[parent - 1] += 0.5 * own[t as usize];
-                }
-            }
-            if fy % 2 == 1 {
-                let parent = fine.parent(here + t, fy + 1);
-                if parent > 0 {
-                    sums[1 + parent] += 0.5 * own[2 + t as usize];
-                }
-            }
-        }
+    for (fx, fy) in fine.parts(x, y).filter(|(fx, _)| fx / slots % 2 == 1) {
+        let beside = fx - fx % slots + slots;
+        fine.add_halves(&mut sums, fine.east.load(fx, fy), beside, fy);
+    }
+    sums
+}
+
+/// The same to the south.
+fn coarse_south(fine: &Level, x: i32, y: i32) -> Texel {
+    let slots = fine.slots as i32;
+    let mut sums = [0.0; 4];
+    for (fx, fy) in fine.parts(x, y).filter(|(_, fy)| fy % 2 == 1) {
+        fine.add_halves(&mut sums, fine.south.load(fx, fy), fx - fx % slots, fy + 1);
     }
     sums
 }
@@ -213,8 +224,7 @@ impl Level {
     /// Visits what holds a coarser unknown: the unknowns that are parts of it, and those beside them that are parts of
     /// none; with the part of their hold that reaches it.
     pub(super) fn for_each_hold(&self, x: i32, y: i32, mut visit: impl FnMut(f32, i32, i32)) {
-        let (cell, slot) = (x / SLOTS as i32, x as usize % SLOTS + 1);
-        for (fx, fy) in self.members(cell, y).filter(|&(fx, fy)| self.parent(fx, fy) == slot) {
+        for (fx, fy) in self.parts(x, y) {
             let [hold, diagonal, ..] = self.holds.load(fx, fy);
             visit(through(hold, diagonal), fx, fy);
             self.for_each_link(fx, fy, |weight, nx, ny| {
