@@ -6,6 +6,7 @@ mod cut_links;
 mod hierarchy;
 mod kernels;
 mod level;
+mod parts;
 mod texture;
 
 pub use cut_links::{Cut, CutLinks, LEAST_FRACTION, Link};
@@ -19,8 +20,9 @@ pub struct GridSolver {
     hierarchy: Hierarchy,
     values: Texture,
     residual: Texture,
-    before: Texture,
     direction: Texture,
+    image: Texture,
+    length: Texel,
     /// What the last residual came to.
     power: Texel,
 }
@@ -33,28 +35,25 @@ impl GridSolver {
         let mut residual = Texture::new(values.width, values.height);
         residual.draw(|x, y| kernels::residual(&hierarchy.levels[0], &values, hierarchy.right(), x, y));
         let direction = Texture::new(values.width, values.height);
-        Self { hierarchy, values, residual, before: direction.clone(), direction, power: [0.0; 4] }
+        Self { hierarchy, values, residual, image: direction.clone(), direction, length: [0.0; 4], power: [0.0; 4] }
     }
 
-    /// One step of conjugate gradients.
+    /// One step of conjugate gradients, by the formula of Polak and Ribière.
     pub fn step(&mut self) {
         let corrected = self.hierarchy.precondition(&self.residual);
-        let power = dot(&self.residual, corrected);
-        let part = ratio(minus(power, dot(&self.before, corrected)), self.power);
+        let turn = product(self.length, dot(&self.image, corrected));
+        let part = ratio(turn, self.power).map(|c| -c);
         for (direction, corrected) in self.direction.texels.iter_mut().zip(&corrected.texels) {
             *direction = plus(*corrected, product(*direction, part));
         }
-        self.power = power;
-        let level = &self.hierarchy.levels[0];
-        let mut image = Texture::new(self.values.width, self.values.height);
-        image.draw(|x, y| kernels::multiply(level, &self.direction, x, y));
-        let length = ratio(dot(&self.residual, &self.direction), dot(&self.direction, &image));
-        for (value, direction) in self.values.texels.iter_mut().zip(&self.direction.texels) {
-            *value = plus(*value, product(*direction, length));
+        self.power = dot(&self.residual, corrected);
+        let (level, direction) = (&self.hierarchy.levels[0], &self.direction);
+        self.image.draw(|x, y| kernels::multiply(level, direction, x, y));
+        self.length = ratio(self.power, dot(&self.direction, &self.image));
+        for i in 0..self.image.texels.len() {
+            self.values.texels[i] = plus(self.values.texels[i], product(self.direction.texels[i], self.length));
+            self.residual.texels[i] = minus(self.residual.texels[i], product(self.image.texels[i], self.length));
         }
-        std::mem::swap(&mut self.residual, &mut self.before);
-        let (values, right) = (&self.values, self.hierarchy.right());
-        self.residual.draw(|x, y| kernels::residual(level, values, right, x, y));
     }
 
     /// Blend-space colours times opacity, and opacity, row by row.

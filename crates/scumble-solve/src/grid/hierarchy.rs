@@ -30,7 +30,7 @@ impl Hierarchy {
         {
             let coarse = level.coarser();
             let mut gathered = Texture::new(coarse.holds.width, coarse.holds.height);
-            gathered.draw(|x, y| kernels::gather(level, right, x, y));
+            gathered.draw(|x, y| kernels::gather(level, &coarse, right, x, y));
             given.push(gathered);
             levels.push(coarse);
         }
@@ -99,11 +99,11 @@ impl Hierarchy {
 
     /// Corrects the values of a level by those of the next.
     fn correct(&mut self, depth: usize) {
-        let level = &self.levels[depth];
+        let (level, coarse) = (&self.levels[depth], &self.levels[depth + 1]);
         let (values, right) = (&self.values[depth], &self.rights[depth]);
         self.rooms[depth].draw(|x, y| kernels::residual(level, values, right, x, y));
         let residual = &self.rooms[depth];
-        self.rights[depth + 1].draw(|x, y| kernels::restrict(level, residual, x, y));
+        self.rights[depth + 1].draw(|x, y| kernels::restrict(level, coarse, residual, x, y));
         self.cycle_from_zero(depth + 1);
         let (level, values, coarse) = (&self.levels[depth], &self.values[depth], &self.values[depth + 1]);
         self.rooms[depth].draw(|x, y| kernels::interpolate(level, values, coarse, x, y));

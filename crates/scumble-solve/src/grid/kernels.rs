@@ -1,7 +1,7 @@
 //! The passes of the grid solver: each computes a texel from the texels around it. `shaders/` has the same by the same
 //! names.
 
-use super::level::{Level, SLOTS};
+use super::level::Level;
 use super::texture::{Texel, Texture, minus, plus, times};
 
 /// The sum of what is linked to an unknown, by the weights of the links.
@@ -49,9 +49,9 @@ fn damped(level: &Level, residual: &Texture, x: i32, y: i32) -> Texel {
 }
 
 /// The right side of the coarser level: the transpose of [`interpolate`], applied to the residual.
-pub(super) fn restrict(level: &Level, residual: &Texture, x: i32, y: i32) -> Texel {
+pub(super) fn restrict(level: &Level, coarse: &Level, residual: &Texture, x: i32, y: i32) -> Texel {
     let mut sum = [0.0; 4];
-    for (fx, fy) in level.parts(x, y) {
+    for (fx, fy) in level.parts(coarse, x, y) {
         let [_, diagonal, damping, _] = level.holds.load(fx, fy);
         let mut smooth = times(residual.load(fx, fy), 1.0 - diagonal * damping);
         level.for_each_link(fx, fy, |weight, nx, ny| {
@@ -65,9 +65,10 @@ pub(super) fn restrict(level: &Level, residual: &Texture, x: i32, y: i32) -> Tex
 /// The value of the coarser unknown that an unknown is a part of.
 #[inline]
 fn parent_value(level: &Level, coarse: &Texture, x: i32, y: i32) -> Texel {
+    let (cell, _) = level.cell_and_slot(x);
     match level.parent(x, y) {
         0 => [0.0; 4],
-        slot => coarse.load(x / level.slots as i32 / 2 * SLOTS as i32 + slot as i32 - 1, y / 2),
+        slot => coarse.load((slot - 1) * level.columns.div_ceil(2) as i32 + cell / 2, y / 2),
     }
 }
 
@@ -76,17 +77,15 @@ pub(super) fn interpolate(level: &Level, values: &Texture, coarse: &Texture, x: 
     let [_, diagonal, damping, _] = level.holds.load(x, y);
     let mut sum = times(parent_value(level, coarse, x, y), 1.0 - diagonal * damping);
     level.for_each_link(x, y, |weight, nx, ny| {
-        if weight > 0.0 {
-            sum = plus(sum, times(parent_value(level, coarse, nx, ny), weight * damping));
-        }
+        sum = plus(sum, times(parent_value(level, coarse, nx, ny), weight * damping));
     });
     plus(values.load(x, y), sum)
 }
 
 /// The given colours of a coarser level, by how strongly they hold it.
-pub(super) fn gather(level: &Level, right: &Texture, x: i32, y: i32) -> Texel {
+pub(super) fn gather(level: &Level, coarse: &Level, right: &Texture, x: i32, y: i32) -> Texel {
     let mut sum = [0.0; 4];
-    level.for_each_hold(x, y, |part, fx, fy| sum = plus(sum, times(right.load(fx, fy), part)));
+    level.for_each_hold(coarse, x, y, |part, fx, fy| sum = plus(sum, times(right.load(fx, fy), part)));
     sum
 }
 
