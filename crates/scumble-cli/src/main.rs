@@ -7,6 +7,7 @@
 //! | `scumble corpus`: a folder of drawings, for crashes and lost curves | `corpus` |
 //! | `scumble bench`: how long each stage takes | `bench` |
 //! | … on made drawings of any richness | `made` |
+//! | `scumble compare`: how far pictures on pixels are from the mesh solver's | `compare` |
 //! | … beside a plain solver on pixels | `baseline` |
 //! | `scumble eval`: how well engines colour | `eval` |
 //! | … beside other people's methods on pixels | `rivals` |
@@ -15,11 +16,11 @@
 //! | times and their percentiles | `clock` |
 //! | files in and out | `files` |
 
-mod agree;
 mod baseline;
 mod bench;
 mod clock;
 mod color;
+mod compare;
 mod corpus;
 mod eval;
 mod files;
@@ -58,6 +59,10 @@ scumble corpus DIR [--take N]
 scumble bench SETDIR
     times each stage on a quality set (SETDIR/ID/drawing.svg, SETDIR/ID/dense.json), and labelling by each engine
 
+scumble compare SETDIR [--every 1] [--half]
+    how far pictures by the grid solver and by Jeschke's are from those of the mesh solver, on every so many-th drawing
+    of a set, with all colours or with those of half the sides
+
 scumble bench --made
     times labelling on made drawings of about 1,000 to 100,000 pieces
 
@@ -86,17 +91,13 @@ fn main() -> ExitCode {
 }
 
 fn run() -> anyhow::Result<ExitCode> {
-    let args: Vec<String> = std::env::args().collect();
-    if args.get(1).is_some_and(|a| a == "agree") {
-        agree::run(std::path::Path::new(&args[2]), args[3] == "half", args[4].parse()?, args[5].parse()?)?;
-        return Ok(ExitCode::SUCCESS);
-    }
     match options::parse(pico_args::Arguments::from_env())? {
         Command::Help => print!("{HELP}"),
         Command::Color(options) => color::run(&options)?,
         Command::Corpus { folder, take } => return corpus::run(&folder, take),
         Command::Bench { set } => bench::run(&set)?,
         Command::BenchMade => bench::run_made()?,
+        Command::Compare { set, every, half } => compare::run(&set, every, half)?,
         Command::Eval(options) => eval::run(&options)?,
     }
     Ok(ExitCode::SUCCESS)

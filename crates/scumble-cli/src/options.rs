@@ -21,6 +21,7 @@ pub(crate) enum Command {
     Corpus { folder: PathBuf, take: Option<usize> },
     Bench { set: PathBuf },
     BenchMade,
+    Compare { set: PathBuf, every: usize, half: bool },
     Eval(EvalOptions),
 }
 
@@ -59,8 +60,14 @@ pub(crate) fn parse(mut arguments: Arguments) -> anyhow::Result<Command> {
             let [set] = rest(arguments, ["SETDIR"])?;
             Ok(Command::Bench { set: set.into() })
         }
+        Some("compare") => {
+            let every = arguments.opt_value_from_fn("--every", positive).map_err(advise)?;
+            let half = arguments.contains("--half");
+            let [set] = rest(arguments, ["SETDIR"])?;
+            Ok(Command::Compare { set: set.into(), every: every.unwrap_or(1), half })
+        }
         Some("eval") => eval(arguments).map(Command::Eval),
-        Some(other) => bail!("there is no command “{other}”; use color, corpus, bench or eval, or --help"),
+        Some(other) => bail!("there is no command “{other}”; use color, corpus, bench, compare or eval, or --help"),
     }
 }
 

@@ -1,29 +1,49 @@
 //! The grid solver on the CPU: Laplace's equation on the pixels of a picture.
 //!
-//! Conjugate gradients, preconditioned by a multigrid cycle.
+//! | noun | file |
+//! |---|---|
+//! | where curves cut the links between pixels | `cut_links` |
+//! | numbers in rows and columns, as the GPU has them | `texture` |
+//! | a grid and how its unknowns hang together | `level`, `parts` |
+//! | what is computed from texel to texel | `kernels` |
+//! | grids from pixels to a single cell, and cycles through them | `hierarchy` |
+//! | another solver, to compare with | `jeschke` |
+//!
+//! Conjugate gradients, preconditioned by a symmetric multigrid cycle; after O. Tatebe, *The multigrid preconditioned
+//! conjugate gradient method* (1993). Interpolation is that of smoothed aggregation (P. Vaněk, J. Mandel, M. Brezina,
+//! 1996), which for whole cells is that of D. Y. Kwak, *V-cycle multigrid for cell-centered finite differences* (1999); the matrices of the
+//! coarser grids are not those of Galerkin but have the same five points as the finest, one for each part of a cell.
+//! Everything is computed texel by texel in `f32`, as it is on the GPU.
 
 mod cut_links;
 mod hierarchy;
+mod jeschke;
 mod kernels;
 mod level;
 mod parts;
 mod texture;
 
 pub use cut_links::{Cut, CutLinks, LEAST_FRACTION, Link};
+pub use jeschke::JeschkeSolver;
 
 use hierarchy::Hierarchy;
 use texture::{Texel, Texture, minus, plus};
 
-/// The unknowns of a picture.
+/// Steps after which a picture is taken as it is. Real drawings need from 3 to 8.
+pub const MAX_STEPS: usize = 24;
+
+/// A picture on its way to the solution.
 #[derive(Clone, Debug)]
 pub struct GridSolver {
     hierarchy: Hierarchy,
     values: Texture,
     residual: Texture,
     direction: Texture,
+    /// The matrix times the direction.
     image: Texture,
+    /// How far the last step went along the direction, by channel.
     length: Texel,
-    /// What the last residual came to.
+    /// The last residual times its correction.
     power: Texel,
 }
 
@@ -36,6 +56,23 @@ impl GridSolver {
         residual.draw(|x, y| kernels::residual(&hierarchy.levels[0], &values, hierarchy.right(), x, y));
         let direction = Texture::new(values.width, values.height);
         Self { hierarchy, values, residual, image: direction.clone(), direction, length: [0.0; 4], power: [0.0; 4] }
+    }
+
+    /// Steps until a step changes no channel by more than `tolerance`, or [`MAX_STEPS`] are done; and how many it took.
+    pub fn solve(&mut self, tolerance: f32) -> usize {
+        for steps in 1..=MAX_STEPS {
+            self.step();
+            if self.last_change() <= tolerance {
+                return steps;
+            }
+        }
+        MAX_STEPS
+    }
+
+    /// By how much the last step changed the value that it changed most.
+    pub fn last_change(&self) -> f32 {
+        let changes = self.direction.texels.iter().flat_map(|&direction| product(direction, self.length));
+        changes.map(f32::abs).fold(0.0, f32::max)
     }
 
     /// One step of conjugate gradients, by the formula of Polak and Ribière.
