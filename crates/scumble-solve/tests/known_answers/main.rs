@@ -1,110 +1,22 @@
-//! The mesh solver against solutions of Laplace's equation that are known in closed form, through the planar map of
+//! Both solvers against solutions of Laplace's equation that are known in closed form, through the planar map of
 //! real curves.
 //!
 //! Values run from 0 to 1; errors are in levels, of which there are 255. Nodes on curves lie on the lattice of the
 //! planar map. That alone moves values by up to some hundredths of a level, whatever the mesh, so the fall of errors
 //! with the mesh width is looked at where they are larger.
 
+mod grid;
+mod problem;
+
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 use kurbo::{Arc, BezPath, Circle, Line, Point, Rect, Shape, Vec2};
-use scumble_core::{Blend, Boundary, Curve, Drawing, PlanarMap, Sampling};
-use scumble_solve::{Field, FieldTriangle, MeshSolver};
+use problem::{Problem, at};
 
 const CENTRE: Point = Point::new(512.0, 512.0);
 
 /// Spacing of nodes along curves of the default mesh.
 const DEFAULT_DU: f64 = 3.0;
-
-/// Curves on a page, the colours of their sides, and the values in between.
-///
-/// Both functions take a point and another one to the side of it that is meant, for points on a curve where the
-/// value jumps.
-struct Problem<'a> {
-    curves: Vec<BezPath>,
-    /// The value along a side of a curve (0, 1, …); `None` for no colour.
-    side: &'a dyn Fn(usize, Point, Point) -> Option<f64>,
-    exact: &'a dyn Fn(Point, Point) -> f64,
-}
-
-impl Problem<'_> {
-    fn solve(&self, spacing_du: f64) -> Field {
-        let curves = self.curves.iter().map(|path| Curve { path: path.clone(), line: None }).collect();
-        let drawing = Drawing { curves, ..Drawing::new(Rect::new(0.0, 0.0, 1024.0, 1024.0)) };
-        let chord_du = Sampling::default().chord_du * spacing_du / DEFAULT_DU;
-        let map = PlanarMap::build(&drawing, &Sampling { spacing_du, chord_du }).expect("a map");
-        let mut solver = MeshSolver::new(map.refined().clone());
-        solver.solve(&self.boundary(&map), Blend::Srgb).expect("a field").clone()
-    }
-
-    fn boundary(&self, map: &PlanarMap) -> Boundary {
-        let mut colors = vec![None; map.side_count()];
-        for curve in 0..map.curve_count() {
-            for side in map.steps(curve).iter().flat_map(|step| [step.left, step.left.opposite()]) {
-                let [a, b] = map.ends(side).map(|node| map.triangulation().points()[node as usize]);
-                let left = a.midpoint(b) + Vec2::new(a.y - b.y, b.x - a.x) * 0.1;
-                let [start, middle, end] = [a, a.midpoint(b), b].map(|at| (self.side)(curve, at, left));
-                colors[side.index()] = start
-                    .zip(middle)
-                    .zip(end)
-                    .map(|((start, middle), end)| [start, middle, end].map(|v| [v, v, v, 1.0]));
-            }
-        }
-        colors.into()
-    }
-
-    /// The largest error at the nodes of the field and at points within its triangles.
-    fn largest_error(&self, spacing_du: f64) -> f64 {
-        self.largest_error_where(spacing_du, |_| true)
-    }
-
-    fn largest_error_where(&self, spacing_du: f64, place: impl Fn(Point) -> bool) -> f64 {
-        let field = self.solve(spacing_du);
-        assert!(!field.triangles.is_empty());
-        let error = |triangle: &FieldTriangle| {
-            let inside = at(triangle, [1.0 / 3.0; 3]);
-            let samples = samples(triangle).into_iter().filter(|(p, _)| place(*p));
-            samples.map(|(p, value)| 255.0 * (value - (self.exact)(p, inside)).abs()).fold(0.0, f64::max)
-        };
-        field.triangles.iter().map(error).fold(0.0, f64::max)
-    }
-
-    /// Checks that the error falls to this part of itself, or less, each time the mesh width is halved.
-    fn assert_falls(&self, spacings_du: &[f64], part: f64) {
-        let errors: Vec<_> = spacings_du.iter().map(|&spacing_du| self.largest_error(spacing_du)).collect();
-        assert!(errors.windows(2).all(|pair| pair[1] <= part * pair[0]), "{errors:?}");
-    }
-}
-
-/// The value of a triangle at its corners, in the middle of its edges, and at ten points between.
-fn samples(triangle: &FieldTriangle) -> Vec<(Point, f64)> {
-    let mut weights = vec![[1.0 / 3.0, 1.0 / 3.0, 1.0 / 3.0]];
-    for [a, b, c] in [[0, 1, 2], [1, 2, 0], [2, 0, 1]] {
-        for (wa, wb, wc) in [(1.0, 0.0, 0.0), (0.5, 0.5, 0.0), (0.75, 0.125, 0.125), (0.625, 0.375, 0.0)] {
-            let mut weight = [0.0; 3];
-            (weight[a], weight[b], weight[c]) = (wa, wb, wc);
-            weights.push(weight);
-        }
-    }
-    weights.into_iter().map(|weight| (at(triangle, weight), value(triangle, weight))).collect()
-}
-
-fn at(triangle: &FieldTriangle, weight: [f64; 3]) -> Point {
-    let corners = triangle.corners.map(|[x, y]| Vec2::new(x.into(), y.into()));
-    (weight[0] * corners[0] + weight[1] * corners[1] + weight[2] * corners[2]).to_point()
-}
-
-fn value(triangle: &FieldTriangle, [a, b, c]: [f64; 3]) -> f64 {
-    let shape = [
-        a * (2.0 * a - 1.0),
-        b * (2.0 * b - 1.0),
-        c * (2.0 * c - 1.0),
-        4.0 * a * b,
-        4.0 * b * c,
-        4.0 * c * a,
-    ];
-    shape.iter().zip(triangle.colors).map(|(shape, color)| shape * f64::from(color[0])).sum()
-}
 
 fn circle(centre: Point, radius_du: f64) -> BezPath {
     Circle::new(centre, radius_du).to_path(1e-6)
@@ -162,20 +74,22 @@ fn waves_along_a_circle_fade_inwards_as_powers_of_the_radius() {
     }
 }
 
-#[test]
-fn between_two_parallel_lines_is_linear() {
-    let problem = Problem {
+fn parallel_lines(check: impl Fn(&Problem<'_>)) {
+    check(&Problem {
         curves: vec![line((0.0, 300.0), (1024.0, 300.0)), line((0.0, 700.0), (1024.0, 700.0))],
         side: &|curve, _, beside| (300.0..700.0).contains(&beside.y).then_some(curve as f64),
         exact: &|p, _| (p.y - 300.0) / 400.0,
-    };
-    assert_level(problem.largest_error(DEFAULT_DU), 1e-4);
+    });
+}
+
+#[test]
+fn between_two_parallel_lines_is_linear() {
+    parallel_lines(|problem| assert_level(problem.largest_error(DEFAULT_DU), 1e-4));
 }
 
 /// Circles around (0, 0) and (d, 0). A Möbius map that takes the two points that are inverse to each other in
 /// both circles to zero and infinity makes the circles concentric.
-#[test]
-fn eccentric_annulus_is_a_mobius_image_of_a_concentric_one() {
+fn eccentric_annuli(check: impl Fn(&Problem<'_>)) {
     for (big, r, d) in [(400.0_f64, 100.0_f64, 150.0_f64), (450.0, 200.0, 200.0), (300.0, 100.0, 150.0)] {
         let sum = (big * big - r * r + d * d) / d;
         let root = (sum * sum - 4.0 * big * big).sqrt();
@@ -184,13 +98,17 @@ fn eccentric_annulus_is_a_mobius_image_of_a_concentric_one() {
         let inner = CENTRE + Vec2::new(d, 0.0);
         let [outside, inside] = [log(CENTRE + Vec2::new(big, 0.0)), log(inner + Vec2::new(r, 0.0))];
         let within = |p: Point| p.distance(CENTRE) < big && p.distance(inner) > r;
-        let problem = Problem {
+        check(&Problem {
             curves: vec![circle(CENTRE, big), circle(inner, r)],
             side: &|curve, _, beside| within(beside).then_some(curve as f64),
             exact: &|p, _| (log(p) - outside) / (inside - outside),
-        };
-        assert_level(problem.largest_error(DEFAULT_DU), 0.3);
+        });
     }
+}
+
+#[test]
+fn eccentric_annulus_is_a_mobius_image_of_a_concentric_one() {
+    eccentric_annuli(|problem| assert_level(problem.largest_error(DEFAULT_DU), 0.3));
 }
 
 #[test]
@@ -205,24 +123,27 @@ fn errors_fall_faster_where_sides_are_straight() {
 }
 
 /// A sector of the disk with edges of value 0. At an angle above π the slope at the apex is infinite.
+fn wedge(angle: f64, check: impl Fn(&Problem<'_>)) {
+    let radius = 400.0;
+    let turn = |p: Point| polar(p).1.rem_euclid(TAU);
+    let exact = |p: Point| {
+        let theta = if turn(p) > 0.5 * (TAU + angle) { 0.0 } else { turn(p).min(angle) };
+        (polar(p).0 / radius).powf(PI / angle) * (PI * theta / angle).sin()
+    };
+    let arc = Arc::new(CENTRE, (radius, radius), 0.0, angle, 0.0).to_path(1e-6);
+    let edge = |theta: f64| line(CENTRE.into(), centre_at(radius, theta).into());
+    let within = |p: Point| polar(p).0 < radius && turn(p) < angle;
+    check(&Problem {
+        curves: vec![arc, edge(0.0), edge(angle)],
+        side: &|_, p, beside| within(beside).then(|| exact(p)),
+        exact: &|p, _| exact(p),
+    });
+}
+
 #[test]
 fn wedge_is_a_power_of_the_radius() {
-    let radius = 400.0;
     for (angle, levels) in [(FRAC_PI_2, 0.05), (2.0 * FRAC_PI_2 / 1.5, 0.1), (1.5 * PI, 1.5)] {
-        let turn = |p: Point| polar(p).1.rem_euclid(TAU);
-        let exact = |p: Point| {
-            let theta = if turn(p) > 0.5 * (TAU + angle) { 0.0 } else { turn(p).min(angle) };
-            (polar(p).0 / radius).powf(PI / angle) * (PI * theta / angle).sin()
-        };
-        let arc = Arc::new(CENTRE, (radius, radius), 0.0, angle, 0.0).to_path(1e-6);
-        let edge = |theta: f64| line(CENTRE.into(), centre_at(radius, theta).into());
-        let within = |p: Point| polar(p).0 < radius && turn(p) < angle;
-        let problem = Problem {
-            curves: vec![arc, edge(0.0), edge(angle)],
-            side: &|_, p, beside| within(beside).then(|| exact(p)),
-            exact: &|p, _| exact(p),
-        };
-        assert_level(problem.largest_error(DEFAULT_DU), levels);
+        wedge(angle, |problem| assert_level(problem.largest_error(DEFAULT_DU), levels));
     }
 }
 
@@ -249,21 +170,26 @@ fn assert_levels_at_tip(problem: &Problem<'_>, tip: Point, at_levels: f64, beyon
     assert_level(problem.largest_error_where(DEFAULT_DU, |p| p.distance(tip) > 60.0), beyond_levels);
 }
 
+fn coloured_slit(check: impl Fn(&Problem<'_>)) {
+    slit(|root, angle| root * (0.5 * angle).cos().max(0.0), true, check);
+}
+
+fn barrier_slit(check: impl Fn(&Problem<'_>)) {
+    slit(|root, angle| 0.5 + 0.5 * root * (0.5 * angle).sin(), false, check);
+}
+
 #[test]
 fn tip_of_a_coloured_slit_is_the_real_part_of_a_root() {
-    let exact = |root: f64, angle: f64| root * (0.5 * angle).cos().max(0.0);
-    slit(exact, true, |problem| assert_levels_at_tip(problem, CENTRE, 8.0, 1.0));
+    coloured_slit(|problem| assert_levels_at_tip(problem, CENTRE, 8.0, 1.0));
 }
 
 #[test]
 fn tip_of_a_barrier_is_the_imaginary_part_of_a_root() {
-    let exact = |root: f64, angle: f64| 0.5 + 0.5 * root * (0.5 * angle).sin();
-    slit(exact, false, |problem| assert_levels_at_tip(problem, CENTRE, 4.0, 0.5));
+    barrier_slit(|problem| assert_levels_at_tip(problem, CENTRE, 4.0, 0.5));
 }
 
 /// Flow along a wall, over a barrier of height h that stands on it: the real part of √(z² + h²).
-#[test]
-fn half_plane_with_a_barrier_is_a_root() {
+fn half_plane_with_a_barrier(check: impl Fn(&Problem<'_>, Point)) {
     let (foot, h) = (Point::new(512.0, 900.0), 300.0);
     let half_plane = Rect::new(112.0, 100.0, 912.0, foot.y);
     let exact = |p: Point, beside: Point| {
@@ -281,22 +207,35 @@ fn half_plane_with_a_barrier_is_a_root() {
         side: &|curve, p, beside| (curve == 2 && half_plane.contains(beside)).then(|| exact(p, beside)),
         exact: &exact,
     };
-    assert_levels_at_tip(&problem, Point::new(foot.x, foot.y - h), 2.0, 0.25);
+    check(&problem, Point::new(foot.x, foot.y - h));
+}
+
+#[test]
+fn half_plane_with_a_barrier_is_a_root() {
+    half_plane_with_a_barrier(|problem, tip| assert_levels_at_tip(problem, tip, 2.0, 0.25));
+}
+
+/// The colours of a diagonal's sides at a place: its lower left and its upper right one.
+fn diagonal_color(beside: Point) -> f64 {
+    [0.123_456_789, 0.987_654_321][usize::from(beside.x > beside.y)]
+}
+
+fn diagonal(check: impl Fn(&Problem<'_>)) {
+    check(&Problem {
+        curves: vec![line((0.0, 0.0), (1024.0, 1024.0))],
+        side: &|_, _, beside| Some(diagonal_color(beside)),
+        exact: &|_, beside| f64::from(diagonal_color(beside) as f32),
+    });
 }
 
 #[test]
 fn a_diagonal_with_two_colours_leaks_nothing_at_all() {
-    let above = |p: Point| p.x > p.y;
-    let colors = [0.123_456_789, 0.987_654_321];
-    let problem = Problem {
-        curves: vec![line((0.0, 0.0), (1024.0, 1024.0))],
-        side: &|_, _, beside| Some(colors[usize::from(above(beside))]),
-        exact: &|_, beside| f64::from(colors[usize::from(above(beside))] as f32),
-    };
-    for triangle in &problem.solve(DEFAULT_DU).triangles {
-        let color = colors[usize::from(above(at(triangle, [1.0 / 3.0; 3])))] as f32;
-        assert_eq!(triangle.colors, [[color, color, color, 1.0]; 6]);
-    }
+    diagonal(|problem| {
+        for triangle in &problem.solve(DEFAULT_DU).triangles {
+            let color = diagonal_color(at(triangle, [1.0 / 3.0; 3])) as f32;
+            assert_eq!(triangle.colors, [[color, color, color, 1.0]; 6]);
+        }
+    });
 }
 
 #[track_caller]
