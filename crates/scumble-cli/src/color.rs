@@ -1,5 +1,7 @@
 //! `scumble color`: one picture from a drawing and scribbles.
 
+mod on_pixels;
+
 use anyhow::ensure;
 use scumble_core::drawing::LONGER_SIDE_DU;
 use scumble_core::{Boundary, Drawing, Scribble};
@@ -9,7 +11,7 @@ use serde::Serialize;
 
 use crate::clock::timed;
 use crate::files;
-use crate::options::ColorOptions;
+use crate::options::{ColorOptions, Solver};
 use crate::stages::{self, Opened, PAPER, SpreadTimes};
 
 /// Largest distance of a drawn line from its true place, in pixels.
@@ -57,6 +59,11 @@ pub(crate) fn run(options: &ColorOptions) -> anyhow::Result<()> {
         read_scribbles(&files::read(&options.scribbles)?, drawing(&opened))?;
     warn(&options.drawing, &opened.import.notes.to_string());
     warn(&options.scribbles, &notes.to_string());
+    if options.solver != Solver::Mesh {
+        let boundary = opened.picture.color(&scribbles, &options.settings);
+        let pixmap = on_pixels::paint(&opened, &boundary, options);
+        return files::write(&options.output, &write_png(pixmap.width_px, pixmap.height_px, &pixmap.rgba)?);
+    }
     let (colors, times) = spread(&mut opened, &scribbles, options)?;
     let (pixmap, paint_ms) = timed(|| paint(&mut opened, &colors, options));
     let pixmap = pixmap?;
@@ -96,9 +103,14 @@ fn spread(
 
 fn paint(opened: &mut Opened, boundary: &Boundary, options: &ColorOptions) -> Result<Pixmap, SolveError> {
     let view = stages::page_view(drawing(opened), options.size_px);
-    let shapes = if options.lines { lines(opened, options.size_px) } else { Vec::new() };
+    let shapes = shapes(opened, options);
     let field = opened.picture.mesh().solve(boundary, options.settings.blend)?;
     Ok(stages::paint_page(field, &shapes, &view, (!options.transparent).then_some(PAPER)))
+}
+
+/// What is painted over the colours.
+fn shapes(opened: &Opened, options: &ColorOptions) -> Vec<Shape> {
+    if options.lines { lines(opened, options.size_px) } else { Vec::new() }
 }
 
 fn lines(opened: &Opened, size_px: u32) -> Vec<Shape> {

@@ -37,6 +37,19 @@ pub(crate) struct ColorOptions {
     pub(crate) transparent: bool,
     pub(crate) settings: Settings,
     pub(crate) timings: bool,
+    pub(crate) solver: Solver,
+}
+
+/// What spreads the colours of sides.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(crate) enum Solver {
+    /// Triangles, exact at every size.
+    #[default]
+    Mesh,
+    /// Pixels, as on the GPU.
+    CpuGrid,
+    /// Pixels, after Jeschke et al. 2009.
+    Jeschke,
 }
 
 /// Reads a command line.
@@ -83,6 +96,8 @@ fn color(mut arguments: Arguments) -> anyhow::Result<ColorOptions> {
     let lines = arguments.contains("--lines");
     let transparent = arguments.contains("--transparent");
     let timings = arguments.contains("--timings");
+    let solver = arguments.opt_value_from_fn("--solver", solver).map_err(advise)?.unwrap_or_default();
+    ensure!(!timings || solver == Solver::Mesh, "--timings are those of the mesh solver; leave out --solver");
     let [drawing] = rest(arguments, ["DRAWING.svg"])?;
     Ok(ColorOptions {
         drawing: drawing.into(),
@@ -93,6 +108,7 @@ fn color(mut arguments: Arguments) -> anyhow::Result<ColorOptions> {
         transparent,
         settings,
         timings,
+        solver,
     })
 }
 
@@ -170,6 +186,15 @@ fn blend(text: &str) -> Result<Blend, String> {
         "oklab" => Ok(Blend::Oklab),
         "srgb" => Ok(Blend::Srgb),
         _ => Err("give oklab or srgb".into()),
+    }
+}
+
+fn solver(text: &str) -> Result<Solver, String> {
+    match text {
+        "mesh" => Ok(Solver::Mesh),
+        "cpu-grid" => Ok(Solver::CpuGrid),
+        "jeschke" => Ok(Solver::Jeschke),
+        _ => Err("give mesh, cpu-grid or jeschke".into()),
     }
 }
 

@@ -8,6 +8,7 @@
 //! | what is computed from texel to texel | `kernels` |
 //! | grids from pixels to a single cell, and cycles through them | `hierarchy` |
 //! | another solver, to compare with | `jeschke` |
+//! | what a painter needs of a solved grid | `picture` |
 //!
 //! Conjugate gradients, preconditioned by a symmetric multigrid cycle; after O. Tatebe, *The multigrid preconditioned
 //! conjugate gradient method* (1993). Interpolation is that of smoothed aggregation (P. Vaněk, J. Mandel, M. Brezina,
@@ -21,10 +22,12 @@ mod jeschke;
 mod kernels;
 mod level;
 mod parts;
+mod picture;
 mod texture;
 
 pub use cut_links::{Cut, CutLinks, LEAST_FRACTION, Link};
 pub use jeschke::JeschkeSolver;
+pub use picture::GridPicture;
 
 use hierarchy::Hierarchy;
 use texture::{Texel, Texture, minus, plus};

@@ -1,8 +1,9 @@
-//! Colour points in, colour field out: the mesh solver and a painter on the CPU.
+//! Colour points in, colour field out: the mesh solver, the grid solver on the CPU, and a painter.
 //!
 //! | noun | file |
 //! |---|---|
 //! | triangles with colours: the solved picture | [`field`] |
+//! | the grid solver, on pixels | [`grid`] |
 //! | lines, fills and scribbles as flat shapes | [`ink`] |
 //! | the mesh solver | [`mesh`] |
 //! | the painter on the CPU | [`mod@paint`] |
@@ -20,6 +21,6 @@ pub mod scene;
 pub use field::{Field, FieldTriangle};
 pub use ink::{line_shapes, scribble_shape};
 pub use mesh::{MeshSolver, SolveError};
-pub use paint::{Pixmap, paint};
+pub use paint::{Pixmap, paint, paint_grid};
 pub use picture::Picture;
 pub use scene::{Scene, Shape, View};
