@@ -75,6 +75,19 @@ impl CutLinks {
     }
 }
 
+impl CutLinks {
+    /// Whether a link leads to another pixel of the picture.
+    pub(super) fn leads_within(&self, cut: &Cut) -> bool {
+        let [column, row] = [cut.pixel % self.width_px, cut.pixel / self.width_px];
+        match cut.link {
+            Link::East => column + 1 < self.width_px,
+            Link::South => row + 1 < self.height_px,
+            Link::West => column > 0,
+            Link::North => row > 0,
+        }
+    }
+}
+
 /// A crossing of a link, and how much nearer it would be if the curve moved as points on rows and columns are taken to.
 #[derive(Clone, Copy)]
 struct Crossing {

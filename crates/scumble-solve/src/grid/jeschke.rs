@@ -3,10 +3,10 @@
 //!
 //! It is there to compare with: it is what the paper on scribbles renders with. Pixels with a cut link are the curve:
 //! those that a side gives a colour keep it, those beside a side without colour take the mean of their neighbours. The
-//! circles come from a jump flood (G. Rong, T.-S. Tan, 2006), which also gives the first picture: each pixel is as the
-//! nearest one at a curve, with no colour where that has none.
+//! circles come from a jump flood (G. Rong, T.-S. Tan, 2006), as does the first picture: the nearest given colour at each
+//! pixel, save in regions that have none.
 
-use super::cut_links::CutLinks;
+use super::cut_links::{Cut, CutLinks};
 use super::level::Level;
 use super::texture::{Texel, Texture, plus, times};
 
@@ -16,7 +16,7 @@ pub struct JeschkeSolver {
     level: Level,
     /// The colours of pixels at curves, times how strongly they are held.
     right: Texture,
-    /// Column and row of the nearest pixel with a cut link; −1 where none is.
+    /// Column and row of the nearest pixel with a cut link; −1 where there is none.
     nearest: Texture,
     values: Texture,
 }
@@ -25,15 +25,15 @@ impl JeschkeSolver {
     /// With the nearest given colour at each pixel.
     pub fn new(cuts: &CutLinks) -> Self {
         let (level, right) = Level::finest(cuts);
-        let mut nearest = seeds(cuts);
-        let mut reach = level.columns.max(level.rows).next_power_of_two() as i32 / 2;
-        while reach > 0 {
-            let before = nearest.clone();
-            nearest.draw(|x, y| jump(&before, reach, x, y));
-            reach /= 2;
-        }
+        let nearest = nearest_of(cuts, |cut| cut.color.is_some() || cuts.leads_within(cut));
+        let nearest_given = nearest_of(cuts, |cut| cut.color.is_some());
+        let is_reached = reached(&level);
         let mut values = right.clone();
-        values.draw(|x, y| nearest_color(&level, &right, &nearest, x, y));
+        values.draw(|x, y| {
+            let [column, row, ..] = nearest_given.load(x, y).map(|c| c as i32);
+            let is_reached = is_reached[y as usize * level.columns + x as usize];
+            if is_reached { given(&level, &right, column, row) } else { [0.0; 4] }
+        });
         Self { level, right, nearest, values }
     }
 
@@ -51,14 +51,38 @@ impl JeschkeSolver {
     }
 }
 
-fn seeds(cuts: &CutLinks) -> Texture {
-    let mut seeds = Texture::new(cuts.width_px as usize, cuts.height_px as usize);
-    seeds.draw(|_, _| [-1.0; 4]);
-    for cut in &cuts.cuts {
+/// Column and row of the pixel nearest to each among those with cuts that count; −1 where there is none.
+fn nearest_of(cuts: &CutLinks, counts: impl Fn(&Cut) -> bool) -> Texture {
+    let mut nearest = Texture::new(cuts.width_px as usize, cuts.height_px as usize);
+    nearest.draw(|_, _| [-1.0; 4]);
+    for cut in cuts.cuts.iter().filter(|cut| counts(cut)) {
         let [column, row] = [cut.pixel % cuts.width_px, cut.pixel / cuts.width_px].map(|c| c as f32);
-        seeds.texels[cut.pixel as usize] = [column, row, 0.0, 0.0];
+        nearest.texels[cut.pixel as usize] = [column, row, 0.0, 0.0];
     }
-    seeds
+    let mut reach = cuts.width_px.max(cuts.height_px).next_power_of_two() as i32 / 2;
+    while reach > 0 {
+        let before = nearest.clone();
+        nearest.draw(|x, y| jump(&before, reach, x, y));
+        reach /= 2;
+    }
+    nearest
+}
+
+/// Whether each pixel hangs together with one of a given colour.
+fn reached(level: &Level) -> Vec<bool> {
+    let mut is_reached: Vec<_> = level.holds.texels.iter().map(|[hold, ..]| *hold > 0.0).collect();
+    let mut open: Vec<_> = (0..is_reached.len()).filter(|&i| is_reached[i]).collect();
+    while let Some(i) = open.pop() {
+        let (x, y) = ((i % level.columns) as i32, (i / level.columns) as i32);
+        level.for_each_link(x, y, |_, nx, ny| {
+            let other = ny as usize * level.columns + nx as usize;
+            if !is_reached[other] {
+                is_reached[other] = true;
+                open.push(other);
+            }
+        });
+    }
+    is_reached
 }
 
 /// One pass of the jump flood.
@@ -79,11 +103,6 @@ fn jump(nearest: &Texture, reach: i32, x: i32, y: i32) -> Texel {
 fn distance2([px, py, ..]: Texel, x: i32, y: i32) -> f32 {
     let (dx, dy) = (px - x as f32, py - y as f32);
     if px < 0.0 { f32::INFINITY } else { dx * dx + dy * dy }
-}
-
-fn nearest_color(level: &Level, right: &Texture, nearest: &Texture, x: i32, y: i32) -> Texel {
-    let [column, row, ..] = nearest.load(x, y).map(|c| c as i32);
-    if level.holds.load(column, row)[0] > 0.0 { given(level, right, column, row) } else { [0.0; 4] }
 }
 
 fn given(level: &Level, right: &Texture, x: i32, y: i32) -> Texel {
