@@ -80,7 +80,9 @@ pub(crate) fn parse(mut arguments: Arguments) -> anyhow::Result<Command> {
             Ok(Command::Compare { set: set.into(), every: every.unwrap_or(1), half })
         }
         Some("eval") => eval(arguments).map(Command::Eval),
-        Some(other) => bail!("there is no command “{other}”; use color, corpus, bench, compare or eval, or --help"),
+        Some(other) => {
+            bail!("there is no command “{other}”; use color, corpus, bench, compare or eval, or --help")
+        }
     }
 }
 

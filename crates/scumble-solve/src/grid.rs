@@ -58,7 +58,15 @@ impl GridSolver {
         let mut residual = Texture::new(values.width, values.height);
         residual.draw(|x, y| kernels::residual(&hierarchy.levels[0], &values, hierarchy.right(), x, y));
         let direction = Texture::new(values.width, values.height);
-        Self { hierarchy, values, residual, image: direction.clone(), direction, length: [0.0; 4], power: [0.0; 4] }
+        Self {
+            hierarchy,
+            values,
+            residual,
+            image: direction.clone(),
+            direction,
+            length: [0.0; 4],
+            power: [0.0; 4],
+        }
     }
 
     /// Steps until a step changes no channel by more than `tolerance`, or [`MAX_STEPS`] are done; and how many it took.
@@ -91,8 +99,10 @@ impl GridSolver {
         self.image.draw(|x, y| kernels::multiply(level, direction, x, y));
         self.length = ratio(self.power, dot(&self.direction, &self.image));
         for i in 0..self.image.texels.len() {
-            self.values.texels[i] = plus(self.values.texels[i], product(self.direction.texels[i], self.length));
-            self.residual.texels[i] = minus(self.residual.texels[i], product(self.image.texels[i], self.length));
+            self.values.texels[i] =
+                plus(self.values.texels[i], product(self.direction.texels[i], self.length));
+            self.residual.texels[i] =
+                minus(self.residual.texels[i], product(self.image.texels[i], self.length));
         }
     }
 

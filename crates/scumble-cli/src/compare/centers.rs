@@ -8,9 +8,9 @@ pub(super) fn colors(field: &Field, view: &View) -> Vec<[f32; 4]> {
     let width = view.width_px as usize;
     let mut pixels = vec![[0.0; 4]; width * view.height_px as usize];
     for triangle in &field.triangles {
-        let corners = triangle.corners.map(|[x, y]| {
-            view.px_from_du * Point::new(x.into(), y.into()) - Vec2::new(0.5, 0.5)
-        });
+        let corners = triangle
+            .corners
+            .map(|[x, y]| view.px_from_du * Point::new(x.into(), y.into()) - Vec2::new(0.5, 0.5));
         for y in within(corners.map(|p| p.y), view.height_px) {
             for x in within(corners.map(|p| p.x), view.width_px) {
                 if let Some(weights) = weights(corners, Point::new(x as f64, y as f64)) {
@@ -42,6 +42,7 @@ fn weights([a, b, c]: [Point; 3], p: Point) -> Option<[f64; 3]> {
 fn color(triangle: &FieldTriangle, [a, b, c]: [f64; 3]) -> [f32; 4] {
     let [corner_a, corner_b, corner_c] = [a, b, c].map(|weight| weight * (2.0 * weight - 1.0));
     let shapes = [corner_a, corner_b, corner_c, 4.0 * a * b, 4.0 * b * c, 4.0 * c * a];
-    let sum = |i: usize| (0..6).map(|shape| shapes[shape] * f64::from(triangle.colors[shape][i])).sum::<f64>();
+    let sum =
+        |i: usize| (0..6).map(|shape| shapes[shape] * f64::from(triangle.colors[shape][i])).sum::<f64>();
     [0, 1, 2, 3].map(|i| sum(i) as f32)
 }

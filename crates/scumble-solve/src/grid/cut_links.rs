@@ -165,7 +165,13 @@ impl Wall {
         let [a, b] = self.ends;
         let turn = orient2d(coord(a), coord(b), Coord { x: column as f64, y: row as f64 });
         let along = b - a;
-        let sign = if turn != 0.0 { turn } else if along.y != 0.0 { along.y } else { along.x };
+        let sign = if turn != 0.0 {
+            turn
+        } else if along.y != 0.0 {
+            along.y
+        } else {
+            along.x
+        };
         sign > 0.0
     }
 
@@ -179,9 +185,14 @@ impl Wall {
 }
 
 /// The pieces of a map and its closed gaps, in the pixels of a view.
-fn walls<'a>(map: &'a PlanarMap, boundary: &'a Boundary, view: &View) -> impl Iterator<Item = Wall> + use<'a> {
+fn walls<'a>(
+    map: &'a PlanarMap,
+    boundary: &'a Boundary,
+    view: &View,
+) -> impl Iterator<Item = Wall> + use<'a> {
     let px_from_du = view.px_from_du.then_translate(Vec2::new(-0.5, -0.5));
-    let ends = move |nodes: [u32; 2]| nodes.map(|node| px_from_du * map.triangulation().points()[node as usize]);
+    let ends =
+        move |nodes: [u32; 2]| nodes.map(|node| px_from_du * map.triangulation().points()[node as usize]);
     let color = |side: SideId| boundary.sides.get(side.index()).copied().flatten();
     let piece = move |(i, piece): (usize, &scumble_core::Piece)| {
         let right = color(SideId::of(i, true)).map(|[start, middle, end]| [end, middle, start]);

@@ -111,7 +111,8 @@ fn given(level: &Level, right: &Texture, x: i32, y: i32) -> Texel {
 
 /// The mean over the largest circle that touches no curve; at a curve the given colour, or the mean of the neighbours.
 fn stencil(level: &Level, right: &Texture, nearest: &Texture, values: &Texture, x: i32, y: i32) -> Texel {
-    let radius = distance2(nearest.load(x, y), x, y).sqrt().min(values.width.min(values.height) as f32) as i32;
+    let radius =
+        distance2(nearest.load(x, y), x, y).sqrt().min(values.width.min(values.height) as f32) as i32;
     if radius > 0 {
         let load = |dx: i32, dy: i32| {
             values.load(mirrored(x + dx * radius, values.width), mirrored(y + dy * radius, values.height))
@@ -123,7 +124,8 @@ fn stencil(level: &Level, right: &Texture, nearest: &Texture, values: &Texture, 
         return given(level, right, x, y);
     }
     let mut sum = [0.0; 4];
-    level.for_each_link(x, y, |weight, nx, ny| sum = plus(sum, times(values.load(nx, ny), weight / diagonal)));
+    level
+        .for_each_link(x, y, |weight, nx, ny| sum = plus(sum, times(values.load(nx, ny), weight / diagonal)));
     sum
 }
 

@@ -132,8 +132,10 @@ impl Level {
         let (cell, slot) = coarse.cell_and_slot(x);
         let columns = self.columns as i32;
         let quarters = [(0, 0), (1, 0), (0, 1), (1, 1)].into_iter();
-        let cells = quarters.map(move |(dx, dy)| (2 * cell + dx, 2 * y + dy)).filter(move |&(x, _)| x < columns);
-        let places = cells.flat_map(move |(x, y)| (0..self.slots as i32).map(move |s| (self.column(x, s), y)));
+        let cells =
+            quarters.map(move |(dx, dy)| (2 * cell + dx, 2 * y + dy)).filter(move |&(x, _)| x < columns);
+        let places =
+            cells.flat_map(move |(x, y)| (0..self.slots as i32).map(move |s| (self.column(x, s), y)));
         places.filter(move |&(x, y)| self.parent(x, y) == slot + 1)
     }
 

@@ -35,8 +35,13 @@ struct Members {
 
 impl Members {
     fn new(level: &Level, cell_x: i32, cell_y: i32) -> Self {
-        let mut members =
-            Self { count: 0, places: [(0, 0); MOST], links: [0.0; MOST], holds: [0.0; MOST], inner: Vec::new() };
+        let mut members = Self {
+            count: 0,
+            places: [(0, 0); MOST],
+            links: [0.0; MOST],
+            holds: [0.0; MOST],
+            inner: Vec::new(),
+        };
         for (dx, dy) in [(0, 0), (1, 0), (0, 1), (1, 1)] {
             let (x, y) = (2 * cell_x + dx, 2 * cell_y + dy);
             if x < level.columns as i32 && y < level.rows as i32 {
@@ -107,6 +112,8 @@ impl Members {
         for &(i, j, weight) in self.inner.iter().filter(|(i, j, _)| labels[*i] == labels[*j]) {
             links[labels[i.min(j)]] -= 2.0 * weight;
         }
-        std::array::from_fn(|i| if links[i] > 0.0 { links[i] * links[i] / (links[i] + holds[i]) } else { 0.0 })
+        std::array::from_fn(
+            |i| if links[i] > 0.0 { links[i] * links[i] / (links[i] + holds[i]) } else { 0.0 },
+        )
     }
 }

@@ -102,7 +102,10 @@ impl PixelRange {
             first..(a[i].max(b[i]).floor() + 1.0).clamp(first, f64::from(count))
         };
         let (columns, rows) = (range(0, picture.width_px), range(1, picture.height_px));
-        Self { columns: columns.start as usize..columns.end as usize, rows: rows.start as i32..rows.end as i32 }
+        Self {
+            columns: columns.start as usize..columns.end as usize,
+            rows: rows.start as i32..rows.end as i32,
+        }
     }
 }
 

@@ -9,7 +9,12 @@ use super::*;
 const SIZE_PX: u32 = 256;
 
 /// Checks that the error falls to this part of itself, or less, each time the size of the picture is doubled.
-fn assert_grid_falls(problem: &Problem<'_>, sizes_px: &[u32], part: f64, place: impl Fn(Point) -> bool + Copy) {
+fn assert_grid_falls(
+    problem: &Problem<'_>,
+    sizes_px: &[u32],
+    part: f64,
+    place: impl Fn(Point) -> bool + Copy,
+) {
     let errors: Vec<_> = sizes_px.iter().map(|&size_px| problem.largest_grid_error(size_px, place)).collect();
     assert!(errors.windows(2).all(|pair| pair[1] <= part * pair[0]), "{errors:?}");
 }
