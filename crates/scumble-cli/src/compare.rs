@@ -112,7 +112,8 @@ fn jeschke(links: &CutLinks, steps: usize, blend: scumble_core::Blend) -> Vec<Le
 fn uncolor_half(map: &PlanarMap, boundary: &mut Boundary) {
     for (curve, right) in (0..map.curve_count()).flat_map(|curve| [(curve, false), (curve, true)]) {
         if is_uncolored(2 * curve + usize::from(right)) {
-            let sides = map.steps(curve).iter().map(|step| if right { step.left.opposite() } else { step.left });
+            let sides =
+                map.steps(curve).iter().map(|step| if right { step.left.opposite() } else { step.left });
             sides.for_each(|side: SideId| boundary.sides[side.index()] = None);
         }
     }

@@ -25,7 +25,7 @@ mod parts;
 mod picture;
 mod texture;
 
-pub use cut_links::{Cut, CutLinks, LEAST_FRACTION, Link};
+pub use cut_links::{Cut, CutLinks, Face, LEAST_FRACTION, Link};
 pub use jeschke::JeschkeSolver;
 pub use picture::GridPicture;
 

@@ -53,6 +53,20 @@ pub struct CutLinks {
     pub height_px: u32,
     /// In ascending order.
     pub cuts: Vec<Cut>,
+    /// The links whose faces walls make narrower or wider, by pixel; some of them are cut.
+    pub faces: Vec<Face>,
+}
+
+/// The face between two pixels, through which colour passes along their link, where it is not just 1 px wide: beside a
+/// side without colour it ends there, whichever pixel that is in.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Face {
+    /// The pixel: row times width plus column.
+    pub pixel: u32,
+    /// The link to the east or to the south.
+    pub link: Link,
+    /// In px, above 0, at most 2.
+    pub width: f32,
 }
 
 /// A straight piece of something that no colour crosses, in px, pixel centres having whole coordinates.
@@ -65,17 +79,19 @@ struct Wall {
 impl CutLinks {
     /// The links that the curves of a map and its closed gaps cut in what a view shows.
     pub fn new(map: &PlanarMap, boundary: &Boundary, view: &View) -> Self {
-        let mut crossings =
-            Crossings { width_px: view.width_px, height_px: view.height_px, list: Vec::new() };
+        let mut crossings = Crossings::new(view);
+        let [mut eastern, mut southern] = [(); 2].map(|()| Crossings::new(view));
         for wall in walls(map, boundary, view) {
             crossings.cut_rows(&wall);
             crossings.cut_columns(&wall);
+            eastern.cut_columns(&wall.moved(Vec2::new(-0.5, 0.0)));
+            southern.cut_rows(&wall.moved(Vec2::new(0.0, -0.5)));
         }
-        Self { width_px: view.width_px, height_px: view.height_px, cuts: crossings.nearest() }
+        let mut faces = faces(&eastern.nearest(), Link::East);
+        faces.extend(self::faces(&southern.nearest(), Link::South));
+        Self { width_px: view.width_px, height_px: view.height_px, cuts: crossings.nearest(), faces }
     }
-}
 
-impl CutLinks {
     /// Whether a link leads to another pixel of the picture.
     pub(super) fn leads_within(&self, cut: &Cut) -> bool {
         let [column, row] = [cut.pixel % self.width_px, cut.pixel / self.width_px];
@@ -102,7 +118,25 @@ struct Crossings {
     list: Vec<Crossing>,
 }
 
+/// The faces of links to the east or to the south, given where walls cut the line that the face is a part of, as if the
+/// middle of each link were a pixel.
+fn faces(cuts: &[Cut], link: Link) -> Vec<Face> {
+    let barriers = cuts.iter().filter(|cut| cut.color.is_none());
+    let mut faces: Vec<Face> = Vec::new();
+    for Cut { pixel, fraction, .. } in barriers {
+        match faces.last_mut().filter(|face| face.pixel == *pixel) {
+            Some(face) => face.width += fraction - 0.5,
+            None => faces.push(Face { pixel: *pixel, link, width: fraction + 0.5 }),
+        }
+    }
+    faces
+}
+
 impl Crossings {
+    fn new(view: &View) -> Self {
+        Self { width_px: view.width_px, height_px: view.height_px, list: Vec::new() }
+    }
+
     /// The crossing of each link that is nearest to its pixel.
     fn nearest(mut self) -> Vec<Cut> {
         sort::sort_copies_by_key(&mut self.list, |crossing| !sort::float(crossing.nearing));
@@ -159,6 +193,10 @@ impl Cut {
 }
 
 impl Wall {
+    fn moved(&self, by: Vec2) -> Self {
+        Self { ends: self.ends.map(|p| p + by), ..*self }
+    }
+
     /// Whether the centre of a pixel lies to the left of the line through the wall. A centre on the line does not: the
     /// line is taken to be moved by next to nothing in x, and by next to nothing of that in −y.
     fn has_on_left(&self, column: i64, row: i64) -> bool {

@@ -41,6 +41,11 @@ impl Level {
         let (columns, rows) = (level.columns as i32, level.rows as i32);
         level.east.draw(|x, _| whole(x + 1 < columns));
         level.south.draw(|_, y| whole(y + 1 < rows));
+        for face in &cuts.faces {
+            let links = if face.link == Link::East { &mut level.east } else { &mut level.south };
+            let [weight, ..] = &mut links.texels[face.pixel as usize];
+            *weight *= face.width;
+        }
         for cut in &cuts.cuts {
             let i = cut.pixel as usize;
             match cut.link {
