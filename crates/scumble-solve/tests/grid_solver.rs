@@ -21,21 +21,26 @@ fn view(size_px: u32) -> View {
     View { px_from_du: Affine::scale(f64::from(size_px) / 1024.0), width_px: size_px, height_px: size_px }
 }
 
-/// Colours sides of curves by a place just beside their middle.
-fn boundary(map: &PlanarMap, color: impl Fn(usize, Point) -> Option<f64>) -> Boundary {
+/// Where a side is asked for its colour: so far beside its middle, as a part of its length. On a circle it must be more
+/// than the circle is beside its chord.
+const BESIDE_ROUND: f64 = 0.1;
+const BESIDE_STRAIGHT: f64 = 1e-3;
+
+/// Colours sides of curves by a place beside their middle.
+fn boundary(map: &PlanarMap, part: f64, color: impl Fn(usize, Point) -> Option<f64>) -> Boundary {
     let mut sides = vec![None; map.side_count()];
     for curve in 0..map.curve_count() {
         for side in map.steps(curve).iter().flat_map(|step| [step.left, step.left.opposite()]) {
             sides[side.index()] =
-                color(curve, beside(map, side)).map(|value| [[value, value, value, 1.0]; 3]);
+                color(curve, beside(map, side, part)).map(|value| [[value, value, value, 1.0]; 3]);
         }
     }
     sides.into()
 }
 
-fn beside(map: &PlanarMap, side: SideId) -> Point {
+fn beside(map: &PlanarMap, side: SideId, part: f64) -> Point {
     let [a, b] = map.ends(side).map(|node| map.triangulation().points()[node as usize]);
-    a.midpoint(b) + Vec2::new(a.y - b.y, b.x - a.x) * 0.1
+    a.midpoint(b) + Vec2::new(a.y - b.y, b.x - a.x) * part
 }
 
 fn solved(map: &PlanarMap, boundary: &Boundary, size_px: u32) -> (Vec<[f32; 4]>, usize) {
@@ -61,14 +66,14 @@ fn through_pixel_centers() -> impl Strategy<Value = BezPath> {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(64))]
+    #![proptest_config(ProptestConfig { cases: 64, failure_persistence: None, ..ProptestConfig::default() })]
 
     /// Both sides of a path that crosses itself, by winding number: a colour each, which no pixel mixes.
     #[test]
     fn no_colour_gets_through_a_curve(path in through_pixel_centers()) {
         let map = map(std::slice::from_ref(&path));
         let color = |p: Point| if path.winding(p) % 2 == 0 { 0.0 } else { 1.0 };
-        let boundary = boundary(&map, |_, beside| Some(color(beside)));
+        let boundary = boundary(&map, BESIDE_STRAIGHT, |_, beside| Some(color(beside)));
         let (pixels, _) = solved(&map, &boundary, SIZE_PX);
         for pixel in pixels {
             let is_pure = pixel[3] == 0.0 || pixel[0].abs().min((1.0 - pixel[0]).abs()) < 1e-4;
@@ -82,7 +87,8 @@ fn a_region_without_a_colour_stays_paper() {
     let circles = [300.0, 700.0].map(|x| kurbo::Circle::new((x, 500.0), 150.0).to_path(1e-6));
     let map = map(&circles);
     let is_inside = |p: Point| p.distance(Point::new(300.0, 500.0)) < 150.0;
-    let boundary = boundary(&map, |curve, beside| (curve == 0 && is_inside(beside)).then_some(0.5));
+    let boundary =
+        boundary(&map, BESIDE_ROUND, |curve, beside| (curve == 0 && is_inside(beside)).then_some(0.5));
     let (pixels, _) = solved(&map, &boundary, SIZE_PX);
     for (i, pixel) in (0..SIZE_PX * SIZE_PX).zip(pixels) {
         let center = Point::new(f64::from(i % SIZE_PX) + 0.5, f64::from(i / SIZE_PX) + 0.5);
@@ -108,7 +114,7 @@ fn a_spiral_of_barriers_is_solved_in_few_steps() {
     let ends = [kurbo::Circle::new((512.0, 512.0), 10.0), kurbo::Circle::new((512.0, 512.0), 500.0)];
     let map = map(&[spiral, ends[0].to_path(1e-6), ends[1].to_path(1e-6)]);
     let colors = [None, Some(0.0), Some(1.0)];
-    let (pixels, steps) = solved(&map, &boundary(&map, |curve, _| colors[curve]), 256);
+    let (pixels, steps) = solved(&map, &boundary(&map, BESIDE_ROUND, |curve, _| colors[curve]), 256);
     assert!(steps <= 14, "{steps} steps");
     let value = |radius_px: usize| pixels[128 * 256 + 128 + radius_px][0];
     let along: Vec<_> = (10..112).step_by(10).map(value).collect();
@@ -119,7 +125,7 @@ fn a_spiral_of_barriers_is_solved_in_few_steps() {
 /// A disk of two colours that blend along its edge.
 fn shaded_disk() -> (PlanarMap, Boundary) {
     let map = map(&[kurbo::Circle::new((512.0, 512.0), 400.0).to_path(1e-6)]);
-    let boundary = boundary(&map, |_, p| {
+    let boundary = boundary(&map, BESIDE_ROUND, |_, p| {
         Some(if p.distance(Point::new(512.0, 512.0)) < 400.0 { p.x / 1024.0 } else { 1.0 })
     });
     (map, boundary)

@@ -67,6 +67,17 @@ fn a_scribble_in_a_circle_colours_its_inside_and_nothing_else() {
 }
 
 #[test]
+fn every_solver_colours_the_inside() {
+    let folder = folder("solvers");
+    let mesh = colored(&folder, &["--size", "128", "--solver", "mesh"]);
+    for solver in ["cpu-grid", "jeschke"] {
+        let picture = colored(&folder, &["--size", "128", "--solver", solver]);
+        let differences = picture.rgba.iter().zip(&mesh.rgba).map(|(a, b)| a.abs_diff(*b));
+        assert!(differences.max() <= Some(2), "{solver}");
+    }
+}
+
+#[test]
 fn lines_and_transparency_are_asked_for() {
     let folder = folder("lines");
     let on_the_line = (0.5 + 24.0 / 64.0, 0.5);
