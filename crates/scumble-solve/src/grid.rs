@@ -32,7 +32,8 @@ pub use picture::GridPicture;
 use hierarchy::Hierarchy;
 use texture::{Texel, Texture, minus, plus};
 
-/// Steps after which a picture is taken as it is. Real drawings need up to 6, one of 10,000 pieces with half of its sides without colour 9.
+/// Steps after which a picture is taken as it is. Real drawings need up to 6; one of 10,000 pieces, half of whose sides
+/// have no colour, needs 9.
 pub const MAX_STEPS: usize = 24;
 
 /// A picture on its way to the solution.
