@@ -19,18 +19,20 @@
 mod cut_links;
 mod hierarchy;
 mod jeschke;
-mod kernels;
+pub mod kernels;
 mod level;
 mod parts;
 mod picture;
 mod texture;
 
 pub use cut_links::{Cut, CutLinks, Face, LEAST_FRACTION, Link};
+pub use hierarchy::{Hierarchy, STEPS};
 pub use jeschke::JeschkeSolver;
+pub use level::Level;
 pub use picture::GridPicture;
+pub use texture::{Texel, Texture};
 
-use hierarchy::Hierarchy;
-use texture::{Texel, Texture, minus, plus};
+use texture::{minus, plus};
 
 /// Steps after which a picture is taken as it is. Real drawings need up to 6; one of 10,000 pieces, half of whose sides
 /// have no colour, needs 9.

@@ -7,22 +7,24 @@ use super::texture::Texture;
 
 /// Steps before and after each coarser level: Chebyshev's for what the coarser one cannot see, the upper three quarters
 /// of the spectrum of Jacobi's method.
-const STEPS: [f32; 2] = [0.561_8, 1.389_2];
+pub const STEPS: [f32; 2] = [0.561_8, 1.389_2];
 
 /// Levels, the finest first, with what cycles write.
 #[derive(Clone, Debug)]
-pub(super) struct Hierarchy {
-    pub(super) levels: Vec<Level>,
+pub struct Hierarchy {
+    /// Down to a single cell.
+    pub levels: Vec<Level>,
     /// By level: values, right side, and room for one more.
     values: Vec<Texture>,
     rights: Vec<Texture>,
     rooms: Vec<Texture>,
     /// Given colours, by level.
-    given: Vec<Texture>,
+    pub given: Vec<Texture>,
 }
 
 impl Hierarchy {
-    pub(super) fn new(cuts: &CutLinks) -> Self {
+    /// For what curves cut.
+    pub fn new(cuts: &CutLinks) -> Self {
         let (finest, right) = Level::finest(cuts);
         let (mut levels, mut given) = (vec![finest], vec![right]);
         while let (Some(level), Some(right)) = (levels.last_mut(), given.last())
@@ -44,7 +46,7 @@ impl Hierarchy {
     }
 
     /// A first picture, from the coarsest level up, with one cycle at each.
-    pub(super) fn first_picture(&mut self) -> Texture {
+    pub fn first_picture(&mut self) -> Texture {
         for depth in (1..self.levels.len()).rev() {
             self.rights[depth].clone_from(&self.given[depth]);
             self.spread(depth);
@@ -63,7 +65,7 @@ impl Hierarchy {
     }
 
     /// One symmetric cycle for a right side, from zero.
-    pub(super) fn precondition(&mut self, right: &Texture) -> &Texture {
+    pub fn precondition(&mut self, right: &Texture) -> &Texture {
         self.rights[0].texels.copy_from_slice(&right.texels);
         self.cycle_from_zero(0);
         &self.values[0]

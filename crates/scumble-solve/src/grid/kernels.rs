@@ -15,18 +15,18 @@ fn linked(level: &Level, values: &Texture, x: i32, y: i32) -> Texel {
 }
 
 /// The matrix times a vector.
-pub(super) fn multiply(level: &Level, values: &Texture, x: i32, y: i32) -> Texel {
+pub fn multiply(level: &Level, values: &Texture, x: i32, y: i32) -> Texel {
     let [_, diagonal, ..] = level.holds.load(x, y);
     minus(times(values.load(x, y), diagonal), linked(level, values, x, y))
 }
 
 /// What the equations lack.
-pub(super) fn residual(level: &Level, values: &Texture, right: &Texture, x: i32, y: i32) -> Texel {
+pub fn residual(level: &Level, values: &Texture, right: &Texture, x: i32, y: i32) -> Texel {
     minus(right.load(x, y), multiply(level, values, x, y))
 }
 
 /// One step of Jacobi's method, by part `omega` of the way.
-pub(super) fn relax(level: &Level, values: &Texture, right: &Texture, omega: f32, x: i32, y: i32) -> Texel {
+pub fn relax(level: &Level, values: &Texture, right: &Texture, omega: f32, x: i32, y: i32) -> Texel {
     let [_, diagonal, ..] = level.holds.load(x, y);
     let value = values.load(x, y);
     if diagonal > 0.0 {
@@ -37,7 +37,7 @@ pub(super) fn relax(level: &Level, values: &Texture, right: &Texture, omega: f32
 }
 
 /// The first step of Jacobi's method from zero.
-pub(super) fn start(level: &Level, right: &Texture, omega: f32, x: i32, y: i32) -> Texel {
+pub fn start(level: &Level, right: &Texture, omega: f32, x: i32, y: i32) -> Texel {
     let [_, diagonal, ..] = level.holds.load(x, y);
     if diagonal > 0.0 { times(right.load(x, y), omega / diagonal) } else { [0.0; 4] }
 }
@@ -49,7 +49,7 @@ fn damped(level: &Level, residual: &Texture, x: i32, y: i32) -> Texel {
 }
 
 /// The right side of the coarser level: the transpose of [`interpolate`], applied to the residual.
-pub(super) fn restrict(level: &Level, coarse: &Level, residual: &Texture, x: i32, y: i32) -> Texel {
+pub fn restrict(level: &Level, coarse: &Level, residual: &Texture, x: i32, y: i32) -> Texel {
     let mut sum = [0.0; 4];
     for (fx, fy) in level.parts(coarse, x, y) {
         let [_, diagonal, damping, _] = level.holds.load(fx, fy);
@@ -73,7 +73,7 @@ fn parent_value(level: &Level, coarse: &Texture, x: i32, y: i32) -> Texel {
 }
 
 /// A value with the correction of the coarser level: that of its own part, and of those that it is linked to.
-pub(super) fn interpolate(level: &Level, values: &Texture, coarse: &Texture, x: i32, y: i32) -> Texel {
+pub fn interpolate(level: &Level, values: &Texture, coarse: &Texture, x: i32, y: i32) -> Texel {
     let [_, diagonal, damping, _] = level.holds.load(x, y);
     let mut sum = times(parent_value(level, coarse, x, y), 1.0 - diagonal * damping);
     level.for_each_link(x, y, |weight, nx, ny| {
@@ -83,14 +83,14 @@ pub(super) fn interpolate(level: &Level, values: &Texture, coarse: &Texture, x: 
 }
 
 /// The given colours of a coarser level, by how strongly they hold it.
-pub(super) fn gather(level: &Level, coarse: &Level, right: &Texture, x: i32, y: i32) -> Texel {
+pub fn gather(level: &Level, coarse: &Level, right: &Texture, x: i32, y: i32) -> Texel {
     let mut sum = [0.0; 4];
     level.for_each_hold(coarse, x, y, |part, fx, fy| sum = plus(sum, times(right.load(fx, fy), part)));
     sum
 }
 
 /// A first value: that of the coarser unknown, or, for what is no part of any, the colours that hold it.
-pub(super) fn spread(level: &Level, right: &Texture, coarse: &Texture, x: i32, y: i32) -> Texel {
+pub fn spread(level: &Level, right: &Texture, coarse: &Texture, x: i32, y: i32) -> Texel {
     let [hold, ..] = level.holds.load(x, y);
     match level.parent(x, y) {
         0 if hold > 0.0 => times(right.load(x, y), 1.0 / hold),

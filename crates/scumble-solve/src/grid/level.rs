@@ -17,20 +17,22 @@ pub(super) const SLOTS: [usize; 2] = [2, 4];
 
 /// A level: the matrix of its unknowns. It is symmetric; what a row has besides its links holds it to given colours.
 #[derive(Clone, Debug)]
-pub(super) struct Level {
-    pub(super) columns: usize,
-    pub(super) rows: usize,
+pub struct Level {
+    /// Cells of a row.
+    pub columns: usize,
+    /// Rows of cells.
+    pub rows: usize,
     /// Unknowns of a cell.
-    pub(super) slots: usize,
+    pub slots: usize,
     /// Weights of the links of each unknown to the slots of the cell to the east.
-    pub(super) east: Texture,
+    pub east: Texture,
     /// The same for the cell to the south.
-    pub(super) south: Texture,
+    pub south: Texture,
     /// The same for the other slots of its own cell: weak links, or the two would be one.
-    pub(super) within: Texture,
+    pub within: Texture,
     /// For each unknown: how strongly it is held, the diagonal of the matrix, the damping of the interpolation to it,
     /// and which slot of the coarser cell it is a part of, counted from 1; 0 for none.
-    pub(super) holds: Texture,
+    pub holds: Texture,
 }
 
 impl Level {
