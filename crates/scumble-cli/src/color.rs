@@ -61,7 +61,7 @@ pub(crate) fn run(options: &ColorOptions) -> anyhow::Result<()> {
     warn(&options.scribbles, &notes.to_string());
     if options.solver != Solver::Mesh {
         let boundary = opened.picture.color(&scribbles, &options.settings);
-        let pixmap = on_pixels::paint(&opened, &boundary, options);
+        let pixmap = on_pixels::paint(&opened, &boundary, options)?;
         return files::write(&options.output, &write_png(pixmap.width_px, pixmap.height_px, &pixmap.rgba)?);
     }
     let (colors, times) = spread(&mut opened, &scribbles, options)?;

@@ -47,8 +47,9 @@ scumble color DRAWING.svg --scribbles S.json -o OUT.png
                             all scribbles at once, or one after the other
     [--gap-closing 0.5]     how readily gaps between lines count as closed, 0 to 1 (global only)
     [--spread]              colour also what nobody scribbled (global only)
-    [--solver mesh|cpu-grid|jeschke]
-                            on triangles, exact; on pixels; on pixels after Jeschke et al. 2009
+    [--solver mesh|gpu|cpu-grid|jeschke]
+                            on triangles, exact; on pixels, by the graphics card or without;
+                            on pixels after Jeschke et al. 2009
     [--timings]             print counts and milliseconds of each stage as JSON
 
     S.json: {\"scribbles\":[{\"color\":\"#rrggbb\",\"width\":1.5,\"points\":[[x,y],…]},…]}

@@ -46,7 +46,9 @@ pub(crate) enum Solver {
     /// Triangles, exact at every size.
     #[default]
     Mesh,
-    /// Pixels, as on the GPU.
+    /// Pixels.
+    GpuGrid,
+    /// The same without a GPU.
     CpuGrid,
     /// Pixels, after Jeschke et al. 2009.
     Jeschke,
@@ -194,9 +196,10 @@ fn blend(text: &str) -> Result<Blend, String> {
 fn solver(text: &str) -> Result<Solver, String> {
     match text {
         "mesh" => Ok(Solver::Mesh),
+        "gpu" => Ok(Solver::GpuGrid),
         "cpu-grid" => Ok(Solver::CpuGrid),
         "jeschke" => Ok(Solver::Jeschke),
-        _ => Err("give mesh, cpu-grid or jeschke".into()),
+        _ => Err("give mesh, gpu, cpu-grid or jeschke".into()),
     }
 }
 

@@ -1,6 +1,10 @@
 //! Pictures by the solvers that work on pixels.
 
+use std::sync::{Arc, OnceLock};
+
+use anyhow::Context;
 use scumble_core::Boundary;
+use scumble_gpu::{Gpu, GpuError, GpuGridSolver};
 use scumble_solve::grid::{CutLinks, GridPicture, GridSolver, JeschkeSolver};
 use scumble_solve::{Pixmap, paint_grid};
 
@@ -14,21 +18,46 @@ const TOLERANCE: f32 = 0.25 / 255.0;
 const JESCHKE_STEPS: usize = 8;
 
 /// Spreads the colours and paints the page.
-pub(super) fn paint(opened: &Opened, boundary: &Boundary, options: &ColorOptions) -> Pixmap {
+///
+/// # Errors
+/// When there is no GPU that can do it.
+pub(super) fn paint(opened: &Opened, boundary: &Boundary, options: &ColorOptions) -> anyhow::Result<Pixmap> {
     let view = stages::page_view(&opened.import.drawing, options.size_px);
     let links = CutLinks::new(opened.picture.map(), boundary, &view);
-    let pixels = solve(&links, options.solver);
+    let pixels = solve(&links, options.solver)?;
     let picture = GridPicture::new(opened.picture.map(), &view, options.settings.blend, pixels);
-    paint_grid(&picture, &super::shapes(opened, options), &view, (!options.transparent).then_some(PAPER))
+    let paper = (!options.transparent).then_some(PAPER);
+    Ok(paint_grid(&picture, &super::shapes(opened, options), &view, paper))
 }
 
-fn solve(links: &CutLinks, solver: Solver) -> Vec<[f32; 4]> {
-    if solver == Solver::Jeschke {
-        let mut solver = JeschkeSolver::new(links);
-        (0..JESCHKE_STEPS).for_each(|_| solver.step());
-        return solver.pixels().to_vec();
+fn solve(links: &CutLinks, solver: Solver) -> anyhow::Result<Vec<[f32; 4]>> {
+    match solver {
+        Solver::GpuGrid => {
+            pollster::block_on(on_gpu(links)).context("--solver gpu (cpu-grid needs no graphics card)")
+        }
+        Solver::Jeschke => Ok(jeschke(links)),
+        Solver::CpuGrid | Solver::Mesh => Ok(on_cpu(links)),
     }
+}
+
+async fn on_gpu(links: &CutLinks) -> Result<Vec<[f32; 4]>, GpuError> {
+    let failure = Arc::new(OnceLock::new());
+    let noted = Arc::clone(&failure);
+    let gpu = Gpu::headless(move |error| drop(noted.set(error))).await?;
+    let mut solver = GpuGridSolver::new(&gpu, links)?;
+    solver.solve(TOLERANCE).await?;
+    let pixels = solver.pixels().await?;
+    failure.get().map_or(Ok(pixels), |error| Err(error.clone()))
+}
+
+fn on_cpu(links: &CutLinks) -> Vec<[f32; 4]> {
     let mut solver = GridSolver::new(links);
     solver.solve(TOLERANCE);
+    solver.pixels().to_vec()
+}
+
+fn jeschke(links: &CutLinks) -> Vec<[f32; 4]> {
+    let mut solver = JeschkeSolver::new(links);
+    (0..JESCHKE_STEPS).for_each(|_| solver.step());
     solver.pixels().to_vec()
 }

@@ -11,21 +11,14 @@ use super::reduction::Reduction;
 use super::tape::Recorder;
 use super::texels::{read, single, target, uploaded};
 use super::*;
-use crate::gpu::instance;
 
 /// A tenth of an 8-bit level.
 const TENTH: f32 = 0.1 / 255.0;
 
 /// An open device, or `None`, said aloud, where there is none.
 fn gpu() -> Option<Gpu> {
-    if wgpu::Instance::enabled_backend_features().is_empty() {
-        eprintln!("skipped: no graphics interface on this platform");
-        return None;
-    }
     let failed = |error: GpuError| panic!("{error}");
-    pollster::block_on(Gpu::open(&instance(), None, failed))
-        .map_err(|error| eprintln!("skipped: {error}"))
-        .ok()
+    pollster::block_on(Gpu::headless(failed)).map_err(|error| eprintln!("skipped: {error}")).ok()
 }
 
 /// Circles that overlap, a barrier across them, and colours on every other side: links of all kinds, cells of several
