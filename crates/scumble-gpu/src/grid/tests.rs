@@ -1,6 +1,6 @@
 //! Every kernel draws what its twin on the CPU computes. Needs a graphics driver; Mesa's software one is enough.
 
-use kurbo::{Affine, BezPath, Circle, Rect, Shape};
+use kurbo::{Affine, BezPath, Circle, Rect, Shape, Vec2};
 use scumble_core::{Boundary, Curve, Drawing, PlanarMap, Sampling};
 use scumble_solve::View;
 use scumble_solve::grid::{CutLinks, GridSolver, Hierarchy, Level, STEPS, Texel, Texture, kernels as twin};
@@ -29,19 +29,28 @@ fn cuts(width_px: u32, height_px: u32) -> CutLinks {
     barrier.curve_to((400.0, 900.0), (600.0, 100.0), (930.0, 700.0));
     let circles = [(400.0, 400.0, 230.0), (600.0, 500.0, 250.0), (610.0, 520.0, 243.0), (150.0, 850.0, 60.0)];
     let circles = circles.map(|(x, y, radius)| Circle::new((x, y), radius).to_path(1e-3));
-    let curves = circles.into_iter().chain([barrier]).map(|path| Curve { path, line: None }).collect();
-    let drawing = Drawing { curves, ..Drawing::new(Rect::new(0.0, 0.0, 1024.0, 1024.0)) };
-    let map = PlanarMap::build(&drawing, &Sampling::default()).expect("a map");
-    let view = View { px_from_du: Affine::scale(f64::from(width_px) / 1024.0), width_px, height_px };
-    CutLinks::new(&map, &boundary(&map), &view)
+    let map = map(circles.into_iter().chain([barrier]));
+    let boundary = boundary(&map, &[[0.2, 0.9], [0.7, 0.4], [0.1, 1.0]]);
+    CutLinks::new(&map, &boundary, &view(width_px, height_px))
 }
 
-fn boundary(map: &PlanarMap) -> Boundary {
+fn map(paths: impl Iterator<Item = BezPath>) -> PlanarMap {
+    let curves = paths.map(|path| Curve { path, line: None }).collect();
+    let drawing = Drawing { curves, ..Drawing::new(Rect::new(0.0, 0.0, 1024.0, 1024.0)) };
+    PlanarMap::build(&drawing, &Sampling::default()).expect("a map")
+}
+
+fn view(width_px: u32, height_px: u32) -> View {
+    View { px_from_du: Affine::scale(f64::from(width_px) / 1024.0), width_px, height_px }
+}
+
+/// Colours for both sides of the first curves.
+fn boundary(map: &PlanarMap, colors: &[[f64; 2]]) -> Boundary {
     let mut sides = vec![None; map.side_count()];
-    for (curve, colors) in [(0, [0.2, 0.9]), (1, [0.7, 0.4]), (2, [0.1, 1.0])] {
+    for (curve, colors) in colors.iter().enumerate() {
         for step in map.steps(curve) {
             for (side, value) in [step.left, step.left.opposite()].into_iter().zip(colors) {
-                sides[side.index()] = Some([[value, 1.0 - value, 0.5 * value, 1.0]; 3]);
+                sides[side.index()] = Some([[*value, 1.0 - value, 0.5 * value, 1.0]; 3]);
             }
         }
     }
@@ -190,29 +199,42 @@ fn farthest(a: &[Texel], b: &[Texel]) -> f32 {
     a.iter().flatten().zip(b.iter().flatten()).fold(0.0, |most, (a, b)| (a - b).abs().max(most))
 }
 
+/// Solves on both, to a step that changes nothing by more than a tolerance, and compares.
+fn assert_same_picture(gpu: &Gpu, cuts: &CutLinks, tolerance: f32) {
+    let size = [cuts.width_px, cuts.height_px];
+    let mut on_cpu = GridSolver::new(cuts);
+    let mut on_gpu = GpuGridSolver::new(gpu, cuts).expect("a solver");
+    let pixels = |solver: &GpuGridSolver| pollster::block_on(solver.pixels()).expect("the pixels come back");
+    let start = farthest(&pixels(&on_gpu), on_cpu.pixels());
+    assert!(start <= TENTH, "{size:?}: {start} at first");
+    let steps = on_cpu.solve(tolerance);
+    let gpu_steps = pollster::block_on(on_gpu.solve(tolerance)).expect("a solution");
+    assert!(steps.abs_diff(gpu_steps) <= 1, "{size:?}: {gpu_steps} instead of {steps} steps");
+    let end = farthest(&pixels(&on_gpu), on_cpu.pixels());
+    assert!(end <= TENTH, "{size:?}: {end} after {steps} steps");
+}
+
 #[test]
 fn pictures_are_those_of_the_cpu() {
     let Some(gpu) = gpu() else { return };
     for (width_px, height_px) in [(256, 256), (130, 97), (5, 200), (1, 1)] {
-        let cuts = cuts(width_px, height_px);
-        let mut on_cpu = GridSolver::new(&cuts);
-        let mut on_gpu = GpuGridSolver::new(&gpu, &cuts).expect("a solver");
-        let pixels =
-            |solver: &GpuGridSolver| pollster::block_on(solver.pixels()).expect("the pixels come back");
-        let start = farthest(&pixels(&on_gpu), on_cpu.pixels());
-        assert!(start <= TENTH, "{width_px} × {height_px}: {start} at first");
-        let steps = on_cpu.solve(TENTH);
-        let gpu_steps = pollster::block_on(on_gpu.solve(TENTH)).expect("a solution");
-        assert!(
-            steps.abs_diff(gpu_steps) <= 1,
-            "{width_px} × {height_px}: {gpu_steps} instead of {steps} steps"
-        );
-        let end = farthest(&pixels(&on_gpu), on_cpu.pixels());
-        assert!(end <= TENTH, "{width_px} × {height_px}: {end} after {steps} steps");
-        eprintln!(
-            "{width_px} × {height_px}: {start:e} at first, {end:e} after {steps} and {gpu_steps} steps"
-        );
+        assert_same_picture(&gpu, &cuts(width_px, height_px), TENTH);
     }
+}
+
+/// Many steps, in which the sums of the GPU, which has no doubles, might lead elsewhere.
+#[test]
+fn a_spiral_of_barriers_is_that_of_the_cpu() {
+    let Some(gpu) = gpu() else { return };
+    let center = Vec2::new(512.0, 512.0);
+    let at = |i: u32| (center + f64::from(20 + i) * Vec2::from_angle(f64::from(i) / 12.0)).to_point();
+    let mut spiral = BezPath::new();
+    spiral.move_to(at(0));
+    (1..460).for_each(|i| spiral.line_to(at(i)));
+    let ends = [10.0, 500.0].map(|radius| Circle::new((512.0, 512.0), radius).to_path(1e-3));
+    let map = map(ends.into_iter().chain([spiral]));
+    let colors = boundary(&map, &[[0.2, 0.9], [0.7, 0.4]]);
+    assert_same_picture(&gpu, &CutLinks::new(&map, &colors, &view(192, 192)), 0.01 * TENTH);
 }
 
 #[test]

@@ -4,20 +4,16 @@
 use super::level::Level;
 use super::texture::{Texel, Texture, minus, plus, times};
 
-/// The sum of what is linked to an unknown, by the weights of the links.
-#[inline]
-fn linked(level: &Level, values: &Texture, x: i32, y: i32) -> Texel {
-    let mut sum = [0.0; 4];
+/// The matrix times a vector, by the differences along links: their rounding is as small as they are, and along a channel
+/// between barriers all of it adds up.
+pub fn multiply(level: &Level, values: &Texture, x: i32, y: i32) -> Texel {
+    let [hold, ..] = level.holds.load(x, y);
+    let value = values.load(x, y);
+    let mut sum = times(value, hold);
     level.for_each_link(x, y, |weight, nx, ny| {
-        sum = plus(sum, times(values.load(nx, ny), weight));
+        sum = plus(sum, times(minus(value, values.load(nx, ny)), weight));
     });
     sum
-}
-
-/// The matrix times a vector.
-pub fn multiply(level: &Level, values: &Texture, x: i32, y: i32) -> Texel {
-    let [_, diagonal, ..] = level.holds.load(x, y);
-    minus(times(values.load(x, y), diagonal), linked(level, values, x, y))
 }
 
 /// What the equations lack.
