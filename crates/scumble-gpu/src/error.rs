@@ -22,17 +22,6 @@ pub enum GpuError {
     /// Pixels could not be fetched.
     #[error("the picture could not be read from the graphics device; draw it without the GPU ({0})")]
     ReadBack(String),
-    /// Only the grid solver needs floats.
-    #[error("the graphics device cannot draw floats; use a solver on the CPU")]
-    NoFloats,
-    /// A picture that does not fit into a texture.
-    #[error(
-        "the graphics device takes pictures of up to {most_px} pixels; make it smaller, or use a solver on the CPU"
-    )]
-    TooLarge {
-        /// Longest side of a texture.
-        most_px: u32,
-    },
     /// The device works, but draws something else.
     #[error("the graphics device draws wrong colours; use another renderer ({0})")]
     Probe(String),

@@ -8,10 +8,12 @@
 //! | levels, and the ways through them | `levels` |
 //! | sums over all texels | `reduction` |
 //! | a step of conjugate gradients | `gradients` |
+//! | why it cannot be done | `error` |
 //!
 //! Every pass draws a texture of floats from others with a fragment shader, so that WebGL2 can do it too. The matrices
 //! of the levels come from the CPU.
 
+mod error;
 mod gradients;
 pub(crate) mod kernels;
 mod levels;
@@ -26,6 +28,7 @@ use scumble_solve::grid::{CutLinks, Hierarchy, MAX_STEPS, Texel};
 
 use crate::error::GpuError;
 use crate::gpu::Gpu;
+pub use error::GridError;
 use gradients::{Gradients, Step};
 use kernels::Kernels;
 use levels::GpuLevels;
@@ -46,7 +49,7 @@ impl GpuGridSolver {
     ///
     /// # Errors
     /// When the device cannot draw floats, or not so many.
-    pub fn new(gpu: &Gpu, cuts: &CutLinks) -> Result<Self, GpuError> {
+    pub fn new(gpu: &Gpu, cuts: &CutLinks) -> Result<Self, GridError> {
         let hierarchy = Hierarchy::new(cuts);
         check(gpu, &hierarchy)?;
         let kernels = Kernels::new(&gpu.device);
@@ -97,12 +100,12 @@ impl GpuGridSolver {
 }
 
 /// Whether a device can draw what the solver needs.
-fn check(gpu: &Gpu, hierarchy: &Hierarchy) -> Result<(), GpuError> {
+fn check(gpu: &Gpu, hierarchy: &Hierarchy) -> Result<(), GridError> {
     let usages = gpu.adapter.get_texture_format_features(texels::FORMAT).allowed_usages;
     if !usages.contains(wgpu::TextureUsages::RENDER_ATTACHMENT) {
-        return Err(GpuError::NoFloats);
+        return Err(GridError::NoFloats);
     }
     let longest = hierarchy.given.iter().map(|t| t.width.max(t.height)).max().unwrap_or(0);
     let most = gpu.device.limits().max_texture_dimension_2d;
-    if longest > most as usize { Err(GpuError::TooLarge { most_px: most }) } else { Ok(()) }
+    if longest > most as usize { Err(GridError::TooLarge { most_px: most }) } else { Ok(()) }
 }

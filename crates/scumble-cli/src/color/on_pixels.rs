@@ -4,7 +4,7 @@ use std::sync::{Arc, OnceLock};
 
 use anyhow::Context;
 use scumble_core::Boundary;
-use scumble_gpu::{Gpu, GpuError, GpuGridSolver};
+use scumble_gpu::{Gpu, GpuGridSolver, GridError};
 use scumble_solve::grid::{CutLinks, GridPicture, GridSolver, JeschkeSolver};
 use scumble_solve::{Pixmap, paint_grid};
 
@@ -40,14 +40,14 @@ fn solve(links: &CutLinks, solver: Solver) -> anyhow::Result<Vec<[f32; 4]>> {
     }
 }
 
-async fn on_gpu(links: &CutLinks) -> Result<Vec<[f32; 4]>, GpuError> {
+async fn on_gpu(links: &CutLinks) -> Result<Vec<[f32; 4]>, GridError> {
     let failure = Arc::new(OnceLock::new());
     let noted = Arc::clone(&failure);
     let gpu = Gpu::headless(move |error| drop(noted.set(error))).await?;
     let mut solver = GpuGridSolver::new(&gpu, links)?;
     solver.solve(TOLERANCE).await?;
     let pixels = solver.pixels().await?;
-    failure.get().map_or(Ok(pixels), |error| Err(error.clone()))
+    failure.get().map_or(Ok(pixels), |error| Err(error.clone().into()))
 }
 
 fn on_cpu(links: &CutLinks) -> Vec<[f32; 4]> {

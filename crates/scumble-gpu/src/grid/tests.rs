@@ -242,5 +242,5 @@ fn a_picture_that_no_texture_holds_is_refused() {
     let Some(gpu) = gpu() else { return };
     let most_px = gpu.device.limits().max_texture_dimension_2d;
     let cuts = CutLinks { width_px: most_px + 1, height_px: 1, cuts: Vec::new(), faces: Vec::new() };
-    assert_eq!(GpuGridSolver::new(&gpu, &cuts).err(), Some(GpuError::TooLarge { most_px }));
+    assert_eq!(GpuGridSolver::new(&gpu, &cuts).err(), Some(GridError::TooLarge { most_px }));
 }
