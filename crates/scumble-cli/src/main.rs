@@ -75,6 +75,8 @@ Exit code 2: bad input; nothing was written (with --pictures: up to there).
 ";
 
 fn main() -> ExitCode {
+    // Whoever reads only the first lines ends the program quietly.
+    sigpipe::reset();
     match run() {
         Ok(code) => code,
         Err(error) => {

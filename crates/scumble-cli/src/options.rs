@@ -90,22 +90,25 @@ fn color(mut arguments: Arguments) -> anyhow::Result<ColorOptions> {
 }
 
 fn eval(mut arguments: Arguments) -> anyhow::Result<EvalOptions> {
-    let default = Settings::default();
     let kind = arguments.opt_value_from_fn("--kind", kind).map_err(advise)?;
     let method = arguments.opt_value_from_fn("--engine", Method::parse).map_err(advise)?;
-    let gap_closing = arguments.opt_value_from_fn("--gap-closing", unit).map_err(advise)?;
-    let spread = arguments.contains("--spread");
+    let settings = reach(&mut arguments)?;
     let single = arguments.contains("--single");
     let sheet = arguments.opt_value_from_os_str("--sheet", path).map_err(advise)?;
     let pictures = arguments.opt_value_from_os_str("--pictures", path).map_err(advise)?;
     let [set] = rest(arguments, ["SETDIR"])?;
     let is_together = sheet.is_none() && pictures.is_none();
     ensure!(!single || is_together, "--single makes no pictures; leave out --sheet and --pictures");
+    let is_plain = kind != Some(Kind::Dense) && !settings.spread;
+    ensure!(
+        !single || is_plain,
+        "--single takes sparse scribbles and does not spread; leave out --kind and --spread"
+    );
     Ok(EvalOptions {
         set: set.into(),
         kind: kind.unwrap_or_default(),
         method: method.unwrap_or_default(),
-        settings: Settings { gap_closing: gap_closing.unwrap_or(default.gap_closing), spread, ..default },
+        settings,
         single,
         sheet,
         pictures,
@@ -114,16 +117,18 @@ fn eval(mut arguments: Arguments) -> anyhow::Result<EvalOptions> {
 
 /// How the drawing is to be coloured, where the options say otherwise than the defaults do.
 fn settings(arguments: &mut Arguments) -> anyhow::Result<Settings> {
-    let default = Settings::default();
     let blend = arguments.opt_value_from_fn("--blend", blend).map_err(advise)?;
     let engine = arguments.opt_value_from_fn("--engine", engine).map_err(advise)?;
+    let reach = reach(arguments)?;
+    Ok(Settings { blend: blend.unwrap_or(reach.blend), engine: engine.unwrap_or(reach.engine), ..reach })
+}
+
+/// How far colours are to go; all else as the defaults say.
+fn reach(arguments: &mut Arguments) -> anyhow::Result<Settings> {
+    let default = Settings::default();
     let gap_closing = arguments.opt_value_from_fn("--gap-closing", unit).map_err(advise)?;
-    Ok(Settings {
-        blend: blend.unwrap_or(default.blend),
-        engine: engine.unwrap_or(default.engine),
-        gap_closing: gap_closing.unwrap_or(default.gap_closing),
-        spread: arguments.contains("--spread"),
-    })
+    let gap_closing = gap_closing.unwrap_or(default.gap_closing);
+    Ok(Settings { gap_closing, spread: arguments.contains("--spread"), ..default })
 }
 
 /// What is left once the options are taken: exactly the arguments that have these names.

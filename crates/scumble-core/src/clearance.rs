@@ -9,9 +9,10 @@
 //! so where the line points across it: such widths are scaled down. The border of the page is no line; passages along
 //! it count as wide.
 
-use kurbo::{Point, Vec2};
+use kurbo::{Line, Point, Vec2};
 
 use crate::planar_map::PlanarMap;
+use crate::scribble::distance_sq_to;
 use crate::triangulation::{HalfEdge, Triangulation};
 use crate::visibility::turn;
 
@@ -104,16 +105,14 @@ pub(crate) fn distance_to_lines_du(map: &PlanarMap, p: Point, triangle: usize) -
         let [a, b] = mesh.ends(h).map(|node| map.half_width_du(node));
         let to_corner = a.map_or(OPEN_DU, |half_du| (p - mesh.segment(h)[0]).hypot() - half_du);
         match (mesh.side(h), a, b) {
-            (Some(_), Some(a), Some(b)) => to_corner.min(distance_to_segment(p, mesh.segment(h)) - a.min(b)),
+            (Some(_), Some(a), Some(b)) => {
+                let [from, to] = mesh.segment(h);
+                to_corner.min(distance_sq_to(p, Line::new(from, to)).sqrt() - a.min(b))
+            }
             _ => to_corner,
         }
     };
     (0..3).map(|i| to_line(HalfEdge::of(triangle, i))).fold(OPEN_DU, f64::min)
-}
-
-fn distance_to_segment(p: Point, [a, b]: [Point; 2]) -> f64 {
-    let along = ((p - a).dot(b - a) / (b - a).hypot2()).clamp(0.0, 1.0);
-    (p - a.lerp(b, along)).hypot()
 }
 
 /// Whether no corner opposite to an edge lies in the circle over it, so that it crosses its passage at the narrowest.

@@ -45,16 +45,16 @@ impl PlanarMap {
 /// places they join are open.
 fn find(map: &PlanarMap, clearance: &Clearance, ratio: f64) -> Vec<Gap> {
     let mesh = map.triangulation();
-    let mut places = Places::new(clearance.place_widths_du.clone());
+    let mut basins = Basins::new(clearance.place_widths_du.clone());
     let mut gaps = Vec::new();
     for (width_du, h, twin) in passages(mesh, clearance) {
-        let [a, b] = [h, twin].map(|h| places.of(h.triangle() as u32));
-        let narrower_du = places.width_du(a).min(places.width_du(b));
+        let [a, b] = [h, twin].map(|h| basins.of(h.triangle() as u32));
+        let narrower_du = basins.width_du(a).min(basins.width_du(b));
         let ratio = if clearance.is_at_tip[h.index()] { ratio } else { WAIST * ratio };
         if a != b && is_gabriel(mesh, h) && width_du < ratio * narrower_du.max(0.0) {
             gaps.push(Gap { nodes: mesh.ends(h), width_du });
         } else {
-            places.join(a, b);
+            basins.join(a, b);
         }
     }
     gaps
@@ -71,18 +71,18 @@ fn passages(mesh: &Triangulation, clearance: &Clearance) -> Vec<(f64, HalfEdge, 
     passages
 }
 
-/// Sets of triangles, each with its widest place.
-struct Places {
+/// Basins of a watershed: sets of triangles, each with its widest place.
+struct Basins {
     parents: Vec<u32>,
     widths_du: Vec<f64>,
 }
 
-impl Places {
+impl Basins {
     fn new(widths_du: Vec<f64>) -> Self {
         Self { parents: (0..widths_du.len() as u32).collect(), widths_du }
     }
 
-    /// The set of a triangle, halving the way to it for the next time.
+    /// The basin of a triangle, halving the way to it for the next time.
     fn of(&mut self, mut triangle: u32) -> u32 {
         while self.parents[triangle as usize] != triangle {
             let parent = self.parents[triangle as usize];
@@ -92,11 +92,11 @@ impl Places {
         triangle
     }
 
-    fn width_du(&self, place: u32) -> f64 {
-        self.widths_du[place as usize]
+    fn width_du(&self, basin: u32) -> f64 {
+        self.widths_du[basin as usize]
     }
 
-    /// Joins two sets under the one with the wider place.
+    /// Joins two basins under the one with the wider place.
     fn join(&mut self, a: u32, b: u32) {
         let (wide, narrow) = if self.width_du(a) >= self.width_du(b) { (a, b) } else { (b, a) };
         self.parents[narrow as usize] = wide;

@@ -1,8 +1,9 @@
 //! The `Global` engine: all scribbles at once, each place taken by the one that comes to it by the widest way.
 //!
-//! Every scribble floods the refined mesh from where it was drawn. The way from triangle to triangle costs `length · (1 / width)⁸`: nearly the order "widest passage first, then distance", but a metric, so that a
-//! scribble that grows takes places from others and never gives any away, and the order of scribbles does not
-//! matter. Costs are integers, so that nothing depends on how sums are rounded.
+//! Every scribble floods the refined mesh from where it was drawn. The way from triangle to triangle costs
+//! `length · (1 / width)⁸`: nearly the order "widest passage first, then distance", but a metric, so that a scribble
+//! that grows takes places from others and never gives any away, and the order of scribbles does not matter. Costs are
+//! integers, so that nothing depends on how sums are rounded.
 //!
 //! A place in a passage of a certain width is as hard to leave as the passage: what is scribbled close to a line, or
 //! on it, has less to say about the other end of the room than what is scribbled in the open. That makes up for the
@@ -54,12 +55,13 @@ pub struct Global {
 #[derive(Clone, Debug)]
 struct Ground {
     ways: Ways,
-    crossing: Crossing,
+    /// Where colours spread.
+    crossing: Option<Crossing>,
 }
 
 impl Ground {
-    fn new(map: &PlanarMap) -> Self {
-        Self { ways: Ways::new(map), crossing: Crossing::new(map) }
+    fn new(map: &PlanarMap, spread: bool) -> Self {
+        Self { ways: Ways::new(map), crossing: spread.then(|| Crossing::new(map)) }
     }
 }
 
@@ -72,7 +74,7 @@ impl Global {
 
 impl Engine for Global {
     fn label(&mut self, map: &PlanarMap, scribbles: &[Scribble]) -> Labels {
-        let ground = self.ground.take().unwrap_or_else(|| Ground::new(map));
+        let ground = self.ground.take().unwrap_or_else(|| Ground::new(map, self.spread));
         self.go_on(map, &ground.ways, scribbles);
         let mut labels = self.flood.labels.clone();
         if self.spread {
@@ -81,8 +83,8 @@ impl Engine for Global {
         for (label, &at_hand) in labels.iter_mut().zip(&self.at_hand.labels).filter(|(_, at)| **at != NONE) {
             *label = at_hand;
         }
-        if self.spread {
-            ground.crossing.cross(&mut labels, &self.ranks);
+        if let Some(crossing) = &ground.crossing {
+            crossing.cross(&mut labels, &self.ranks);
         }
         let shown = self.shown.get_or_insert_with(|| Shown::new(map));
         let labels = shown.show(map, &ground.ways.gaps, &labels).clone();

@@ -43,7 +43,8 @@ fn cross(a: Line, b: Line) -> bool {
     parts(a, b) && parts(b, a)
 }
 
-fn distance_sq_to(point: Point, segment: Line) -> f64 {
+/// The square of the distance of a point from a segment.
+pub(crate) fn distance_sq_to(point: Point, segment: Line) -> f64 {
     if segment.p0 == segment.p1 {
         // Nearest-point search divides by the length.
         return (point - segment.p0).hypot2();

@@ -21,7 +21,8 @@ const AT_HAND: f64 = 2.0;
 const AT_HAND_LIMIT_DU: f64 = 2.0 * OPEN_DU;
 
 /// A room counts as meant once the scribble has as many samples there as this part of those in the room where it has
-/// most so far: less is a hand that slipped.
+/// most so far: less is a hand that slipped. So the first room always does, and no claim is ever given up while the
+/// scribble grows.
 const MEANT: f64 = 0.25;
 
 /// The samples of a scribble so far.
