@@ -154,7 +154,15 @@ fn circumcenter([a, b, c]: [Point; 3]) -> Option<Point> {
     (double_area > 0.0).then(|| a + offset / (2.0 * double_area))
 }
 
-/// The length of an edge without the lines at its ends.
+/// What the lines drawn through the ends of an edge leave of it, in du; negative where they overlap.
+pub(crate) fn clear_width_du(map: &PlanarMap, h: HalfEdge) -> f64 {
+    let mesh = map.triangulation();
+    let [a, b] = mesh.segment(h);
+    let lines_du: f64 = mesh.ends(h).iter().filter_map(|&node| map.half_width_du(node)).sum();
+    (b - a).hypot() - lines_du
+}
+
+/// The length of an edge without the lines at its ends, as far as it counts.
 fn edge_width_du(map: &PlanarMap, tips: &[Option<Vec2>], h: HalfEdge) -> f64 {
     let mesh = map.triangulation();
     let [a, b] = mesh.segment(h);
@@ -163,8 +171,8 @@ fn edge_width_du(map: &PlanarMap, tips: &[Option<Vec2>], h: HalfEdge) -> f64 {
     match mesh.ends(h).map(|node| map.half_width_du(node)) {
         [None, None] => OPEN_DU,
         [Some(half_du), None] | [None, Some(half_du)] => (BORDER_FACTOR * length_du - half_du).min(OPEN_DU),
-        [Some(left_du), Some(right_du)] => {
-            let width_du = length_du - left_du - right_du;
+        [Some(_), Some(_)] => {
+            let width_du = clear_width_du(map, h);
             let [left, right] = mesh.ends(h).map(|node| tips[node as usize]);
             let factor = tip_factor(left, across) * tip_factor(right, -across);
             if width_du > 0.0 { width_du * factor } else { width_du }

@@ -4,7 +4,7 @@
 //! much narrower than the widest places on both its sides stays closed: it is a gap. This is the persistence of a
 //! saddle (H. Edelsbrunner et al., *Topological persistence and simplification*, 2002), as a ratio.
 
-use crate::clearance::{Clearance, is_gabriel};
+use crate::clearance::{Clearance, clear_width_du, is_gabriel};
 use crate::planar_map::{Gap, PlanarMap};
 use crate::sort;
 use crate::triangulation::{HalfEdge, Triangulation};
@@ -14,6 +14,9 @@ const LARGEST_RATIO: f64 = 0.95;
 
 /// Where no line ends, a passage must be this much narrower still to be a gap: a waist is no hole in an outline.
 const WAIST: f64 = 0.7;
+
+/// A gap is wide if it leaves more than this part of the narrower of the places it joins.
+const WIDE: f64 = 0.5;
 
 /// The ratio for a gap closing from 0 to 1: half of it for a little less than a third of the way, where it matters.
 fn closed_below(closing: f64) -> f64 {
@@ -52,7 +55,7 @@ fn find(map: &PlanarMap, clearance: &Clearance, ratio: f64) -> Vec<Gap> {
         let narrower_du = basins.width_du(a).min(basins.width_du(b));
         let ratio = if clearance.is_at_tip[h.index()] { ratio } else { WAIST * ratio };
         if a != b && is_gabriel(mesh, h) && width_du < ratio * narrower_du.max(0.0) {
-            gaps.push(Gap { nodes: mesh.ends(h), width_du });
+            gaps.push(Gap { nodes: mesh.ends(h), is_wide: clear_width_du(map, h) > WIDE * narrower_du });
         } else {
             basins.join(a, b);
         }
