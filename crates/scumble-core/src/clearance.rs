@@ -9,10 +9,9 @@
 //! so where the line points across it: such widths are scaled down. The border of the page is no line; passages along
 //! it count as wide.
 
-use kurbo::{Line, Point, Vec2};
+use kurbo::{Line, ParamCurveNearest, Point, Vec2};
 
 use crate::planar_map::PlanarMap;
-use crate::scribble::distance_sq_to;
 use crate::triangulation::{HalfEdge, Triangulation};
 use crate::visibility::turn;
 
@@ -97,22 +96,36 @@ fn exit(
     Some((h, mesh.passage(h)?))
 }
 
-/// Distance of a point from the nearest drawn line around the triangle that it lies in, in du; negative on a line,
-/// [`OPEN_DU`] where there is none.
+/// Distance of a point from the nearest drawn line that is seen from the triangle that it lies in, in du; negative on a
+/// line, [`OPEN_DU`] where there is none.
 pub(crate) fn distance_to_lines_du(map: &PlanarMap, p: Point, triangle: usize) -> f64 {
     let mesh = map.triangulation();
-    let to_line = |h: HalfEdge| {
-        let [a, b] = mesh.ends(h).map(|node| map.half_width_du(node));
-        let to_corner = a.map_or(OPEN_DU, |half_du| (p - mesh.segment(h)[0]).hypot() - half_du);
-        match (mesh.side(h), a, b) {
-            (Some(_), Some(a), Some(b)) => {
-                let [from, to] = mesh.segment(h);
-                to_corner.min(distance_sq_to(p, Line::new(from, to)).sqrt() - a.min(b))
-            }
-            _ => to_corner,
+    let (mut nearest_du, mut around, mut at) = (OPEN_DU, vec![triangle], 0);
+    while let Some(&triangle) = around.get(at) {
+        for h in (0..3).map(|i| HalfEdge::of(triangle, i)) {
+            nearest_du = nearest_du.min(distance_to_line_du(map, p, h));
+            let is_near = distance_du(p, mesh.segment(h)) < nearest_du;
+            let next = mesh.passage(h).filter(|_| is_near).map(HalfEdge::triangle);
+            around.extend(next.filter(|next| !around.contains(next)));
         }
-    };
-    (0..3).map(|i| to_line(HalfEdge::of(triangle, i))).fold(OPEN_DU, f64::min)
+        at += 1;
+    }
+    nearest_du
+}
+
+/// Distance from what is drawn of a half-edge: its origin, and all of it if it is a piece of curve.
+fn distance_to_line_du(map: &PlanarMap, p: Point, h: HalfEdge) -> f64 {
+    let mesh = map.triangulation();
+    let [a, b] = mesh.ends(h).map(|node| map.half_width_du(node));
+    let to_corner_du = a.map_or(OPEN_DU, |half_du| (p - mesh.segment(h)[0]).hypot() - half_du);
+    match (mesh.side(h), a, b) {
+        (Some(_), Some(a), Some(b)) => to_corner_du.min(distance_du(p, mesh.segment(h)) - a.min(b)),
+        _ => to_corner_du,
+    }
+}
+
+fn distance_du(p: Point, [a, b]: [Point; 2]) -> f64 {
+    Line::new(a, b).nearest(p, 0.0).distance_sq.sqrt()
 }
 
 /// Whether no corner opposite to an edge lies in the circle over it, so that it crosses its passage at the narrowest.

@@ -30,7 +30,8 @@ fn distance_sq(a: Line, b: Line) -> f64 {
     if cross(a, b) {
         return 0.0;
     }
-    let from_ends = |ends: Line, to: Line| distance_sq_to(ends.p0, to).min(distance_sq_to(ends.p1, to));
+    let distance_sq = |point: Point, to: Line| to.nearest(point, 0.0).distance_sq;
+    let from_ends = |ends: Line, to: Line| distance_sq(ends.p0, to).min(distance_sq(ends.p1, to));
     from_ends(a, b).min(from_ends(b, a))
 }
 
@@ -41,15 +42,6 @@ fn cross(a: Line, b: Line) -> bool {
         side(b.p0) * side(b.p1) < 0.0
     };
     parts(a, b) && parts(b, a)
-}
-
-/// The square of the distance of a point from a segment.
-pub(crate) fn distance_sq_to(point: Point, segment: Line) -> f64 {
-    if segment.p0 == segment.p1 {
-        // Nearest-point search divides by the length.
-        return (point - segment.p0).hypot2();
-    }
-    segment.nearest(point, 0.0).distance_sq
 }
 
 #[cfg(test)]
