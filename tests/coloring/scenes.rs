@@ -27,9 +27,9 @@ const SCRIBBLE_WIDTH_DU: f64 = 12.0;
 
 /// Where engines are known not to do what a person would expect, and what they do.
 const FALLS_SHORT: [(EngineKind, &str); 4] = [
-    // A gap between the tip of the crease and the outline is closed: an edge where nobody drew one.
+    // A stretch of yellow lies between green and red: all of the gap at the tip of the crease is a narrow place.
     (EngineKind::Global, "figure-11-with-a-crease"),
-    // The same between the tip of the vein and the outline: half of the leaf stays white.
+    // The gaps between the tip of the vein and the outline are closed: half of the leaf stays white.
     (EngineKind::Global, "a-leaf-with-a-vein"),
     // Colour runs out onto the page.
     (EngineKind::Progressive, "figure-17-several-open-regions"),

@@ -16,7 +16,7 @@ const LARGEST_RATIO: f64 = 0.95;
 const WAIST: f64 = 0.7;
 
 /// A gap is wide if it leaves more than this part of the narrower of the places it joins.
-const WIDE: f64 = 0.5;
+const WIDE: f64 = 0.3;
 
 /// The ratio for a gap closing from 0 to 1: half of it for a little less than a third of the way, where it matters.
 fn closed_below(closing: f64) -> f64 {

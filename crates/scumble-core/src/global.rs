@@ -10,8 +10,9 @@
 //! hand that leaves its region a little. What is at hand is another matter: there the nearest scribble has its say,
 //! however narrow its place, so that a dab near a line colours that line.
 //!
-//! Colours stop at the [gaps](PlanarMap::gaps) of the map. With `spread`, they go on from there: through the gaps,
-//! and then across lines, into each region from the neighbour that shares the longest border with it.
+//! Colours stop at the [gaps](PlanarMap::gaps) of the map, but for those that lead into [pockets]. With `spread`, they
+//! go on from there: through all gaps, and then across lines, into each region from the neighbour that shares the
+//! longest border with it.
 //!
 //! A minimum cut on the places in doubt was not needed: on the quality set, this flood alone is ahead of cuts on
 //! pixels, and of the best of three methods picked for each drawing.
@@ -20,6 +21,7 @@ mod beyond;
 mod claim;
 mod crossing;
 mod flood;
+mod pockets;
 mod shown;
 
 use std::cmp::Ordering;
@@ -61,7 +63,7 @@ struct Ground {
 
 impl Ground {
     fn new(map: &PlanarMap, spread: bool) -> Self {
-        Self { ways: Ways::new(map), crossing: spread.then(|| Crossing::new(map)) }
+        Self { ways: Ways::new(map, spread), crossing: spread.then(|| Crossing::new(map)) }
     }
 }
 
@@ -77,9 +79,7 @@ impl Engine for Global {
         let ground = self.ground.take().unwrap_or_else(|| Ground::new(map, self.spread));
         self.go_on(map, &ground.ways, scribbles);
         let mut labels = self.flood.labels.clone();
-        if self.spread {
-            self.beyond.follow(map, &ground.ways, &self.ranks, &self.flood, &mut labels);
-        }
+        self.beyond.follow(map, &ground.ways, &self.ranks, &self.flood, &mut labels);
         for (label, &at_hand) in labels.iter_mut().zip(&self.at_hand.labels).filter(|(_, at)| **at != NONE) {
             *label = at_hand;
         }
