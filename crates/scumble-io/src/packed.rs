@@ -3,7 +3,7 @@
 //! Writing and reading are one walk over the work, which leaves it as a reader will find it: numbers are put on their
 //! lattices in passing. `docs/format.md` lists the walk, for others to follow.
 
-use kurbo::{BezPath, Cap, Join, PathEl, Point, Rect, Stroke};
+use kurbo::{BezPath, Cap, Join, PathEl, Rect, Stroke};
 use scumble_core::{Blend, Curve, EngineKind, Fill, Line, Paint, Rgba8, Scribble, Srgb8};
 
 use crate::work::{ColorPoint, Unknown, Work};

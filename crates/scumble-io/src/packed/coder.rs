@@ -13,6 +13,9 @@ pub(crate) const MAX_CONTEXTS: usize = 5;
 /// Kinds of numbers; each learns for itself which of its contexts tell most.
 pub(crate) const KINDS: usize = 32;
 
+/// Parts of a number: its sign, its length, and the bits after the leading one.
+const PARTS: usize = 3;
+
 /// What a document may take in memory; with the models it stays below 4 MiB.
 const MAX_BYTES: usize = 3 << 20;
 
@@ -60,7 +63,8 @@ pub(crate) struct Coder<'a> {
     low: u32,
     high: u32,
     models: Vec<Model>,
-    weights: [[i32; MAX_CONTEXTS]; KINDS],
+    /// Share of each model in a mix, for each kind of number and each part of it.
+    weights: [[i32; MAX_CONTEXTS]; KINDS * PARTS],
     /// The logistic function's inverse, in 1/256, by 1/4096.
     stretch: Vec<i32>,
     bytes_left: usize,
@@ -91,7 +95,7 @@ impl<'a> Coder<'a> {
             low: 0,
             high: u32::MAX,
             models: vec![Model { set: 1 << 15, seen: 0 }; 1 << SLOT_BITS],
-            weights: [[FIRST_WEIGHT; MAX_CONTEXTS]; KINDS],
+            weights: [[FIRST_WEIGHT; MAX_CONTEXTS]; KINDS * PARTS],
             stretch: stretch(),
             bytes_left: MAX_BYTES,
             has_failed: false,
@@ -176,18 +180,19 @@ impl<'a> Coder<'a> {
     }
 
     fn bit(&mut self, place: &Place, node: u32, bit: bool) -> bool {
+        let mix = PARTS * place.kind + part(node);
         let (mut slots, mut told) = ([0; MAX_CONTEXTS], [0; MAX_CONTEXTS]);
         let mut sum = 0;
         for i in 0..place.count {
             slots[i] = (mixed(place.hashes[i] ^ node.wrapping_mul(0x9e37_79b1)) >> (32 - SLOT_BITS)) as usize;
             told[i] = self.stretch[usize::from(self.models[slots[i]].set >> 4)];
-            sum += told[i] * self.weights[place.kind][i] >> 8;
+            sum += told[i] * self.weights[mix][i] >> 8;
         }
         let set = squash(sum >> 8);
         let bit = self.code(set << 4, bit);
         let error = (i32::from(bit) << 12) - set as i32;
         for i in 0..place.count {
-            let weight = &mut self.weights[place.kind][i];
+            let weight = &mut self.weights[mix][i];
             *weight = (*weight + (told[i] * error >> 10)).clamp(-MAX_WEIGHT, MAX_WEIGHT);
             self.models[slots[i]].learn(bit);
         }
@@ -230,6 +235,10 @@ impl Model {
         self.set = (i32::from(self.set) + change) as u16;
         self.seen = (self.seen + 1).min(MAX_SEEN);
     }
+}
+
+fn part(node: u32) -> usize {
+    if node == 0 { 0 } else { 1 + usize::from(node > 1 + MAX_LENGTH) }
 }
 
 fn place(kind: usize, contexts: &[i64]) -> Place {
