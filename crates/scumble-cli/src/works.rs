@@ -25,9 +25,9 @@ pub(crate) fn read(path: &Path) -> anyhow::Result<Work> {
 /// Writes work as its file.
 ///
 /// # Errors
-/// When the file's name is of another kind, or it cannot be written; then there is none.
+/// When it could not be read again, or cannot be written; then there is no file.
 pub(crate) fn write(path: &Path, work: &Work) -> anyhow::Result<()> {
-    files::write(path, &write_file(work))
+    files::write(path, &write_file(work)?)
 }
 
 /// Checks that a file's name is that of a kind that can be written.

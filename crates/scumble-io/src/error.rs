@@ -119,7 +119,7 @@ pub enum FileError {
     #[error("the file is empty; choose a .scumble file that was saved")]
     Empty,
     /// More bytes than are read.
-    #[error("the file is larger than the {} MB that can be opened", MAX_FILE_BYTES / 1_000_000)]
+    #[error("the file is larger than the {} MB that can be opened; simplify the drawing", MAX_FILE_BYTES / 1_000_000)]
     TooLarge,
     /// Binary data, or text in another encoding.
     #[error("the file is not a Scumble file: it is no text in UTF-8; choose a .scumble file")]
@@ -133,7 +133,9 @@ pub enum FileError {
     #[error("the file was saved by a newer Scumble, in version {0} of the format; update Scumble to open it")]
     Newer(String),
     /// Not as the format has it.
-    #[error("the file is damaged in line {line}: it should have {expected}; mend it there, or save it again")]
+    #[error(
+        "the file cannot be used: line {line} should have {expected}; mend it there, or save the drawing again"
+    )]
     Damaged {
         /// Counted from 1.
         line: usize,

@@ -6,7 +6,7 @@
 use kurbo::{BezPath, Cap, Join, PathEl, Rect, Stroke};
 use scumble_core::{Blend, Curve, EngineKind, Fill, Line, Paint, Rgba8, Scribble, Srgb8};
 
-use crate::work::{ColorPoint, Unknown, Work};
+use crate::work::{ColorPoint, Unknown, Work, are_too_long, is_sample_name};
 use crate::work_file;
 use coder::Coder;
 use pen::Pen;
@@ -119,6 +119,9 @@ fn walk(c: &mut Coder, work: &mut Work) -> PackedSizes {
     list(c, COLOR_POINTS, &mut work.color_points, &BLANK_COLOR_POINT, |c, point| {
         color_point(c, point, &mut seen)
     });
+    if are_too_long(&work.document.scribbles) {
+        c.fail();
+    }
     sizes.colors = c.written() - sizes.head - sizes.lines;
     unknown(c, &mut work.unknown);
     sizes
@@ -141,6 +144,9 @@ fn head(c: &mut Coder, work: &mut Work, seen: &mut Seen) {
     let mut name = work.sample.take().unwrap_or_default();
     if has_sample {
         text(c, &mut name);
+        if !is_sample_name(&name) {
+            c.fail();
+        }
         work.sample = Some(name);
     }
     page(c, &mut work.document.drawing.page);

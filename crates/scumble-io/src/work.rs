@@ -1,7 +1,11 @@
 //! What a file or a link keeps of somebody's work: the source of a picture, and nothing that can be derived from it.
 
 use kurbo::Rect;
-use scumble_core::{Document, Drawing, Paint, Scribble};
+use scumble_core::drawing::LONGER_SIDE_DU;
+use scumble_core::{Document, Drawing, Paint, Scribble, Settings};
+
+/// Longest way of all scribbles together, in longer sides of the page: an hour and more of scribbling.
+pub(crate) const MAX_PAGES: u32 = 5000;
 
 /// A document, and what belongs to it without being part of the picture's lines and scribbles.
 #[derive(Clone, Debug)]
@@ -76,12 +80,26 @@ impl Work {
 
     /// The same work with its scribbles and settings edited. Fields of a scribble that are not known go where its way
     /// goes: they stay with it when it is recoloured or moved in the order.
-    pub fn edited(&self, scribbles: Vec<Scribble>, settings: scumble_core::Settings) -> Self {
+    pub fn edited(&self, scribbles: Vec<Scribble>, settings: Settings) -> Self {
         let mut work = self.clone();
         work.unknown.follow(&self.document.scribbles, &scribbles);
         (work.document.scribbles, work.document.settings) = (scribbles, settings);
         work
     }
+}
+
+/// Whether scribbles are longer than a reader follows.
+pub(crate) fn are_too_long(scribbles: &[Scribble]) -> bool {
+    let length_du = |scribble: &Scribble| -> f64 {
+        scribble.points.windows(2).map(|ends| (ends[1] - ends[0]).hypot()).sum()
+    };
+    scribbles.iter().map(length_du).sum::<f64>() > f64::from(MAX_PAGES) * LONGER_SIDE_DU
+}
+
+/// Whether a name is a plain file name, which can lead nowhere but into the folder of samples.
+pub(crate) fn is_sample_name(name: &str) -> bool {
+    let is_plain = |b: u8| b.is_ascii_alphanumeric() || matches!(b, b'-' | b'_' | b'.');
+    (1..=64).contains(&name.len()) && !name.starts_with('.') && name.bytes().all(is_plain)
 }
 
 impl Unknown {

@@ -5,14 +5,13 @@
 use std::borrow::Cow;
 
 use kurbo::Rect;
-use scumble_core::drawing::LONGER_SIDE_DU;
-use scumble_core::{Blend, Document, EngineKind, Scribble, Settings};
+use scumble_core::{Blend, Document, EngineKind, Settings};
 
 use crate::MAX_FILE_BYTES;
 use crate::error::FileError;
 use crate::json::{Fault, Json, Member, push_number, push_string};
 use crate::packed;
-use crate::work::{Item, Unknown, Work};
+use crate::work::{Item, MAX_PAGES, Unknown, Work, are_too_long, is_sample_name};
 use items::Items;
 
 mod items;
@@ -27,11 +26,23 @@ const PAGE_PER_UNIT: u64 = 1_000_000_000;
 /// Most curves.
 const MAX_CURVES: usize = 100_000;
 
-/// Longest way of all scribbles together, in longer sides of the page.
-const MAX_PAGES: u32 = 5000;
-
 /// The file that keeps some work.
-pub fn write_file(work: &Work) -> Vec<u8> {
+///
+/// # Errors
+/// When it could not be read again.
+pub fn write_file(work: &Work) -> Result<Vec<u8>, FileError> {
+    let Document { drawing, scribbles, .. } = &work.document;
+    if drawing.curves.len() > MAX_CURVES {
+        return Err(FileError::TooManyCurves);
+    }
+    if are_too_long(scribbles) {
+        return Err(FileError::TooLong { limit_pages: MAX_PAGES });
+    }
+    let text = written(work);
+    if text.len() > MAX_FILE_BYTES { Err(FileError::TooLarge) } else { Ok(text.into_bytes()) }
+}
+
+fn written(work: &Work) -> String {
     let mut text = String::from("{\n\"format\": \"scumble\",\n\"version\": \"");
     let minor = VERSION[1].max(work.unknown.minor);
     text.extend([&VERSION[0].to_string(), ".", &minor.to_string(), "\""]);
@@ -51,7 +62,7 @@ pub fn write_file(work: &Work) -> Vec<u8> {
     items::push_all(&mut text, work);
     push_unknown(&mut text, ",\n", work.unknown.of(Item::Work, 0));
     text.push_str("\n}\n");
-    text.into_bytes()
+    text
 }
 
 fn push_settings(text: &mut String, settings: &Settings, unknown: &str) {
@@ -97,16 +108,19 @@ pub fn read_file(bytes: &[u8]) -> Result<Work, FileError> {
     let text = str::from_utf8(bytes).map_err(|_| FileError::NotText)?;
     let text = text.strip_prefix('\u{feff}').unwrap_or(text);
     let damaged = |fault: Fault| {
+        if fault.expected == items::NO_MORE_CURVES {
+            return FileError::TooManyCurves;
+        }
         let before = text.get(..fault.at).unwrap_or(text);
         FileError::Damaged { line: 1 + before.matches('\n').count(), expected: fault.expected }
     };
     let minor = minor_version(text, damaged)?;
     let work = Reader::read(text, minor).map_err(damaged)?;
-    if work.document.drawing.curves.len() > MAX_CURVES {
-        return Err(FileError::TooManyCurves);
+    if are_too_long(&work.document.scribbles) {
+        Err(FileError::TooLong { limit_pages: MAX_PAGES })
+    } else {
+        Ok(work)
     }
-    let is_too_long = length_du(&work.document.scribbles) > f64::from(MAX_PAGES) * LONGER_SIDE_DU;
-    if is_too_long { Err(FileError::TooLong { limit_pages: MAX_PAGES }) } else { Ok(work) }
 }
 
 /// The minor version of a file whose version can be read.
@@ -132,11 +146,6 @@ fn minor_version(text: &str, damaged: impl Fn(Fault) -> FileError) -> Result<u32
     }
 }
 
-fn length_du(scribbles: &[Scribble]) -> f64 {
-    let length = |scribble: &Scribble| scribble.points.windows(2).map(|w| (w[1] - w[0]).hypot()).sum::<f64>();
-    scribbles.iter().map(length).sum()
-}
-
 struct Reader {
     work: Work,
     items: Items,
@@ -160,12 +169,17 @@ impl Reader {
         let Document { drawing, settings, .. } = &mut self.work.document;
         match &*member.name {
             "format" | "version" => json.skip(),
-            "sample" => json.string().map(|name| self.work.sample = Some(name.into_owned())),
+            "sample" => sample(json).map(|name| self.work.sample = Some(name)),
             "canvas" => canvas(json).map(|page| drawing.page = page),
             "settings" => read_settings(json, &mut self.work.unknown).map(|read| *settings = read),
             _ => self.items.member(json, member, &mut self.work.unknown),
         }
     }
+}
+
+fn sample(json: &mut Json) -> Result<String, Fault> {
+    let name = json.string()?;
+    if is_sample_name(&name) { Ok(name.into_owned()) } else { json.fault("a plain file name before this") }
 }
 
 fn canvas(json: &mut Json) -> Result<Rect, Fault> {

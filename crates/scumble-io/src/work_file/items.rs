@@ -6,7 +6,7 @@ use scumble_core::{Curve, Fill, Line, Paint, Rgba8, Scribble, Srgb8};
 use crate::json::{Fault, Json, Member, push_number};
 use crate::work::{ColorPoint, Item, Unknown, Work};
 
-use super::{PER_UNIT, keep, named, push_unknown};
+use super::{MAX_CURVES, PER_UNIT, keep, named, push_unknown};
 
 const CAPS: [(&str, Cap); 3] = [("butt", Cap::Butt), ("round", Cap::Round), ("square", Cap::Square)];
 
@@ -15,6 +15,9 @@ const JOINS: [(&str, Join); 3] = [("miter", Join::Miter), ("round", Join::Round)
 const RULES: [(&str, bool); 2] = [("nonzero", false), ("evenodd", true)];
 
 const SIDES: [(&str, bool); 2] = [("left", true), ("right", false)];
+
+/// What is expected behind as many curves as there may be.
+pub(super) const NO_MORE_CURVES: &str = "no more curves";
 
 /// What a line is where nothing else is said, as in SVG.
 fn plain_stroke() -> Stroke {
@@ -206,6 +209,9 @@ impl Items {
         match &*member.name {
             "palette" => json.items(&mut |json| paint(json).map(|paint| self.palette.push(paint))),
             "curves" => json.items(&mut |json| {
+                if self.curves.len() == MAX_CURVES {
+                    return json.fault(NO_MORE_CURVES);
+                }
                 let item = Keeper { unknown, item: Item::Curve, index: self.curves.len() };
                 curve(json, item).map(|curve| self.curves.push(curve))
             }),
