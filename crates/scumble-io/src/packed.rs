@@ -83,7 +83,9 @@ pub struct PackedSizes {
 pub(crate) fn pack(work: &Work) -> Option<(Vec<u8>, PackedSizes)> {
     let mut work = work.clone();
     // Once everything is on its lattice, what has become the same is seen to be so.
-    walk(&mut Coder::writer(), &mut work);
+    let mut coder = Coder::writer();
+    walk(&mut coder, &mut work);
+    coder.finish()?;
     let mut coder = Coder::writer();
     let mut sizes = walk(&mut coder, &mut work);
     let bytes = coder.finish()?;
@@ -390,7 +392,8 @@ fn list<T: Clone>(
 
 /// A number in thousandths.
 fn unit(c: &mut Coder, kind: usize, contexts: &[i64], value: &mut f64) {
-    let steps = c.int(kind, contexts, (*value * PER_UNIT).round() as i64);
+    let given = ((*value * PER_UNIT).round() as i64).clamp(-MAX_STEPS, MAX_STEPS);
+    let steps = c.int(kind, contexts, given);
     if steps.abs() > MAX_STEPS {
         c.fail();
         return;

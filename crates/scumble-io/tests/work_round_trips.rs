@@ -100,8 +100,10 @@ fn settings() -> impl Strategy<Value = Settings> {
 }
 
 fn works() -> impl Strategy<Value = Work> {
-    let color_point = (any::<u32>(), any::<bool>(), 0.0..9e3, paints())
-        .prop_map(|(curve, is_left, at_du, color)| ColorPoint { curve: curve % 100_000, is_left, at_du, color });
+    let color_point =
+        (any::<u32>(), any::<bool>(), 0.0..9e3, paints()).prop_map(|(curve, is_left, at_du, color)| {
+            ColorPoint { curve: curve % 100_000, is_left, at_du, color }
+        });
     (drawings(), scribbles(), settings(), vec(paints(), 0..5), vec(color_point, 0..4)).prop_map(
         |(drawing, scribbles, settings, palette, color_points)| {
             let document = Document { drawing, scribbles, settings };

@@ -48,10 +48,13 @@ struct Before {
 }
 
 impl Pen {
-    /// The points of a stroke.
+    /// The points of a stroke; at least one.
     pub(super) fn stroke(&mut self, c: &mut Coder, points: &mut Vec<Point>) {
         let count = c.count(kind::SCRIBBLE, POINTS, points.len());
         points.resize(count, Point::ZERO);
+        if count == 0 {
+            c.fail();
+        }
         let (mut way, mut turn) = ([0; 2], [0; 2]);
         for (i, point) in points.iter_mut().enumerate() {
             let given = minus(steps(*point), self.at);
@@ -64,7 +67,7 @@ impl Pen {
         }
     }
 
-    /// A subpath: a start, at least one segment, and maybe an end that closes it.
+    /// A subpath: a start, segments, and maybe an end that closes it.
     pub(super) fn subpath(&mut self, c: &mut Coder, given: &[PathEl]) -> Vec<PathEl> {
         let is_closed = c.flag(SEGMENT, &[-1], is_closed(given));
         let segments = opened(given).get(1..).unwrap_or_default();

@@ -350,11 +350,7 @@ fn hex(text: &str) -> Option<u8> {
 fn one_path(json: &mut Json) -> Result<BezPath, Fault> {
     let path = read_path(json)?;
     let starts = path.iter().filter(|element| matches!(element, PathEl::MoveTo(_))).count();
-    if starts == 1 && path.elements().len() > 1 {
-        Ok(path)
-    } else {
-        json.fault("one path for each curve before this")
-    }
+    if starts == 1 { Ok(path) } else { json.fault("one path for each curve before this") }
 }
 
 /// `M x y`, then `L x y` and `C x y x y x y`, and maybe `Z`; again for further parts.
