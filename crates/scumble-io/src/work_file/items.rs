@@ -262,7 +262,10 @@ fn curve(json: &mut Json, mut keeper: Keeper) -> Result<Curve, Fault> {
         Ok(())
     })?;
     let line = width.map(|width| Line { stroke: Stroke { width, ..stroke }, color });
-    path.map_or_else(|| json.fault("a path in the curve before this"), |path| Ok(Curve { path, line }))
+    match path {
+        Some(path) => Ok(Curve { path, line }),
+        None => json.fault("a path in the curve before this"),
+    }
 }
 
 fn caps(json: &mut Json) -> Result<[Cap; 2], Fault> {
@@ -277,17 +280,20 @@ fn caps(json: &mut Json) -> Result<[Cap; 2], Fault> {
 }
 
 fn fill(json: &mut Json, mut keeper: Keeper) -> Result<Fill, Fault> {
-    let mut fill = Fill { path: BezPath::new(), even_odd: false, color: Rgba8([0, 0, 0, 255]) };
+    let (mut path, mut even_odd, mut color) = (None, false, Rgba8([0, 0, 0, 255]));
     json.members(&mut |json, member| {
         match &*member.name {
-            "path" => fill.path = read_path(json)?,
-            "rule" => fill.even_odd = named(json, &RULES)?,
-            "color" => fill.color = rgba(json)?,
+            "path" => path = Some(read_path(json)?),
+            "rule" => even_odd = named(json, &RULES)?,
+            "color" => color = rgba(json)?,
             _ => keeper.keep(json, &member)?,
         }
         Ok(())
     })?;
-    if fill.path.is_empty() { json.fault("a path in the fill before this") } else { Ok(fill) }
+    match path {
+        Some(path) => Ok(Fill { path, even_odd, color }),
+        None => json.fault("a path in the fill before this"),
+    }
 }
 
 fn scribble(json: &mut Json, mut keeper: Keeper) -> Result<Scribble, Fault> {
