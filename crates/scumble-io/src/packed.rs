@@ -116,10 +116,10 @@ fn walk(c: &mut Coder, work: &mut Work) -> PackedSizes {
     sizes.lines = c.written() - sizes.head;
     let mut pen = Pen::default();
     list(c, SCRIBBLES, &mut work.document.scribbles, &blank_scribble(), |c, s| {
-        scribble(c, s, &mut seen, &mut pen)
+        scribble(c, s, &mut seen, &mut pen);
     });
     list(c, COLOR_POINTS, &mut work.color_points, &BLANK_COLOR_POINT, |c, point| {
-        color_point(c, point, &mut seen)
+        color_point(c, point, &mut seen);
     });
     if are_too_long(&work.document.scribbles) {
         c.fail();
@@ -237,13 +237,16 @@ fn area_part(
     let ahead = curves.iter().skip(*next).take(NEIGHBOURS);
     let found =
         ahead.map(|curve| pen::opened(curve.path.elements())).position(|path| path == pen::opened(given));
-    let steps = c.int(kind::FILL, &[1], found.map_or(0, |steps| steps as i64 + 1)) as usize;
-    let Some(curve) = steps.checked_sub(1).and_then(|steps| curves.get(*next + steps)) else {
+    let steps = c.int(kind::FILL, &[1], found.map_or(0, |steps| steps as i64 + 1));
+    let last = usize::try_from(steps - 1).ok().and_then(|steps| next.checked_add(steps));
+    let Some((last, curve)) = last.and_then(|last| Some((last, curves.get(last)?))) else {
         return pen.subpath(c, given);
     };
-    *next += steps;
+    *next = last + 1;
     let path = pen::opened(curve.path.elements());
-    c.take(SEGMENTS, path.len());
+    if !c.take(SEGMENTS, path.len()) {
+        return Vec::new();
+    }
     let is_closed = c.flag(kind::FILL, &[2], pen::is_closed(given));
     path.iter().copied().chain(is_closed.then_some(PathEl::ClosePath)).collect()
 }

@@ -196,10 +196,12 @@ fn read_settings(json: &mut Json, unknown: &mut Unknown) -> Result<Settings, Fau
     json.members(&mut |json, member| {
         match &*member.name {
             "blend" => {
-                settings.blend = named(json, &[Blend::Oklab, Blend::Srgb].map(|b| (blend_name(b), b)))?
+                let blends = [Blend::Oklab, Blend::Srgb].map(|blend| (blend_name(blend), blend));
+                settings.blend = named(json, &blends)?;
             }
             "engine" => {
-                let engines = [EngineKind::Global, EngineKind::Progressive].map(|e| (engine_name(e), e));
+                let engines = [EngineKind::Global, EngineKind::Progressive];
+                let engines = engines.map(|engine| (engine_name(engine), engine));
                 settings.engine = named(json, &engines)?;
             }
             "gap_closing" => settings.gap_closing = json.number()?,

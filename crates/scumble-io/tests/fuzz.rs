@@ -3,12 +3,15 @@
 //! `FUZZ_RUNS=10000000 cargo test --release -p scumble-io --test fuzz` goes on for longer. The seeds are the fixtures and
 //! the sample drawings; a run is told by its number, so that a finding can be had again with `FUZZ_FROM`.
 
-mod made;
+#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
+
+#[path = "made/dice.rs"]
+mod dice;
 
 use std::fs;
 use std::path::Path;
 
-use made::Dice;
+use dice::Dice;
 use scumble_core::Document;
 use scumble_io::{Work, import_svg, read_file, read_link, read_scribbles, write_file, write_link};
 
@@ -99,7 +102,7 @@ fn packed(bytes: &[u8]) -> String {
     let mut rest = !0_u32;
     for byte in bytes {
         rest ^= u32::from(*byte);
-        (0..8).for_each(|_| rest = rest >> 1 ^ 0xedb8_8320 * (rest & 1));
+        (0..8).for_each(|_| rest = (rest >> 1) ^ (0xedb8_8320 * (rest & 1)));
     }
     let all = [bytes, &(!rest).to_be_bytes()].concat();
     let mut bits: Vec<_> =

@@ -1,5 +1,7 @@
 //! Links: how long they are, and what becomes of those that are none, damaged, hostile or of another version.
 
+#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
+
 mod made;
 
 use std::path::Path;

@@ -2,6 +2,8 @@
 //!
 //! `fixtures/vN.M/links.txt` has lines of a name and its link; `NAME.scumble` is the same work as a file of that version.
 
+#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
+
 use std::fs;
 use std::path::{Path, PathBuf};
 

@@ -1,5 +1,7 @@
 //! `.scumble` files: what they say, what they keep, and what becomes of those that are none.
 
+#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
+
 use kurbo::{Point, Rect};
 use scumble_core::{Blend, EngineKind, Paint, Settings, Srgb8};
 use scumble_io::{FileError, Work, read_file, read_link, write_file, write_link};

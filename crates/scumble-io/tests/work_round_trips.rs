@@ -1,5 +1,7 @@
 //! Work comes back from a file and from a link as it was, but for what its lattices move; and then it stays.
 
+#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
+
 use kurbo::{BezPath, Cap, Join, PathEl, Point, Rect, Stroke};
 use proptest::collection::vec;
 use proptest::option;

@@ -22,7 +22,7 @@ const MAX_BYTES: usize = 3 << 20;
 /// Longest number, in bits.
 const MAX_LENGTH: u32 = 40;
 
-/// Leading bits of a number that are foretold; those after them are as good as random.
+/// Bits behind the leading one that are foretold; those after them are as good as random.
 const FORETOLD: u32 = 7;
 
 /// Models, as a power of two. Two that fall together disturb each other, and do no other harm.
@@ -186,14 +186,14 @@ impl<'a> Coder<'a> {
         for i in 0..place.count {
             slots[i] = (mixed(place.hashes[i] ^ node.wrapping_mul(0x9e37_79b1)) >> (32 - SLOT_BITS)) as usize;
             told[i] = self.stretch[usize::from(self.models[slots[i]].set >> 4)];
-            sum += told[i] * self.weights[mix][i] >> 8;
+            sum += (told[i] * self.weights[mix][i]) >> 8;
         }
         let set = squash(sum >> 8);
         let bit = self.code(set << 4, bit);
         let error = (i32::from(bit) << 12) - set as i32;
         for i in 0..place.count {
             let weight = &mut self.weights[mix][i];
-            *weight = (*weight + (told[i] * error >> 10)).clamp(-MAX_WEIGHT, MAX_WEIGHT);
+            *weight = (*weight + ((told[i] * error) >> 10)).clamp(-MAX_WEIGHT, MAX_WEIGHT);
             self.models[slots[i]].learn(bit);
         }
         bit
@@ -201,7 +201,7 @@ impl<'a> Coder<'a> {
 
     /// Codes a bit that is set with a likelihood of `set` in 65,536, strictly between none and all.
     fn code(&mut self, set: u32, bit: bool) -> bool {
-        let middle = self.low + (u64::from(self.high - self.low) * u64::from(set) >> 16) as u32;
+        let middle = self.low + ((u64::from(self.high - self.low) * u64::from(set)) >> 16) as u32;
         let bit = if let Way::Read { code, .. } = self.way { code <= middle } else { bit };
         if bit {
             self.high = middle;
@@ -259,7 +259,7 @@ fn mixed(bits: u32) -> u32 {
 fn squash(x: i32) -> u32 {
     let x = x.clamp(-2047, 2047) + 2048;
     let [below, above] = [x >> 7, (x >> 7) + 1].map(|i| LOGISTIC[i as usize]);
-    (below + ((above - below) * (x & 127) >> 7)) as u32
+    (below + (((above - below) * (x & 127)) >> 7)) as u32
 }
 
 fn stretch() -> Vec<i32> {

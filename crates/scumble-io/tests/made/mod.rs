@@ -3,24 +3,9 @@
 use kurbo::Point;
 use scumble_core::{Scribble, Srgb8};
 
-/// Numbers that look like chance, and are the same every time (Marsaglia's xorshift).
-#[derive(Clone, Debug)]
-pub(crate) struct Dice(pub(crate) u64);
+use dice::Dice;
 
-impl Dice {
-    /// A number below `end`.
-    pub(crate) fn below(&mut self, end: usize) -> usize {
-        self.0 ^= self.0 << 13;
-        self.0 ^= self.0 >> 7;
-        self.0 ^= self.0 << 17;
-        (self.0 >> 11) as usize % end.max(1)
-    }
-
-    /// A number from `from` to `to`.
-    fn within(&mut self, from: f64, to: f64) -> f64 {
-        from + (to - from) * self.below(1 << 20) as f64 / f64::from(1 << 20)
-    }
-}
+mod dice;
 
 /// A session of scribbling with a mouse on a page whose pixels are 1.37 du wide: to and fro in places all over it, fast
 /// between the turns and slow at them, with a trembling hand, one point at each of 60 ticks a second that finds the mouse
@@ -40,20 +25,20 @@ pub(crate) fn session(seed: u64, count: usize) -> Vec<Scribble> {
 }
 
 fn zigzag(dice: &mut Dice) -> Vec<Point> {
-    let middle = Point::new(dice.within(100.0, 640.0), dice.within(100.0, 640.0));
-    let [across, along] = [0; 2].map(|_| (dice.within(-60.0, 60.0), dice.within(-60.0, 60.0)));
+    let middle = Point::new(within(dice, 100.0, 640.0), within(dice, 100.0, 640.0));
+    let [across, along] = [0; 2].map(|_| (within(dice, -60.0, 60.0), within(dice, -60.0, 60.0)));
     let mut points: Vec<Point> = Vec::new();
     let (mut from, mut shake) = (middle, (0.0, 0.0));
     for turn in 0..2 + dice.below(5) {
-        let side = if turn % 2 == 0 { 1.0 } else { -1.0 } * dice.within(0.7, 1.2);
-        let down = (turn as f64 / 3.0 - 1.0) * dice.within(0.7, 1.2);
+        let side = if turn % 2 == 0 { 1.0 } else { -1.0 } * within(dice, 0.7, 1.2);
+        let down = (turn as f64 / 3.0 - 1.0) * within(dice, 0.7, 1.2);
         let to =
             middle + kurbo::Vec2::new(across.0 * side + along.0 * down, across.1 * side + along.1 * down);
-        let ticks = 7.0 + (to - from).hypot() / 8.0 * dice.within(0.8, 1.3);
+        let ticks = 7.0 + (to - from).hypot() / 8.0 * within(dice, 0.8, 1.3);
         for tick in 0..ticks as usize {
             let t = tick as f64 / ticks;
             let eased = 0.5 * t + 0.5 * t * t * (3.0 - 2.0 * t);
-            shake = (0.9 * shake.0 + dice.within(-0.4, 0.4), 0.9 * shake.1 + dice.within(-0.4, 0.4));
+            shake = (0.9 * shake.0 + within(dice, -0.4, 0.4), 0.9 * shake.1 + within(dice, -0.4, 0.4));
             let p = from.lerp(to, eased);
             let pixel = Point::new((p.x + shake.0).round() * 1.37, (p.y + shake.1).round() * 1.37);
             if points.last() != Some(&pixel) {
@@ -63,4 +48,9 @@ fn zigzag(dice: &mut Dice) -> Vec<Point> {
         from = to;
     }
     points
+}
+
+/// A number from `from` to `to`.
+fn within(dice: &mut Dice, from: f64, to: f64) -> f64 {
+    from + (to - from) * dice.below(1 << 20) as f64 / f64::from(1 << 20)
 }
