@@ -4,17 +4,18 @@
 
 use std::borrow::Cow;
 
-use kurbo::Rect;
-use scumble_core::{Blend, Document, EngineKind, Settings};
+use scumble_core::Document;
 
 use crate::MAX_FILE_BYTES;
 use crate::error::FileError;
-use crate::json::{Fault, Json, Member, push_number, push_string};
-use crate::packed;
-use crate::work::{Item, MAX_PAGES, Unknown, Work, are_too_long, is_sample_name};
-use items::Items;
+use crate::json::{Fault, Json};
+use crate::work::{MAX_PAGES, Work, are_too_long};
+use read::Reader;
 
 mod items;
+mod names;
+mod read;
+mod write;
 
 /// The version that is written. A file of a higher first number is refused.
 const VERSION: [u32; 2] = [1, 0];
@@ -38,60 +39,8 @@ pub fn write_file(work: &Work) -> Result<Vec<u8>, FileError> {
     if are_too_long(scribbles) {
         return Err(FileError::TooLong { limit_pages: MAX_PAGES });
     }
-    let text = written(work);
+    let text = write::written(work);
     if text.len() > MAX_FILE_BYTES { Err(FileError::TooLarge) } else { Ok(text.into_bytes()) }
-}
-
-fn written(work: &Work) -> String {
-    let mut text = String::from("{\n\"format\": \"scumble\",\n\"version\": \"");
-    let minor = VERSION[1].max(work.unknown.minor);
-    text.extend([&VERSION[0].to_string(), ".", &minor.to_string(), "\""]);
-    let Document { drawing, settings, .. } = &work.document;
-    if let Some(name) = &work.sample {
-        text.push_str(",\n\"sample\": ");
-        push_string(&mut text, name);
-    }
-    text.push_str(",\n\"canvas\": [");
-    let page = drawing.page;
-    for (i, number) in [page.x0, page.y0, page.width(), page.height()].into_iter().enumerate() {
-        text.push_str(if i > 0 { ", " } else { "" });
-        push_number(&mut text, number, PAGE_PER_UNIT);
-    }
-    text.push_str("],\n\"settings\": ");
-    push_settings(&mut text, settings, work.unknown.of(Item::Settings, 0));
-    items::push_all(&mut text, work);
-    push_unknown(&mut text, ",\n", work.unknown.of(Item::Work, 0));
-    text.push_str("\n}\n");
-    text
-}
-
-fn push_settings(text: &mut String, settings: &Settings, unknown: &str) {
-    let [blend, engine] = [blend_name(settings.blend), engine_name(settings.engine)];
-    text.extend(["{\"blend\": \"", blend, "\", \"engine\": \"", engine, "\", \"gap_closing\": "]);
-    push_number(text, settings.gap_closing, PER_UNIT);
-    text.extend([", \"spread\": ", if settings.spread { "true" } else { "false" }]);
-    push_unknown(text, ", ", unknown);
-    text.push('}');
-}
-
-fn push_unknown(text: &mut String, comma: &str, unknown: &str) {
-    if !unknown.is_empty() {
-        text.extend([comma, unknown]);
-    }
-}
-
-fn blend_name(blend: Blend) -> &'static str {
-    match blend {
-        Blend::Oklab => "oklab",
-        Blend::Srgb => "srgb",
-    }
-}
-
-fn engine_name(engine: EngineKind) -> &'static str {
-    match engine {
-        EngineKind::Global => "global",
-        EngineKind::Progressive => "progressive",
-    }
 }
 
 /// Reads the work that a file keeps.
@@ -144,97 +93,6 @@ fn minor_version(text: &str, damaged: impl Fn(Fault) -> FileError) -> Result<u32
         (Ok(2..), _) => Err(FileError::Newer(version.chars().take(16).collect())),
         _ => Err(FileError::NotWork),
     }
-}
-
-struct Reader {
-    work: Work,
-    items: Items,
-}
-
-impl Reader {
-    fn read(text: &str, minor: u32) -> Result<Work, Fault> {
-        let mut work = Work::blank();
-        work.unknown.minor = minor;
-        let mut reader = Self { work, items: Items::default() };
-        let mut json = Json::new(text);
-        let mut has_canvas = false;
-        json.members(&mut |json, member| {
-            has_canvas |= member.name == "canvas";
-            reader.member(json, &member)
-        })?;
-        if !has_canvas { json.fault("a canvas in the file") } else { Ok(reader.items.into_work(reader.work)) }
-    }
-
-    fn member(&mut self, json: &mut Json, member: &Member) -> Result<(), Fault> {
-        let Document { drawing, settings, .. } = &mut self.work.document;
-        match &*member.name {
-            "format" | "version" => json.skip(),
-            "sample" => sample(json).map(|name| self.work.sample = Some(name)),
-            "canvas" => canvas(json).map(|page| drawing.page = page),
-            "settings" => read_settings(json, &mut self.work.unknown).map(|read| *settings = read),
-            _ => self.items.member(json, member, &mut self.work.unknown),
-        }
-    }
-}
-
-fn sample(json: &mut Json) -> Result<String, Fault> {
-    let name = json.string()?;
-    if is_sample_name(&name) { Ok(name.into_owned()) } else { json.fault("a plain file name before this") }
-}
-
-fn canvas(json: &mut Json) -> Result<Rect, Fault> {
-    let numbers @ [x, y, width, height] = json.numbers()?;
-    if packed::is_page(numbers) {
-        Ok(Rect::new(x, y, x + width, y + height))
-    } else {
-        json.fault("a canvas [x, y, width, height] with sides from 1e-6 to 1e8 before this")
-    }
-}
-
-fn read_settings(json: &mut Json, unknown: &mut Unknown) -> Result<Settings, Fault> {
-    let mut settings = Settings::default();
-    json.members(&mut |json, member| {
-        match &*member.name {
-            "blend" => {
-                let blends = [Blend::Oklab, Blend::Srgb].map(|blend| (blend_name(blend), blend));
-                settings.blend = named(json, &blends)?;
-            }
-            "engine" => {
-                let engines = [EngineKind::Global, EngineKind::Progressive];
-                let engines = engines.map(|engine| (engine_name(engine), engine));
-                settings.engine = named(json, &engines)?;
-            }
-            "gap_closing" => settings.gap_closing = json.number()?,
-            "spread" => settings.spread = json.boolean()?,
-            _ => keep(json, &member, unknown, Item::Settings, 0)?,
-        }
-        Ok(())
-    })?;
-    Ok(settings.clamped())
-}
-
-/// One of a few names.
-fn named<T: Copy>(json: &mut Json, names: &[(&str, T)]) -> Result<T, Fault> {
-    let name = json.string()?;
-    match names.iter().find(|(known, _)| *known == name) {
-        Some((_, value)) => Ok(*value),
-        None => {
-            json.fault("a name that this version knows before this; update it to open what a newer one saved")
-        }
-    }
-}
-
-/// Keeps a field that is not known.
-fn keep(
-    json: &mut Json,
-    member: &Member,
-    unknown: &mut Unknown,
-    item: Item,
-    index: usize,
-) -> Result<(), Fault> {
-    json.skip()?;
-    unknown.keep(item, index, json.source(member));
-    Ok(())
 }
 
 /// Whether a text is one or more members of an object, and nothing else.

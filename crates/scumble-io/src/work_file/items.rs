@@ -1,185 +1,15 @@
-//! The lists of a file: swatches, curves, solid ink, scribbles, colours set by hand.
+//! The lists of a file as they are read: swatches, curves, solid ink, scribbles, colours set by hand.
 
-use kurbo::{BezPath, Cap, Join, PathEl, Point, Stroke};
+use kurbo::{BezPath, Cap, PathEl, Point, Stroke};
 use scumble_core::{Curve, Fill, Line, Paint, Rgba8, Scribble, Srgb8};
 
-use crate::json::{Fault, Json, Member, push_number};
+use super::MAX_CURVES;
+use super::names::{CAPS, JOINS, RULES, SIDES, plain_stroke};
+use crate::json::{Fault, Json, Member};
 use crate::work::{ColorPoint, Item, Unknown, Work};
-
-use super::{MAX_CURVES, PER_UNIT, keep, named, push_unknown};
-
-const CAPS: [(&str, Cap); 3] = [("butt", Cap::Butt), ("round", Cap::Round), ("square", Cap::Square)];
-
-const JOINS: [(&str, Join); 3] = [("miter", Join::Miter), ("round", Join::Round), ("bevel", Join::Bevel)];
-
-const RULES: [(&str, bool); 2] = [("nonzero", false), ("evenodd", true)];
-
-const SIDES: [(&str, bool); 2] = [("left", true), ("right", false)];
 
 /// What is expected behind as many curves as there may be.
 pub(super) const NO_MORE_CURVES: &str = "no more curves";
-
-/// What a line is where nothing else is said, as in SVG.
-fn plain_stroke() -> Stroke {
-    Stroke::new(1.0).with_caps(Cap::Butt).with_join(Join::Miter).with_miter_limit(4.0)
-}
-
-pub(super) fn push_all(text: &mut String, work: &Work) {
-    let drawing = &work.document.drawing;
-    push_list(text, "palette", work.palette.len(), &mut |text, i| push_paint(text, work.palette[i]));
-    push_list(text, "curves", drawing.curves.len(), &mut |text, i| {
-        push_curve(text, &drawing.curves[i]);
-        push_unknown(text, ", ", work.unknown.of(Item::Curve, i));
-        text.push('}');
-    });
-    push_list(text, "fills", drawing.fills.len(), &mut |text, i| {
-        push_fill(text, &drawing.fills[i]);
-        push_unknown(text, ", ", work.unknown.of(Item::Fill, i));
-        text.push('}');
-    });
-    push_list(text, "scribbles", work.document.scribbles.len(), &mut |text, i| {
-        push_scribble(text, &work.document.scribbles[i]);
-        push_unknown(text, ", ", work.unknown.of(Item::Scribble, i));
-        text.push('}');
-    });
-    push_list(text, "color_points", work.color_points.len(), &mut |text, i| {
-        push_color_point(text, &work.color_points[i]);
-        push_unknown(text, ", ", work.unknown.of(Item::ColorPoint, i));
-        text.push('}');
-    });
-}
-
-/// A list with one line for each item; none where there are no items.
-fn push_list(text: &mut String, name: &str, count: usize, push: &mut dyn FnMut(&mut String, usize)) {
-    if count == 0 {
-        return;
-    }
-    text.extend([",\n\"", name, "\": ["]);
-    for i in 0..count {
-        text.push_str(if i > 0 { ",\n" } else { "\n" });
-        push(text, i);
-    }
-    text.push_str("\n]");
-}
-
-fn push_curve(text: &mut String, curve: &Curve) {
-    text.push_str("{\"path\": ");
-    push_path(text, &curve.path);
-    if let Some(Line { stroke, color }) = &curve.line {
-        push_length(text, "width", stroke.width.max(1.0 / PER_UNIT as f64));
-        push_rgba(text, *color);
-        push_stroke(text, stroke, &plain_stroke());
-    }
-}
-
-/// What is not plain about a stroke.
-fn push_stroke(text: &mut String, stroke: &Stroke, plain: &Stroke) {
-    if [stroke.start_cap, stroke.end_cap] != [plain.start_cap, plain.end_cap] {
-        let [start, end] = [stroke.start_cap, stroke.end_cap].map(|cap| name(&CAPS, cap));
-        text.extend([", \"caps\": [\"", start, "\", \"", end, "\"]"]);
-    }
-    if stroke.join != plain.join {
-        text.extend([", \"join\": \"", name(&JOINS, stroke.join), "\""]);
-    }
-    if stroke.miter_limit != plain.miter_limit {
-        push_length(text, "miter_limit", stroke.miter_limit);
-    }
-    if !stroke.dash_pattern.is_empty() {
-        text.push_str(", \"dashes\": ");
-        push_numbers(text, &stroke.dash_pattern);
-        push_length(text, "dash_offset", stroke.dash_offset);
-    }
-}
-
-fn push_fill(text: &mut String, fill: &Fill) {
-    text.push_str("{\"path\": ");
-    push_path(text, &fill.path);
-    text.extend([", \"rule\": \"", name(&RULES, fill.even_odd), "\""]);
-    push_rgba(text, fill.color);
-}
-
-fn push_scribble(text: &mut String, scribble: &Scribble) {
-    text.push_str("{\"color\": ");
-    push_paint(text, scribble.color);
-    push_length(text, "width", scribble.width_du.max(1.0 / PER_UNIT as f64));
-    text.push_str(", \"points\": [");
-    for (i, point) in scribble.points.iter().enumerate() {
-        text.push_str(if i > 0 { ", " } else { "" });
-        push_numbers(text, &[point.x, point.y]);
-    }
-    text.push(']');
-}
-
-fn push_color_point(text: &mut String, point: &ColorPoint) {
-    text.extend([
-        "{\"curve\": ",
-        &point.curve.to_string(),
-        ", \"side\": \"",
-        name(&SIDES, point.is_left),
-        "\"",
-    ]);
-    push_length(text, "at", point.at_du);
-    text.push_str(", \"color\": ");
-    push_paint(text, point.color);
-}
-
-fn push_length(text: &mut String, name: &str, length: f64) {
-    text.extend([", \"", name, "\": "]);
-    push_number(text, length, PER_UNIT);
-}
-
-fn push_numbers(text: &mut String, numbers: &[f64]) {
-    text.push('[');
-    for (i, number) in numbers.iter().enumerate() {
-        text.push_str(if i > 0 { "," } else { "" });
-        push_number(text, *number, PER_UNIT);
-    }
-    text.push(']');
-}
-
-fn push_paint(text: &mut String, paint: Paint) {
-    match paint {
-        Paint::Clear => text.push_str("\"none\""),
-        Paint::Color(Srgb8(rgb)) => push_hex(text, &rgb),
-    }
-}
-
-fn push_rgba(text: &mut String, Rgba8(rgba): Rgba8) {
-    text.push_str(", \"color\": ");
-    push_hex(text, if rgba[3] == 255 { &rgba[..3] } else { &rgba });
-}
-
-fn push_hex(text: &mut String, bytes: &[u8]) {
-    text.push_str("\"#");
-    for digit in bytes.iter().flat_map(|byte| [byte >> 4, byte & 15]) {
-        text.push(char::from_digit(u32::from(digit), 16).unwrap_or_default());
-    }
-    text.push('"');
-}
-
-fn push_path(text: &mut String, path: &BezPath) {
-    text.push('"');
-    for (i, element) in path.elements().iter().enumerate() {
-        text.push_str(if i > 0 { " " } else { "" });
-        let (command, points): (_, &[Point]) = match element {
-            PathEl::MoveTo(p) => ('M', &[*p]),
-            PathEl::LineTo(p) => ('L', &[*p]),
-            PathEl::QuadTo(a, p) => ('Q', &[*a, *p]),
-            PathEl::CurveTo(a, b, p) => ('C', &[*a, *b, *p]),
-            PathEl::ClosePath => ('Z', &[]),
-        };
-        text.push(command);
-        for number in points.iter().flat_map(|p| [p.x, p.y]) {
-            text.push(' ');
-            push_number(text, number, PER_UNIT);
-        }
-    }
-    text.push('"');
-}
-
-fn name<T: PartialEq + Copy, const N: usize>(names: &[(&'static str, T); N], value: T) -> &'static str {
-    names.iter().find(|(_, known)| *known == value).map_or("", |(name, _)| name)
-}
 
 /// The lists as they are read.
 #[derive(Debug, Default)]
@@ -387,4 +217,28 @@ fn read_path(json: &mut Json) -> Result<BezPath, Fault> {
 
 fn coordinate(text: &str) -> Option<f64> {
     text.parse().ok().filter(|number: &f64| number.abs() <= 1e9)
+}
+
+/// One of a few names.
+pub(super) fn named<T: Copy>(json: &mut Json, names: &[(&str, T)]) -> Result<T, Fault> {
+    let name = json.string()?;
+    match names.iter().find(|(known, _)| *known == name) {
+        Some((_, value)) => Ok(*value),
+        None => {
+            json.fault("a name that this version knows before this; update it to open what a newer one saved")
+        }
+    }
+}
+
+/// Keeps a field that is not known.
+pub(super) fn keep(
+    json: &mut Json,
+    member: &Member,
+    unknown: &mut Unknown,
+    item: Item,
+    index: usize,
+) -> Result<(), Fault> {
+    json.skip()?;
+    unknown.keep(item, index, json.source(member));
+    Ok(())
 }
