@@ -11,6 +11,9 @@
 //! | `scumble eval`: how well engines colour | `eval` |
 //! | … beside other people's methods on pixels | `rivals` |
 //! | folders of drawings with scribbles and truth | `set` |
+//! | `scumble render`: the picture of a file | `render` |
+//! | `scumble link`, `open`, `convert` | `share` |
+//! | work in and out of files of any kind | `works` |
 //! | from a file to a picture, stage by stage | `stages` |
 //! | times and their percentiles | `clock` |
 //! | files in and out | `files` |
@@ -24,9 +27,12 @@ mod eval;
 mod files;
 mod made;
 mod options;
+mod render;
 mod rivals;
 mod set;
+mod share;
 mod stages;
+mod works;
 
 use std::process::ExitCode;
 
@@ -45,10 +51,29 @@ scumble color DRAWING.svg --scribbles S.json -o OUT.png
                             all scribbles at once, or one after the other
     [--gap-closing 0.5]     how readily gaps between lines count as closed, 0 to 1 (global only)
     [--spread]              colour also what nobody scribbled (global only)
+    [--save FILE.scumble]   keep the drawing with its scribbles
     [--timings]             print counts and milliseconds of each stage as JSON
 
     S.json: {\"scribbles\":[{\"color\":\"#rrggbb\",\"width\":1.5,\"points\":[[x,y],…]},…]}
     in units of the drawing's viewBox, in drawing order.
+
+scumble render FILE -o OUT.png
+    the picture of a .scumble file, or of a drawing
+    [--size 1024] [--lines] [--transparent]
+                            as for color
+    [--samples DIR]         where the samples are, for a file that only names one
+
+scumble convert A B
+    turns a .svg, .scumble or .json file into a .scumble or .json file
+
+scumble link FILE
+    prints a link to a .scumble file, or to a drawing, as its last line
+    [--base URL]            what comes before the #
+    [--stats]               print a table of what takes how much before it
+
+scumble open LINK -o FILE.scumble
+    turns a link into a file
+    [--samples DIR]         where the samples are, for a link that only names one
 
 scumble corpus DIR [--take N]
     tries all drawings of a folder, or N of them evenly spaced;
@@ -94,6 +119,10 @@ fn run() -> anyhow::Result<ExitCode> {
         Command::Bench { set } => bench::run(&set)?,
         Command::BenchMade => bench::run_made()?,
         Command::Eval(options) => eval::run(&options)?,
+        Command::Render(options) => render::run(&options)?,
+        Command::Convert { from, to } => share::convert(&from, &to)?,
+        Command::Link(options) => share::link(&options)?,
+        Command::Open(options) => share::open(&options)?,
     }
     Ok(ExitCode::SUCCESS)
 }

@@ -9,6 +9,7 @@ use scumble_core::{Blend, EngineKind, Settings};
 
 use crate::eval::{EvalOptions, Method};
 use crate::set::Kind;
+use crate::works;
 
 /// Picture sizes that are made, in pixels of the longer side.
 const SIZES_PX: std::ops::RangeInclusive<u32> = 1..=16384;
@@ -22,6 +23,10 @@ pub(crate) enum Command {
     Bench { set: PathBuf },
     BenchMade,
     Eval(EvalOptions),
+    Render(RenderOptions),
+    Convert { from: PathBuf, to: PathBuf },
+    Link(LinkOptions),
+    Open(OpenOptions),
 }
 
 /// What `scumble color` is to make.
@@ -30,12 +35,46 @@ pub(crate) struct ColorOptions {
     pub(crate) drawing: PathBuf,
     pub(crate) scribbles: PathBuf,
     pub(crate) output: PathBuf,
+    pub(crate) look: Look,
+    pub(crate) settings: Settings,
+    /// Where to keep the drawing with its scribbles.
+    pub(crate) save: Option<PathBuf>,
+    pub(crate) timings: bool,
+}
+
+/// How a picture is painted.
+#[derive(Debug)]
+pub(crate) struct Look {
     /// Longer side.
     pub(crate) size_px: u32,
     pub(crate) lines: bool,
     pub(crate) transparent: bool,
-    pub(crate) settings: Settings,
-    pub(crate) timings: bool,
+}
+
+/// What `scumble render` is to make.
+#[derive(Debug)]
+pub(crate) struct RenderOptions {
+    pub(crate) file: PathBuf,
+    pub(crate) output: PathBuf,
+    pub(crate) samples: Option<PathBuf>,
+    pub(crate) look: Look,
+}
+
+/// What `scumble link` is to print.
+#[derive(Debug)]
+pub(crate) struct LinkOptions {
+    pub(crate) file: PathBuf,
+    /// What comes before the `#`.
+    pub(crate) base: String,
+    pub(crate) stats: bool,
+}
+
+/// What `scumble open` is to write.
+#[derive(Debug)]
+pub(crate) struct OpenOptions {
+    pub(crate) link: String,
+    pub(crate) output: PathBuf,
+    pub(crate) samples: Option<PathBuf>,
 }
 
 /// Reads a command line.
@@ -60,7 +99,16 @@ pub(crate) fn parse(mut arguments: Arguments) -> anyhow::Result<Command> {
             Ok(Command::Bench { set: set.into() })
         }
         Some("eval") => eval(arguments).map(Command::Eval),
-        Some(other) => bail!("there is no command “{other}”; use color, corpus, bench or eval, or --help"),
+        Some("render") => render(arguments).map(Command::Render),
+        Some("convert") => {
+            let [from, to] = rest(arguments, ["A", "B"])?;
+            let to = PathBuf::from(to);
+            works::check_writable(&to)?;
+            Ok(Command::Convert { from: from.into(), to })
+        }
+        Some("link") => link(arguments).map(Command::Link),
+        Some("open") => open(arguments).map(Command::Open),
+        Some(other) => bail!("there is no command “{other}”; see --help"),
     }
 }
 
@@ -70,23 +118,59 @@ fn path(value: &std::ffi::OsStr) -> Result<PathBuf, std::convert::Infallible> {
 
 fn color(mut arguments: Arguments) -> anyhow::Result<ColorOptions> {
     let scribbles = arguments.opt_value_from_os_str("--scribbles", path).map_err(advise)?;
-    let output = arguments.opt_value_from_os_str("-o", path).map_err(advise)?;
-    let size_px = arguments.opt_value_from_fn("--size", size).map_err(advise)?;
+    let output = picture(&mut arguments)?;
+    let save = arguments.opt_value_from_os_str("--save", path).map_err(advise)?;
+    save.as_deref().map(works::check_writable).transpose()?;
     let settings = settings(&mut arguments)?;
-    let lines = arguments.contains("--lines");
-    let transparent = arguments.contains("--transparent");
+    let look = look(&mut arguments)?;
     let timings = arguments.contains("--timings");
     let [drawing] = rest(arguments, ["DRAWING.svg"])?;
     Ok(ColorOptions {
         drawing: drawing.into(),
         scribbles: scribbles.context("--scribbles is missing; name a file of scribbles")?,
-        output: output.context("-o is missing; name the picture to write, for example -o picture.png")?,
-        size_px: size_px.unwrap_or(1024),
-        lines,
-        transparent,
+        output,
+        look,
         settings,
+        save,
         timings,
     })
+}
+
+fn render(mut arguments: Arguments) -> anyhow::Result<RenderOptions> {
+    let output = picture(&mut arguments)?;
+    let samples = arguments.opt_value_from_os_str("--samples", path).map_err(advise)?;
+    let look = look(&mut arguments)?;
+    let [file] = rest(arguments, ["FILE"])?;
+    Ok(RenderOptions { file: file.into(), output, samples, look })
+}
+
+fn link(mut arguments: Arguments) -> anyhow::Result<LinkOptions> {
+    let base: Option<String> = arguments.opt_value_from_str("--base").map_err(advise)?;
+    let base = base.unwrap_or_default();
+    ensure!(!base.contains('#'), "--base has a “#”; give the address up to it");
+    let stats = arguments.contains("--stats");
+    let [file] = rest(arguments, ["FILE"])?;
+    Ok(LinkOptions { file: file.into(), base, stats })
+}
+
+fn open(mut arguments: Arguments) -> anyhow::Result<OpenOptions> {
+    let output: Option<PathBuf> = arguments.opt_value_from_os_str("-o", path).map_err(advise)?;
+    let output = output.context("-o is missing; name the file to write, for example -o drawing.scumble")?;
+    works::check_writable(&output)?;
+    let samples = arguments.opt_value_from_os_str("--samples", path).map_err(advise)?;
+    let [link] = rest(arguments, ["LINK"])?;
+    Ok(OpenOptions { link: link.to_string_lossy().into_owned(), output, samples })
+}
+
+fn picture(arguments: &mut Arguments) -> anyhow::Result<PathBuf> {
+    let output = arguments.opt_value_from_os_str("-o", path).map_err(advise)?;
+    output.context("-o is missing; name the picture to write, for example -o picture.png")
+}
+
+fn look(arguments: &mut Arguments) -> anyhow::Result<Look> {
+    let size_px = arguments.opt_value_from_fn("--size", size).map_err(advise)?;
+    let lines = arguments.contains("--lines");
+    Ok(Look { size_px: size_px.unwrap_or(1024), lines, transparent: arguments.contains("--transparent") })
 }
 
 fn eval(mut arguments: Arguments) -> anyhow::Result<EvalOptions> {
