@@ -49,7 +49,7 @@ scumble color DRAWING.svg --scribbles S.json -o OUT.png
     [--blend oklab|srgb]    how colours mix
     [--engine global|progressive]
                             all scribbles at once, or one after the other
-    [--gap-closing 0.5]     how readily gaps between lines count as closed, 0 to 1 (global only)
+    [--gap-closing 0.5]     how readily gaps between lines count as closed, 0 to 1
     [--spread]              colour also what nobody scribbled (global only)
     [--save FILE.scumble]   keep the drawing with its scribbles
     [--timings]             print counts and milliseconds of each stage as JSON
@@ -90,7 +90,7 @@ scumble eval SETDIR
     [--kind dense|sparse]   which scribbles
     [--engine global|progressive|sight|flood|lazybrush|lazybrush-soft|nearest]
                             who colours; from flood on, other people's methods on pixels
-    [--gap-closing 0.5]     how readily gaps between lines count as closed, 0 to 1 (global only)
+    [--gap-closing 0.5]     how readily gaps between lines count as closed, 0 to 1 (global and progressive only)
     [--spread]              colour also what nobody scribbled (global and flood only)
     [--single]              each sparse scribble alone, without spreading
     [--sheet SHEET.png]     write a contact sheet, worst first: scribbles, truth, result

@@ -70,7 +70,7 @@ fn passages(mesh: &Triangulation, clearance: &Clearance) -> Vec<(f64, HalfEdge, 
         Some((clearance.widths_du[h.index()], h, twin))
     };
     let mut passages: Vec<_> = mesh.half_edges().filter_map(passage).collect();
-    sort::sort_by_key(&mut passages, |&(width_du, ..)| !sort::float(width_du));
+    sort::sort_copies_by_key(&mut passages, |&(width_du, ..)| !sort::float(width_du));
     passages
 }
 

@@ -1,7 +1,7 @@
 //! The `Global` engine: all scribbles at once, each place taken by the one that comes to it by the widest way.
 //!
 //! Every scribble floods the refined mesh from where it was drawn. The way from triangle to triangle costs
-//! `length · (1 / width)⁸`: nearly the order "widest passage first, then distance", but a metric, so that a scribble
+//! `(length + 1 du) · (1 / width)⁸`: nearly the order "widest passage first, then distance", but a metric, so that a scribble
 //! that grows takes places from others and never gives any away, and the order of scribbles does not matter. Costs are
 //! integers, so that nothing depends on how sums are rounded.
 //!
@@ -35,7 +35,6 @@ use shown::Shown;
 use crate::engine::{Engine, Labels};
 use crate::planar_map::PlanarMap;
 use crate::scribble::Scribble;
-use crate::sort;
 
 /// Floods the map from all scribbles; keeps the flood of the last call, and goes on with it where scribbles were only
 /// added to.
@@ -116,15 +115,17 @@ impl Global {
     /// its rank among them.
     fn goes_on(&self, scribbles: &[Scribble], ranks: &[u32]) -> bool {
         let begins = |(claim, scribble): (&Claim, &Scribble)| scribble.points.starts_with(claim.points());
-        let order = |ranks: &[u32]| {
-            let mut order: Vec<usize> = (0..self.claims.len()).collect();
-            sort::sort_by_key(&mut order, |&i| ranks[i].into());
-            order
-        };
         !self.flood.labels.is_empty()
             && self.claims.len() <= scribbles.len()
             && self.claims.iter().zip(scribbles).all(begins)
-            && order(ranks) == order(&self.ranks)
+            && self.by_rank().is_sorted_by_key(|&label| ranks[label])
+    }
+
+    /// The scribbles of the last call in the order of their ranks.
+    fn by_rank(&self) -> Vec<usize> {
+        let mut by_rank = vec![0; self.ranks.len()];
+        self.ranks.iter().enumerate().for_each(|(label, &rank)| by_rank[rank as usize] = label);
+        by_rank
     }
 
     /// Dries the map, and lets those scribbles in that were there before.

@@ -47,10 +47,12 @@ impl Picture {
     pub fn label(&mut self, scribbles: &[Scribble], settings: &Settings) -> Labels {
         let settings = settings.clamped();
         let before = std::mem::replace(&mut self.settings, settings);
-        if before.gap_closing != settings.gap_closing && self.map.close_gaps(settings.gap_closing) {
+        let is_other_map =
+            before.gap_closing != settings.gap_closing && self.map.close_gaps(settings.gap_closing);
+        if is_other_map {
             self.solver = None;
         }
-        if !before.share_engine(&settings) {
+        if is_other_map || !before.share_engine(&settings) {
             self.engine = settings.engine();
         }
         self.engine.label(&self.map, scribbles)

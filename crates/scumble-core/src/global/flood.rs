@@ -22,12 +22,15 @@ const LEAST_WIDTH_DU: f64 = 2.0;
 /// Label of a triangle that no scribble reaches.
 pub(super) const NONE: u32 = u32::MAX;
 
+/// Each step costs as if it were this much longer, in du: what is left for a way that has no length.
+const STEP_DU: f64 = 1.0;
+
 /// What it costs to go some way through a passage, both in du.
 pub(super) fn cost(length_du: f64, width_du: f64) -> Cost {
     let narrowness = OPEN_DU / width_du.clamp(LEAST_WIDTH_DU, OPEN_DU);
     let squared = narrowness * narrowness;
     let fourth = squared * squared;
-    ((1.0 + length_du) * fourth * fourth) as Cost
+    ((STEP_DU + length_du) * fourth * fourth) as Cost
 }
 
 /// A length as a cost.
