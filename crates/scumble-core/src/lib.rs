@@ -5,6 +5,7 @@
 //! | colours and blend spaces | [`color`] |
 //! | a line drawing in drawing units | [`drawing`] |
 //! | a stroke of colour | [`scribble`] |
+//! | shading scribbles as soft sources | [`source`] |
 //! | the document, gestures, undo | [`edit`] |
 //! | triangles, half-edges, sides | [`triangulation`] |
 //! | Delaunay triangulation and refinement | `delaunay` |
@@ -38,6 +39,7 @@ pub mod sight;
 mod small_map;
 mod snap;
 pub mod sort;
+pub mod source;
 mod stroke;
 pub mod triangulation;
 pub mod visibility;
@@ -50,8 +52,9 @@ pub use engine::{Engine, Labels};
 pub use global::Global;
 pub use planar_map::{Gap, MapError, Piece, PlanarMap, Sampling, Step};
 pub use progressive::Progressive;
-pub use scribble::Scribble;
+pub use scribble::{Scribble, ScribbleKind, Shading};
 pub use settings::{EngineKind, Settings};
 pub use sight::Sight;
+pub use source::SoftSource;
 pub use triangulation::{HalfEdge, SideId, Triangulation};
 pub use visibility::{Visible, visibility_polygon};

@@ -2,7 +2,9 @@
 
 use kurbo::{Point, Rect};
 use proptest::prelude::*;
-use scumble_core::{Blend, Document, Drawing, Editor, EngineKind, Paint, Scribble, Settings, Srgb8};
+use scumble_core::{
+    Blend, Document, Drawing, Editor, EngineKind, Paint, Scribble, ScribbleKind, Settings, Srgb8,
+};
 
 fn editor() -> Editor {
     Editor::new(Document::new(Drawing::new(Rect::new(0.0, 0.0, 72.0, 72.0))))
@@ -11,6 +13,7 @@ fn editor() -> Editor {
 fn begin(editor: &mut Editor, shade: u8) {
     editor.begin_scribble(Scribble {
         color: Srgb8([shade; 3]).into(),
+        kind: ScribbleKind::Fill,
         width_du: 5.0,
         points: vec![Point::ZERO],
     });

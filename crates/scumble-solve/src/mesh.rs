@@ -169,7 +169,7 @@ mod tests {
         let sides = (0..map.side_count()).map(|i| Some([[i as f64; 4]; 3])).collect::<Vec<_>>();
         let mut solver = MeshSolver::new(map.refined());
         let mut factored_after = |closed: bool| {
-            let boundary = Boundary { sides: sides.clone(), closed_gaps: vec![closed] };
+            let boundary = Boundary { closed_gaps: vec![closed], ..sides.clone().into() };
             solver.close_gaps(&boundary.closed_gaps);
             let kept = solver.regions.iter().filter(|region| region.is_factored()).count();
             solver.factor(&boundary).expect("factors");

@@ -1,7 +1,7 @@
 //! What the pen does on the canvas: it scribbles, or erases scribbles.
 
 use kurbo::{Line, Point, Rect};
-use scumble_core::Scribble;
+use scumble_core::{Scribble, ScribbleKind};
 
 use super::Session;
 use crate::command::{Phase, Tool};
@@ -73,7 +73,12 @@ impl Session {
     fn begin_scribble(&mut self, points: &[Point]) {
         if !points.is_empty() {
             let points = points.to_vec();
-            self.sheet.editor.begin_scribble(Scribble { color: self.color, width_du: self.brush_du, points });
+            self.sheet.editor.begin_scribble(Scribble {
+                color: self.color,
+                kind: ScribbleKind::Fill,
+                width_du: self.brush_du,
+                points,
+            });
             self.scribbles_changed();
         }
     }
