@@ -11,10 +11,14 @@
 //! solves. All arithmetic is scalar and in a fixed order, so a picture is the same on every machine.
 
 mod barriers;
+mod brush;
 mod dofs;
 mod element;
+mod elements;
 mod order;
+mod refine;
 mod region;
+mod sources;
 mod system;
 
 use std::mem;
@@ -25,6 +29,7 @@ use thiserror::Error;
 use crate::field::Field;
 use barriers::Barriers;
 use region::Region;
+use sources::Reach;
 
 /// Why a drawing has no colour field.
 #[derive(Clone, Copy, Debug, Error, PartialEq, Eq)]
@@ -75,8 +80,12 @@ impl MeshSolver {
     /// Sets up the systems of the regions whose gaps or set of coloured sides changed.
     pub fn analyse(&mut self, boundary: &Boundary) {
         self.close_gaps(&boundary.closed_gaps);
+        let reaches: Vec<_> = boundary.sources.iter().map(|source| Reach::new(&self.mesh, source)).collect();
         for region in &mut self.regions {
-            region.analyse(&self.mesh, &boundary.sides);
+            let shading = boundary.sources.iter().zip(&reaches);
+            let shading = shading.filter(|(_, reach)| reach.meets(&self.mesh, region.triangles()));
+            let sources = shading.map(|(source, _)| source.clone()).collect();
+            region.analyse(&self.mesh, &boundary.sides, sources);
         }
     }
 

@@ -8,10 +8,10 @@ use faer::linalg::cholesky::llt::factor::LltRegularization;
 use faer::sparse::linalg::cholesky::simplicial::{self, SimplicialLltRef, SymbolicSimplicialCholesky};
 use faer::sparse::{SparseColMatRef, SymbolicSparseColMatRef};
 use faer::{Conj, MatMut, Par};
-use scumble_core::{BlendColor, Triangulation};
+use kurbo::Point;
+use scumble_core::BlendColor;
 
 use super::SolveError;
-use super::dofs::Dofs;
 use super::element;
 
 /// Row of an unknown that is fixed.
@@ -23,6 +23,16 @@ const LEAST_PIVOT: f64 = 1e-12;
 
 /// Largest number of entries of a factor: what signed 32-bit indices reach.
 const MAX_ENTRIES: u64 = i32::MAX as u64;
+
+/// What one element adds to the matrix.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Element<'a> {
+    pub(super) corners: [Point; 3],
+    /// Its unknowns at corners 0, 1, 2 and in the middle of edges 01, 12, 20.
+    pub(super) dofs: [u32; 6],
+    /// What sources add.
+    pub(super) mass: Option<&'a element::Matrix>,
+}
 
 /// A system, analysed; and factored once its factor is asked for.
 #[derive(Debug)]
@@ -39,10 +49,13 @@ pub(super) struct System {
 
 impl System {
     /// Sets up the matrix and finds the pattern of its factor.
-    pub(super) fn new(mesh: &Triangulation, dofs: &Dofs, fixed: &[bool]) -> Result<Self, SolveError> {
+    pub(super) fn new<'a>(
+        elements: &mut dyn Iterator<Item = Element<'a>>,
+        fixed: &[bool],
+    ) -> Result<Self, SolveError> {
         let row_of = rows(fixed);
         let size = fixed.iter().filter(|&&fixed| !fixed).count();
-        let (matrix, couplings) = assemble(mesh, dofs, &row_of, size);
+        let (matrix, couplings) = assemble(elements, &row_of, size);
         let symbolic = matrix.analyse()?;
         Ok(Self { row_of, matrix, couplings, symbolic, factor: Vec::new() })
     }
@@ -60,13 +73,24 @@ impl System {
         Ok(())
     }
 
-    /// Computes some channels of the free values of a factored system from the fixed ones.
-    pub(super) fn solve(&self, values: &mut [BlendColor], channels: &[usize]) {
+    /// Computes some channels of the free values of a factored system from the fixed ones and from loads on unknowns.
+    pub(super) fn solve(
+        &self,
+        values: &mut [BlendColor],
+        channels: &[usize],
+        loads: &mut dyn Iterator<Item = (u32, BlendColor)>,
+    ) {
         let size = self.matrix.size();
         let mut columns = vec![0.0; channels.len() * size];
         for &(row, fixed, entry) in &self.couplings {
             for (i, &channel) in channels.iter().enumerate() {
                 columns[i * size + row as usize] -= entry * values[fixed as usize][channel];
+            }
+        }
+        for (dof, load) in loads {
+            let row = self.row_of[dof as usize];
+            for (i, &channel) in channels.iter().enumerate().filter(|_| row != FIXED) {
+                columns[i * size + row as usize] += load[channel];
             }
         }
         SimplicialLltRef::new(&self.symbolic, &self.factor).solve_in_place_with_conj(
@@ -170,25 +194,43 @@ impl Upper {
 }
 
 /// The matrix of the free unknowns, and the entries between them and the fixed ones.
-fn assemble(mesh: &Triangulation, dofs: &Dofs, row_of: &[u32], size: usize) -> (Upper, Vec<(u32, u32, f64)>) {
-    let mut diagonal = vec![0.0; size];
-    let (mut triplets, mut to_fixed) = (Vec::with_capacity(12 * dofs.triangles.len()), Vec::new());
-    for (&t, dofs) in dofs.triangles.iter().zip(&dofs.of_triangle) {
-        let weights = element::weights(mesh.corners(t as usize));
-        let rows = dofs.map(|dof| row_of[dof as usize]);
-        for (row, entry) in rows.into_iter().zip(element::diagonal(weights)).filter(|(row, _)| *row != FIXED)
-        {
-            diagonal[row as usize] += entry;
-        }
-        for (i, j, entry) in element::couplings(weights) {
-            match (rows[i], rows[j]) {
-                (FIXED, FIXED) => {}
-                (FIXED, row) => to_fixed.push((row, dofs[i], entry)),
-                (row, FIXED) => to_fixed.push((row, dofs[j], entry)),
-                (a, b) => triplets.push((a.min(b), a.max(b), entry)),
-            }
+fn assemble<'a>(
+    elements: &mut dyn Iterator<Item = Element<'a>>,
+    row_of: &[u32],
+    size: usize,
+) -> (Upper, Vec<(u32, u32, f64)>) {
+    let mut parts = Parts { row_of, diagonal: vec![0.0; size], triplets: Vec::new(), to_fixed: Vec::new() };
+    parts.triplets.reserve(12 * elements.size_hint().0 + size);
+    for Element { corners, dofs, mass } in elements {
+        let weights = element::weights(corners);
+        (0..6).zip(element::diagonal(weights)).for_each(|(i, entry)| parts.add(dofs[i], dofs[i], entry));
+        element::couplings(weights).into_iter().for_each(|(i, j, entry)| parts.add(dofs[i], dofs[j], entry));
+        if let Some(mass) = mass {
+            let upper = (0..6).flat_map(|i| (i..6).map(move |j| (i, j)));
+            upper.for_each(|(i, j)| parts.add(dofs[i], dofs[j], mass[i][j]));
         }
     }
-    triplets.extend((0..).zip(diagonal).map(|(row, entry)| (row, row, entry)));
-    (Upper::new(size, &triplets), to_fixed)
+    parts.triplets.extend((0..).zip(parts.diagonal).map(|(row, entry)| (row, row, entry)));
+    (Upper::new(size, &parts.triplets), parts.to_fixed)
+}
+
+/// The entries of a matrix so far.
+struct Parts<'a> {
+    row_of: &'a [u32],
+    diagonal: Vec<f64>,
+    triplets: Vec<(u32, u32, f64)>,
+    to_fixed: Vec<(u32, u32, f64)>,
+}
+
+impl Parts<'_> {
+    /// Adds an entry on the diagonal, or two equal ones on either side of it.
+    fn add(&mut self, a: u32, b: u32, entry: f64) {
+        match (self.row_of[a as usize], self.row_of[b as usize]) {
+            (FIXED, FIXED) => {}
+            (FIXED, row) => self.to_fixed.push((row, a, entry)),
+            (row, FIXED) => self.to_fixed.push((row, b, entry)),
+            (row, other) if row == other => self.diagonal[row as usize] += entry,
+            (row, other) => self.triplets.push((row.min(other), row.max(other), entry)),
+        }
+    }
 }
