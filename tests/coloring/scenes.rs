@@ -26,10 +26,7 @@ pub(crate) const LINE_WIDTH_DU: f64 = 6.0;
 const SCRIBBLE_WIDTH_DU: f64 = 12.0;
 
 /// Where engines are known not to do what a person would expect, and what they do.
-const FALLS_SHORT: [(EngineKind, &str); 8] = [
-    // Triangles span the region: what is left of one is as well right of it, whichever scribble is near.
-    (EngineKind::Global, "figure-8-three-scribbles"),
-    (EngineKind::Global, "figure-11-four-scribbles"),
+const FALLS_SHORT: [(EngineKind, &str); 6] = [
     // A gap between the tip of the crease and the outline is closed: an edge where nobody drew one.
     (EngineKind::Global, "figure-11-with-a-crease"),
     (EngineKind::Progressive, "figure-11-with-a-crease"),

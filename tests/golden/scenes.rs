@@ -186,7 +186,7 @@ fn solved(curves: &[BezPath], colors: &[[Option<Paint>; 2]]) -> Field {
         }
     }
     let boundary = Boundary { sides, closed_gaps: vec![true] };
-    MeshSolver::new(map.refined()).solve(&boundary, Blend::Oklab).expect("a field").clone()
+    MeshSolver::new(map.refined().clone()).solve(&boundary, Blend::Oklab).expect("a field").clone()
 }
 
 /// A square with a saddle of colours.

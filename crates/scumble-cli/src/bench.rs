@@ -129,7 +129,7 @@ impl Report {
         let (solved, baseline_ms) = timed(|| grid.solve());
         solved.context("the pixel multigrid did not converge")?;
         self.baseline.push(baseline_ms);
-        let mut fresh = scumble_solve::MeshSolver::new(opened.picture.map().refined());
+        let mut fresh = scumble_solve::MeshSolver::new(opened.picture.map().refined().clone());
         let view = stages::page_view(&opened.import.drawing, SIZE_PX);
         let (painted, ours_ms) = timed(|| {
             let field = fresh.solve(boundary, Blend::Oklab)?;

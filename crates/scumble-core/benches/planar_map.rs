@@ -2,7 +2,7 @@
 
 use std::hint::black_box;
 
-use criterion::{Criterion, criterion_group, criterion_main};
+use criterion::{BatchSize, Criterion, criterion_group, criterion_main};
 use kurbo::{Affine, Ellipse, Point, Rect, Shape};
 use scumble_core::{Curve, Drawing, Engine, PlanarMap, Sampling, Scribble, ScribbleKind, Sight, Srgb8};
 
@@ -26,7 +26,9 @@ fn planar_map(c: &mut Criterion) {
     let scribble =
         [Scribble { color: Srgb8([200, 30, 40]).into(), kind: ScribbleKind::Fill, width_du: 8.0, points }];
     c.bench_function("map", |b| b.iter(|| black_box(build())));
-    c.bench_function("refine", |b| b.iter(|| black_box(map.refined())));
+    c.bench_function("refine", |b| {
+        b.iter_batched(|| map.clone(), |map| black_box(map.refined().clone()), BatchSize::LargeInput);
+    });
     c.bench_function("sight of one scribble", |b| {
         b.iter(|| black_box(Sight::default().label(&map, &scribble)));
     });

@@ -13,6 +13,7 @@ use kurbo::{Point, Vec2};
 
 use crate::planar_map::PlanarMap;
 use crate::triangulation::{HalfEdge, Triangulation};
+use crate::visibility::turn;
 
 /// What a passage beside the tip of a line counts, as a part of its width, where the line points along it.
 const BESIDE_TIP: f64 = 0.7;
@@ -60,6 +61,39 @@ impl Clearance {
         let is_at_tip = mesh.half_edges().map(is_at_tip).collect();
         Self { widths_du, is_at_tip, place_widths_du }
     }
+}
+
+impl Clearance {
+    /// The width of the narrowest passage that a way leads through, in du; on a way within one triangle that of its
+    /// widest place. The way begins in a triangle of the map and crosses no line.
+    pub(crate) fn narrowest_du(&self, map: &PlanarMap, way: [Point; 3], triangle: usize) -> f64 {
+        let mesh = map.triangulation();
+        let mut narrowest_du = f64::INFINITY;
+        let mut at = triangle;
+        for ends in [[way[0], way[1]], [way[1], way[2]]] {
+            let mut from = None;
+            while let Some((h, twin)) = exit(mesh, at, from, ends) {
+                narrowest_du = narrowest_du.min(self.widths_du[h.index()]);
+                (at, from) = (twin.triangle(), Some(twin));
+            }
+        }
+        if narrowest_du < f64::INFINITY { narrowest_du } else { self.place_widths_du[triangle] }
+    }
+}
+
+/// The passage through which a segment leaves a triangle that it came into by the half-edge `entry`.
+fn exit(
+    mesh: &Triangulation,
+    triangle: usize,
+    entry: Option<HalfEdge>,
+    [from, to]: [Point; 2],
+) -> Option<(HalfEdge, HalfEdge)> {
+    let leaves = |h: &HalfEdge| {
+        let [a, b] = mesh.segment(*h);
+        turn(a, b, to) < 0.0 && turn(from, to, a) <= 0.0 && turn(from, to, b) >= 0.0
+    };
+    let h = (0..3).map(|i| HalfEdge::of(triangle, i)).filter(|h| Some(*h) != entry).find(leaves)?;
+    Some((h, mesh.passage(h)?))
 }
 
 /// Distance of a point from the nearest drawn line around the triangle that it lies in, in du; negative on a line,

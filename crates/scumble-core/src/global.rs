@@ -1,13 +1,13 @@
 //! The `Global` engine: all scribbles at once, each place taken by the one that comes to it by the widest way.
 //!
-//! Every scribble floods the triangles of the planar map from where it was drawn. The way from triangle to triangle
-//! costs `length · (1 / width)⁸`: nearly the order "widest passage first, then distance", but a metric, so that a
+//! Every scribble floods the refined mesh from where it was drawn. The way from triangle to triangle costs `length · (1 / width)⁸`: nearly the order "widest passage first, then distance", but a metric, so that a
 //! scribble that grows takes places from others and never gives any away, and the order of scribbles does not
 //! matter. Costs are integers, so that nothing depends on how sums are rounded.
 //!
 //! A place in a passage of a certain width is as hard to leave as the passage: what is scribbled close to a line, or
 //! on it, has less to say about the other end of the room than what is scribbled in the open. That makes up for the
-//! hand that leaves its region a little.
+//! hand that leaves its region a little. What is at hand is another matter: there the nearest scribble has its say,
+//! however narrow its place, so that a dab near a line colours that line.
 //!
 //! Colours stop at the [gaps](PlanarMap::gaps) of the map. With `spread`, they go on from there: through the gaps,
 //! and then across lines, into each region from the neighbour that shares the longest border with it.
@@ -26,7 +26,7 @@ use std::cmp::Ordering;
 use beyond::Beyond;
 use claim::Claim;
 use crossing::Crossing;
-use flood::{Flood, Ways};
+use flood::{Cost, Flood, NONE, Ways};
 use shown::Shown;
 
 use crate::engine::{Engine, Labels};
@@ -45,6 +45,8 @@ pub struct Global {
     claims: Vec<Claim>,
     ranks: Vec<u32>,
     flood: Flood,
+    /// What is at hand to a scribble.
+    at_hand: Flood,
     beyond: Beyond,
     shown: Option<Shown>,
 }
@@ -72,14 +74,18 @@ impl Engine for Global {
     fn label(&mut self, map: &PlanarMap, scribbles: &[Scribble]) -> Labels {
         let ground = self.ground.take().unwrap_or_else(|| Ground::new(map));
         self.go_on(map, &ground.ways, scribbles);
+        let mut labels = self.flood.labels.clone();
+        if self.spread {
+            self.beyond.follow(map, &ground.ways, &self.ranks, &self.flood, &mut labels);
+        }
+        for (label, &at_hand) in labels.iter_mut().zip(&self.at_hand.labels).filter(|(_, at)| **at != NONE) {
+            *label = at_hand;
+        }
+        if self.spread {
+            ground.crossing.cross(&mut labels, &self.ranks);
+        }
         let shown = self.shown.get_or_insert_with(|| Shown::new(map));
-        let labels = if self.spread {
-            let labels = self.beyond.follow(map, &ground.ways, &self.ranks, &self.flood);
-            ground.crossing.cross(labels, &self.ranks);
-            shown.show(map, labels).clone()
-        } else {
-            shown.show(map, &self.flood.labels).clone()
-        };
+        let labels = shown.show(map, &ground.ways.gaps, &labels).clone();
         self.ground = Some(ground);
         labels
     }
@@ -94,11 +100,13 @@ impl Global {
         }
         self.claims.resize_with(scribbles.len(), Claim::default);
         for (label, (scribble, claim)) in (0..).zip(scribbles.iter().zip(&mut self.claims)) {
-            for &(triangle, cost) in claim.follow(map, &ways.rooms, &scribble.points) {
-                self.flood.reach(triangle, cost, label, &ranks);
+            for seed in claim.follow(map, &ways.rooms, &scribble.points) {
+                self.flood.reach(seed.triangle, seed.cost, label, &ranks);
+                self.at_hand.reach(seed.triangle, seed.at_hand, label, &ranks);
             }
         }
-        self.flood.run(map, ways, &ranks);
+        self.flood.run(map, &ways.costs, &ranks);
+        self.at_hand.run(map, &ways.lengths, &ranks);
         self.ranks = ranks;
     }
 
@@ -119,15 +127,17 @@ impl Global {
 
     /// Dries the map, and lets those scribbles in that were there before.
     fn begin_anew(&mut self, map: &PlanarMap, scribbles: &[Scribble], ranks: &[u32]) {
-        self.flood = Flood::new(map);
+        self.flood = Flood::new(map, Cost::MAX);
+        self.at_hand = Flood::new(map, claim::at_hand_limit());
         self.beyond.reset(map);
         let known = std::mem::take(&mut self.claims);
         let same =
             |scribble: &Scribble| known.iter().find(|claim| claim.points() == scribble.points).cloned();
         self.claims = scribbles.iter().map(|scribble| same(scribble).unwrap_or_default()).collect();
         for (label, claim) in (0..).zip(&self.claims) {
-            for &(triangle, cost) in claim.seeds() {
-                self.flood.reach(triangle, cost, label, ranks);
+            for seed in claim.seeds() {
+                self.flood.reach(seed.triangle, seed.cost, label, ranks);
+                self.at_hand.reach(seed.triangle, seed.at_hand, label, ranks);
             }
         }
     }

@@ -3,7 +3,7 @@
 //! Curves are sampled onto a lattice, snap-rounded so that no two pieces cross, and triangulated together with the
 //! frame of the page (constrained Delaunay). Everything that asks what lies where walks this triangulation.
 
-use std::sync::OnceLock;
+use std::sync::{Arc, OnceLock};
 
 use kurbo::Rect;
 use thiserror::Error;
@@ -90,6 +90,7 @@ pub struct PlanarMap {
     half_widths_du: Vec<f64>,
     spacing_du: f64,
     clearance: OnceLock<Clearance>,
+    refined: OnceLock<Arc<Triangulation>>,
 }
 
 impl PlanarMap {
@@ -118,6 +119,7 @@ impl PlanarMap {
             half_widths_du,
             spacing_du: sampling.spacing_du,
             clearance: OnceLock::new(),
+            refined: OnceLock::new(),
         })
     }
 
@@ -188,6 +190,7 @@ impl PlanarMap {
     pub(crate) fn set_gaps(&mut self, gaps: Vec<Gap>) {
         self.triangulation.mark_gaps(gaps.iter().map(|gap| gap.nodes));
         self.gaps = gaps;
+        self.refined = OnceLock::new();
     }
 
     /// How wide all passages are, whichever gaps there are. Worked out at the first call.
@@ -197,8 +200,12 @@ impl PlanarMap {
 
     /// The same pieces with further nodes between them, so that angles are at least 20° where the pieces allow
     /// it, and no triangle is larger than the sampling asks for: the mesh of the solver. Pieces are never split;
-    /// gaps are chains of edges.
-    pub fn refined(&self) -> Triangulation {
+    /// gaps are chains of edges. Worked out at the first call, and anew with other gaps.
+    pub fn refined(&self) -> &Arc<Triangulation> {
+        self.refined.get_or_init(|| Arc::new(self.refine()))
+    }
+
+    fn refine(&self) -> Triangulation {
         let mut cdt = self.cdt.clone();
         delaunay::keep_gaps(&mut cdt, &self.triangulation, GAP_COARSENING * self.spacing_du);
         delaunay::refine(&mut cdt, self.frame, self.spacing_du);

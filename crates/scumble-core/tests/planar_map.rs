@@ -29,7 +29,7 @@ fn area(mesh: &Triangulation, t: usize) -> f64 {
 /// Checks all that later code relies on: triangles that turn left and tile the page, twins that are mutual, sides
 /// on both faces of every piece, and steps that follow one another.
 fn assert_sound(map: &PlanarMap) {
-    for mesh in [map.triangulation(), &map.refined()] {
+    for mesh in [map.triangulation(), map.refined()] {
         let areas: Vec<f64> = (0..mesh.triangle_count()).map(|t| area(mesh, t)).collect();
         assert!(areas.iter().all(|&a| a > 0.0));
         let page: f64 = 1024.0 * 768.0;
@@ -138,7 +138,7 @@ fn gaps_are_edges_of_the_map_and_chains_of_short_edges_of_the_refined_one() {
         edges.map(|h: HalfEdge| mesh.segment(h)).collect::<Vec<_>>()
     };
     assert_eq!(in_gap(map.triangulation()).len(), 2);
-    let refined = in_gap(&map.refined());
+    let refined = in_gap(map.refined());
     assert_eq!(refined.len(), 2 * 4);
     for end in refined.iter().flatten() {
         assert!(((*end - a).cross(b - a) / a.distance(b)).abs() < 1e-9);

@@ -206,7 +206,7 @@ fn is_parted_from_left_to_right(seen: &Seen) -> bool {
     };
     let has = |label: u32| within.iter().any(|side| side.label == Some(label));
     seen.sides.iter().filter(|side| side.label.is_some()).count() == within.len()
-        && all(0.0, 300.0, 0)
+        && all(0.0, 200.0, 0)
         && has(1)
         && all(700.0, 1024.0, 2)
 }

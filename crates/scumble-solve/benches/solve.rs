@@ -4,6 +4,7 @@ use criterion::{BatchSize, Criterion, criterion_group, criterion_main};
 use kurbo::{BezPath, Circle, Line, Rect, Shape};
 use scumble_core::{Blend, Boundary, Curve, Drawing, PlanarMap, Sampling, Triangulation};
 use scumble_solve::MeshSolver;
+use std::sync::Arc;
 
 /// Rings of circles and lines across them: about 45,000 unknowns, more than nearly all drawings of emoji have.
 fn curves() -> Vec<BezPath> {
@@ -14,7 +15,7 @@ fn curves() -> Vec<BezPath> {
 }
 
 /// Waves of colour along all sides.
-fn colored_mesh() -> (Triangulation, Boundary) {
+fn colored_mesh() -> (Arc<Triangulation>, Boundary) {
     let curves = curves().into_iter().map(|path| Curve { path, line: None }).collect();
     let drawing = Drawing { curves, ..Drawing::new(Rect::new(0.0, 0.0, 1024.0, 1024.0)) };
     let map = PlanarMap::build(&drawing, &Sampling::default()).expect("a map");
@@ -23,7 +24,7 @@ fn colored_mesh() -> (Triangulation, Boundary) {
         [0.5 + 0.5 * (i / 50.0).sin(), 0.5 + 0.1 * (i / 60.0).sin(), 0.5 + 0.5 * (i / 70.0).cos(), 1.0]
     };
     let sides: Vec<_> = (0..map.side_count()).map(|i| Some([wave(i), wave(i), wave(i + 1)])).collect();
-    (map.refined(), sides.into())
+    (map.refined().clone(), sides.into())
 }
 
 fn stages(c: &mut Criterion) {

@@ -22,6 +22,7 @@ mod sources;
 mod system;
 
 use std::mem;
+use std::sync::Arc;
 
 use scumble_core::{Blend, Boundary, Triangulation, sort};
 use thiserror::Error;
@@ -50,7 +51,7 @@ pub enum SolveError {
 /// they are missing, and each looks only at the regions whose boundary changed.
 #[derive(Debug)]
 pub struct MeshSolver {
-    mesh: Triangulation,
+    mesh: Arc<Triangulation>,
     /// As of the last look at the boundary.
     closed_gaps: Vec<bool>,
     /// By the first triangle of each.
@@ -60,7 +61,8 @@ pub struct MeshSolver {
 
 impl MeshSolver {
     /// Numbers the unknowns of a mesh, all gaps being open.
-    pub fn new(mesh: Triangulation) -> Self {
+    pub fn new(mesh: impl Into<Arc<Triangulation>>) -> Self {
+        let mesh = mesh.into();
         let triangles: Vec<_> = (0..mesh.triangle_count() as u32).collect();
         let mut solver = Self { mesh, closed_gaps: Vec::new(), regions: Vec::new(), field: Field::default() };
         solver.regions = solver.numbered(&triangles);
@@ -176,7 +178,7 @@ mod tests {
     fn only_the_regions_at_a_gap_lose_their_factors() {
         let map = map();
         let sides = (0..map.side_count()).map(|i| Some([[i as f64; 4]; 3])).collect::<Vec<_>>();
-        let mut solver = MeshSolver::new(map.refined());
+        let mut solver = MeshSolver::new(map.refined().clone());
         let mut factored_after = |closed: bool| {
             let boundary = Boundary { closed_gaps: vec![closed], ..sides.clone().into() };
             solver.close_gaps(&boundary.closed_gaps);

@@ -40,7 +40,7 @@ impl Picture {
     /// The solver on the refined map; meshes at the first call.
     pub fn mesh(&mut self) -> &mut MeshSolver {
         let map = &self.map;
-        self.solver.get_or_insert_with(|| MeshSolver::new(map.refined()))
+        self.solver.get_or_insert_with(|| MeshSolver::new(map.refined().clone()))
     }
 
     /// The labels of the sides and gaps, by the scribbles that fill; they name scribbles by their indices among all.

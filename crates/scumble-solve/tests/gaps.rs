@@ -56,7 +56,7 @@ fn colors(map: &PlanarMap, inner: Option<BlendColor>, outer: Option<BlendColor>)
 }
 
 fn solved(map: &PlanarMap, boundary: &Boundary) -> Field {
-    MeshSolver::new(map.refined()).solve(boundary, Blend::Oklab).expect("a field").clone()
+    MeshSolver::new(map.refined().clone()).solve(boundary, Blend::Oklab).expect("a field").clone()
 }
 
 fn is_flat(triangle: &FieldTriangle, color: BlendColor) -> bool {
@@ -183,7 +183,7 @@ proptest! {
         patterns in proptest::collection::vec(proptest::collection::vec(any::<bool>(), 0..40), 2..5),
     ) {
         let sides = sides(&map, &seed);
-        let mut solver = MeshSolver::new(map.refined());
+        let mut solver = MeshSolver::new(map.refined().clone());
         for pattern in patterns.iter().chain(&patterns) {
             let closed_gaps = pattern.iter().copied().cycle().take(map.gaps().len()).collect();
             let boundary = Boundary { closed_gaps, ..sides.clone().into() };
@@ -208,6 +208,6 @@ proptest! {
             let [a, b] = gap.nodes.map(|node| map.triangulation().points()[node as usize]);
             prop_assert!((length_du - 2.0 * a.distance(b)).abs() < 1e-6);
         }
-        prop_assert!(MeshSolver::new(mesh).solve(&boundary, Blend::Oklab).is_ok());
+        prop_assert!(MeshSolver::new(mesh.clone()).solve(&boundary, Blend::Oklab).is_ok());
     }
 }

@@ -33,7 +33,7 @@ impl Problem<'_> {
         let drawing = Drawing { curves, ..Drawing::new(Rect::new(0.0, 0.0, 1024.0, 1024.0)) };
         let chord_du = Sampling::default().chord_du * spacing_du / DEFAULT_DU;
         let map = PlanarMap::build(&drawing, &Sampling { spacing_du, chord_du }).expect("a map");
-        let mut solver = MeshSolver::new(map.refined());
+        let mut solver = MeshSolver::new(map.refined().clone());
         solver.solve(&self.boundary(&map), Blend::Srgb).expect("a field").clone()
     }
 

@@ -16,7 +16,10 @@ fn map(curves: impl IntoIterator<Item = BezPath>) -> PlanarMap {
 }
 
 fn solved(map: &PlanarMap, colors: &SideColors) -> Field {
-    MeshSolver::new(map.refined()).solve(&colors.clone().into(), Blend::Srgb).expect("a field").clone()
+    MeshSolver::new(map.refined().clone())
+        .solve(&colors.clone().into(), Blend::Srgb)
+        .expect("a field")
+        .clone()
 }
 
 fn opaque([a, b, c]: [f64; 3]) -> BlendColor {
@@ -301,7 +304,7 @@ proptest! {
         let map = map(curves);
         let colors = repeated(&coloring, &map);
         let boundary = colors.clone().into();
-        let mut staged = MeshSolver::new(map.refined());
+        let mut staged = MeshSolver::new(map.refined().clone());
         staged.analyse(&boundary);
         prop_assert_eq!(staged.factor(&boundary), Ok(()));
         prop_assert_eq!(staged.solve(&boundary, Blend::Srgb), Ok(&solved(&map, &colors)));
@@ -310,7 +313,7 @@ proptest! {
     #[test]
     fn what_came_before_makes_no_difference(curves in curves(), colorings in proptest::collection::vec(colorings(), 2..5)) {
         let map = map(curves);
-        let mut solver = MeshSolver::new(map.refined());
+        let mut solver = MeshSolver::new(map.refined().clone());
         for coloring in colorings.iter().chain(&colorings) {
             let colors = repeated(coloring, &map);
             prop_assert_eq!(solver.solve(&colors.clone().into(), Blend::Srgb), Ok(&solved(&map, &colors)));

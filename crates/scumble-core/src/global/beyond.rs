@@ -15,29 +15,28 @@ pub(super) struct Beyond {
     flood: Flood,
     /// Per triangle whether the flood before the gaps is there.
     is_before: Vec<bool>,
-    /// Labels of both floods.
-    labels: Vec<u32>,
 }
 
 impl Beyond {
     /// Forgets all.
     pub(super) fn reset(&mut self, map: &PlanarMap) {
-        self.flood = Flood::new(map);
+        self.flood = Flood::new(map, Cost::MAX);
         self.is_before = vec![false; self.flood.labels.len()];
     }
 
-    /// Floods on from what came to the flood before the gaps since the last call; gives the labels of both.
+    /// Floods on from what came to the flood before the gaps since the last call, and labels what it comes to.
     pub(super) fn follow(
         &mut self,
         map: &PlanarMap,
         ways: &Ways,
         ranks: &[u32],
         before: &Flood,
-    ) -> &mut [u32] {
+        labels: &mut [u32],
+    ) {
         let dried = self.dry(map, ways, before);
         for triangle in dried {
             for h in (0..3).map(|i| HalfEdge::of(triangle, i)) {
-                if let Some(twin) = map.triangulation().passage(h) {
+                if let Some(twin) = map.refined().passage(h) {
                     self.reach_through(map, ways, ranks, before, twin);
                 }
             }
@@ -48,16 +47,16 @@ impl Beyond {
             }
         }
         let is_before = &self.is_before;
-        self.flood.run_where(map, ways, ranks, |next, _| !is_before[next]);
-        self.labels.clear();
-        let both = before.labels.iter().zip(&self.flood.labels);
-        self.labels.extend(both.map(|(&before, &beyond)| if before == NONE { beyond } else { before }));
-        &mut self.labels
+        self.flood.run_where(map, &ways.costs, ranks, |next, _| !is_before[next]);
+        for (label, &beyond) in labels.iter_mut().zip(&self.flood.labels).filter(|(label, _)| **label == NONE)
+        {
+            *label = beyond;
+        }
     }
 
     /// Lets what is on this side of a passage, of either flood, come to the other.
     fn reach_through(&mut self, map: &PlanarMap, ways: &Ways, ranks: &[u32], before: &Flood, h: HalfEdge) {
-        let Some(to) = map.triangulation().passage(h).map(HalfEdge::triangle) else { return };
+        let Some(to) = map.refined().passage(h).map(HalfEdge::triangle) else { return };
         let from = h.triangle();
         let flood = if self.is_before[from] { before } else { &self.flood };
         let (cost, label) = (flood.costs[from], flood.labels[from]);
@@ -76,7 +75,7 @@ impl Beyond {
         let mut dried = Vec::new();
         while let Some((triangle, cost, label)) = stack.pop() {
             for h in (0..3).map(|i| HalfEdge::of(triangle, i)) {
-                let Some(next) = map.triangulation().passage(h).map(HalfEdge::triangle) else { continue };
+                let Some(next) = map.refined().passage(h).map(HalfEdge::triangle) else { continue };
                 if (self.flood.costs[next], self.flood.labels[next])
                     == (cost.saturating_add(ways.costs[h.index()]), label)
                 {

@@ -2,15 +2,23 @@
 
 use kurbo::Point;
 
-use super::flood::{Cost, cost};
-use crate::clearance::distance_to_lines_du;
+use super::flood::{Cost, cost, length};
+use crate::clearance::{OPEN_DU, distance_to_lines_du};
 use crate::planar_map::PlanarMap;
 use crate::small_map::SmallMap;
 use crate::stroke::Stroke;
 
-/// A scribble holds its place like a passage that is this many times as wide as its distance from the drawn lines:
-/// 2 is the widest that could pass there, and more keeps a careful dab near a line from being flooded.
-const HOLD: f64 = 4.0;
+/// A scribble holds its place like a passage that is this many times as wide as its distance from the drawn lines: the
+/// widest that could pass there. With less, the scribble furthest from all lines takes a room for itself (1.5 is better
+/// on drawings whose lights and shadows no line marks); with more, a hand that leaves its region takes another.
+const HOLD: f64 = 2.0;
+
+/// What lies around a sample within this many times its distance from the drawn lines is at hand: more than 1, so that
+/// the nearest line is, and a careful dab near a line has its say.
+const AT_HAND: f64 = 2.0;
+
+/// More than any sample has at hand, in du.
+const AT_HAND_LIMIT_DU: f64 = 2.0 * OPEN_DU;
 
 /// A room counts as meant once the scribble has as many samples there as this part of those in the room where it has
 /// most so far: less is a hand that slipped.
@@ -20,6 +28,8 @@ const MEANT: f64 = 0.25;
 #[derive(Clone, Debug, Default)]
 pub(super) struct Claim {
     stroke: Stroke,
+    /// Of the refined mesh, where the last sample lies.
+    triangle: usize,
     /// Number of samples in the room that has most.
     most: usize,
     /// Per room the samples there.
@@ -27,8 +37,28 @@ pub(super) struct Claim {
     seeds: Vec<Seed>,
 }
 
-/// A triangle, and what it costs to claim it.
-pub(super) type Seed = (usize, Cost);
+/// Where a sample lies, and what it costs to claim it.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Seed {
+    pub(super) triangle: usize,
+    /// In the flood over all the map.
+    pub(super) cost: Cost,
+    /// In the flood over what is at hand; see [`at_hand_limit`].
+    pub(super) at_hand: Cost,
+}
+
+impl Seed {
+    fn new(triangle: usize, distance_du: f64) -> Self {
+        let at_hand_du = AT_HAND * distance_du.clamp(0.0, OPEN_DU);
+        let at_hand = length(AT_HAND_LIMIT_DU - at_hand_du);
+        Self { triangle, cost: cost(0.0, HOLD * distance_du), at_hand }
+    }
+}
+
+/// What a seed's claim and the way from there may come to for a place to be at hand.
+pub(super) fn at_hand_limit() -> Cost {
+    length(AT_HAND_LIMIT_DU)
+}
 
 /// The samples in one room.
 #[derive(Clone, Debug, Default)]
@@ -53,13 +83,14 @@ impl Claim {
     /// Goes on to the end of a scribble that begins with the points followed so far, and gives what that adds.
     pub(super) fn follow(&mut self, map: &PlanarMap, rooms: &[u32], points: &[Point]) -> &[Seed] {
         let known = self.seeds.len();
-        let Self { stroke, most, visits, seeds } = self;
-        stroke.follow(map, points, |p, triangle| {
-            let visit = visits.entry(rooms[triangle]);
+        let Self { stroke, triangle, most, visits, seeds } = self;
+        stroke.follow(map, points, |p, base| {
+            *triangle = map.refined().locate(p, *triangle).unwrap_or(*triangle);
+            let visit = visits.entry(rooms[*triangle]);
             visit.sample_count += 1;
             *most = visit.sample_count.max(*most);
             visit.is_meant |= visit.sample_count as f64 >= MEANT * *most as f64;
-            visit.held_back.push((triangle, cost(0.0, HOLD * distance_to_lines_du(map, p, triangle))));
+            visit.held_back.push(Seed::new(*triangle, distance_to_lines_du(map, p, base)));
             if visit.is_meant {
                 seeds.append(&mut visit.held_back);
             }

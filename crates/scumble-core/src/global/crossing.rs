@@ -27,7 +27,7 @@ pub(super) struct Crossing {
 
 impl Crossing {
     pub(super) fn new(map: &PlanarMap) -> Self {
-        let (region_of, region_count) = map.triangulation().regions();
+        let (region_of, region_count) = map.refined().regions();
         let mut beside = beside_pieces(map);
         let mut borders = Vec::new();
         // Curve by curve: one that goes along the same two areas for long is soon counted.
@@ -72,7 +72,7 @@ impl Crossing {
 
 /// For each piece the triangles on either side of it, where there are two.
 fn beside_pieces(map: &PlanarMap) -> Vec<Option<[u32; 2]>> {
-    let mesh = map.triangulation();
+    let mesh = map.refined();
     let mut beside = vec![None; map.pieces().len()];
     for h in mesh.half_edges() {
         if let (Some(side), Some(twin)) = (mesh.side(h), mesh.twin(h)) {

@@ -3,12 +3,17 @@
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
 
+use kurbo::Point;
+
 use crate::clearance::OPEN_DU;
 use crate::planar_map::PlanarMap;
-use crate::triangulation::HalfEdge;
+use crate::triangulation::{HalfEdge, Triangulation};
 
 /// The cost of a way. Sums are exact: there are at most 2²² triangles, and a step costs less than 2¹⁰¹.
 pub(super) type Cost = u128;
+
+/// Lengths are counted in these parts of a du, so that their sums are exact.
+const PARTS_PER_DU: f64 = 4096.0;
 
 /// Widths below this count as this, in du.
 const LEAST_WIDTH_DU: f64 = 2.0;
@@ -24,10 +29,18 @@ pub(super) fn cost(length_du: f64, width_du: f64) -> Cost {
     ((1.0 + length_du) * fourth * fourth) as Cost
 }
 
-/// What it costs to go from triangle to triangle, per half-edge that is left through.
+/// A length as a cost.
+pub(super) fn length(length_du: f64) -> Cost {
+    (PARTS_PER_DU * length_du) as Cost
+}
+
+/// The ways from triangle to triangle of the refined mesh.
 #[derive(Clone, Debug)]
 pub(super) struct Ways {
+    /// What a step costs, per half-edge that is left through.
     pub(super) costs: Vec<Cost>,
+    /// How long it is.
+    pub(super) lengths: Vec<Cost>,
     /// Per triangle its room.
     pub(super) rooms: Vec<u32>,
     /// The half-edges that lead through a gap.
@@ -36,19 +49,36 @@ pub(super) struct Ways {
 
 impl Ways {
     pub(super) fn new(map: &PlanarMap) -> Self {
-        let mesh = map.triangulation();
-        let clearance = map.clearance();
-        let centroid = |t: usize| {
-            let [a, b, c] = mesh.corners(t).map(|p| p.to_vec2());
-            (a + b + c) / 3.0
-        };
-        let step = |h: HalfEdge| {
-            let length_du = |twin: HalfEdge| (centroid(h.triangle()) - centroid(twin.triangle())).hypot();
-            mesh.passage(h).map_or(0, |twin| cost(length_du(twin), clearance.widths_du[h.index()]))
-        };
+        let mesh = map.refined();
         let gaps = mesh.half_edges().filter(|&h| mesh.gap(h).is_some()).collect();
-        Self { costs: mesh.half_edges().map(step).collect(), rooms: mesh.rooms().0, gaps }
+        let none = vec![0; 3 * mesh.triangle_count()];
+        let mut ways = Self { costs: none.clone(), lengths: none, rooms: mesh.rooms().0, gaps };
+        let mut base = 0;
+        for t in 0..mesh.triangle_count() {
+            base = map.triangulation().locate(centroid(mesh, t), base).unwrap_or(base);
+            (0..3).for_each(|i| ways.measure(map, HalfEdge::of(t, i), base));
+        }
+        ways
     }
+
+    /// Sets what it takes to go through a half-edge of the refined mesh, either way, from a triangle whose centroid
+    /// lies in the triangle `base` of the map.
+    fn measure(&mut self, map: &PlanarMap, h: HalfEdge, base: usize) {
+        let mesh = map.refined();
+        let Some(twin) = mesh.passage(h).filter(|&twin| h < twin) else { return };
+        let [a, b] = mesh.segment(h);
+        let [from, to] = [h, twin].map(|h| centroid(mesh, h.triangle()));
+        let length_du = (to - from).hypot();
+        let width_du = map.clearance().narrowest_du(map, [from, a.midpoint(b), to], base);
+        for h in [h, twin] {
+            (self.costs[h.index()], self.lengths[h.index()]) = (cost(length_du, width_du), length(length_du));
+        }
+    }
+}
+
+fn centroid(mesh: &Triangulation, triangle: usize) -> Point {
+    let [a, b, c] = mesh.corners(triangle).map(|p| p.to_vec2());
+    ((a + b + c) / 3.0).to_point()
 }
 
 /// Which scribble each triangle belongs to, so far.
@@ -63,10 +93,10 @@ pub(super) struct Flood {
 }
 
 impl Flood {
-    /// A dry map.
-    pub(super) fn new(map: &PlanarMap) -> Self {
-        let count = map.triangulation().triangle_count();
-        Self { labels: vec![NONE; count], costs: vec![Cost::MAX; count], front: BinaryHeap::new() }
+    /// A dry map, of which no triangle is reached at more than `limit`.
+    pub(super) fn new(map: &PlanarMap, limit: Cost) -> Self {
+        let count = map.refined().triangle_count();
+        Self { labels: vec![NONE; count], costs: vec![limit; count], front: BinaryHeap::new() }
     }
 
     /// Lets a scribble come to a triangle at a cost. Where two come at the same cost, the lower rank wins.
@@ -79,19 +109,19 @@ impl Flood {
     }
 
     /// Floods on from wherever scribbles have come to, not through gaps.
-    pub(super) fn run(&mut self, map: &PlanarMap, ways: &Ways, ranks: &[u32]) {
-        self.run_where(map, ways, ranks, |_, h| map.triangulation().gap(h).is_none());
+    pub(super) fn run(&mut self, map: &PlanarMap, costs: &[Cost], ranks: &[u32]) {
+        self.run_where(map, costs, ranks, |_, h| map.refined().gap(h).is_none());
     }
 
-    /// Floods on through the passages that are open to `may_go(next triangle, half-edge)`.
+    /// Floods on through the passages that are open to `may_go(next triangle, half-edge)`, each at its cost.
     pub(super) fn run_where(
         &mut self,
         map: &PlanarMap,
-        ways: &Ways,
+        costs: &[Cost],
         ranks: &[u32],
         may_go: impl Fn(usize, HalfEdge) -> bool,
     ) {
-        let mesh = map.triangulation();
+        let mesh = map.refined();
         while let Some(Reverse((cost, _, triangle, label))) = self.front.pop() {
             let triangle = triangle as usize;
             if (cost, label) != (self.costs[triangle], self.labels[triangle]) {
@@ -99,7 +129,7 @@ impl Flood {
             }
             for h in (0..3).map(|i| HalfEdge::of(triangle, i)) {
                 if let Some(twin) = mesh.passage(h).filter(|twin| may_go(twin.triangle(), h)) {
-                    self.reach(twin.triangle(), cost + ways.costs[h.index()], label, ranks);
+                    self.reach(twin.triangle(), cost + costs[h.index()], label, ranks);
                 }
             }
         }

@@ -15,28 +15,27 @@ pub(super) struct Shown {
 impl Shown {
     /// Nothing has a label.
     pub(super) fn new(map: &PlanarMap) -> Self {
-        Self { of_triangles: vec![NONE; map.triangulation().triangle_count()], labels: Labels::none(map) }
+        Self { of_triangles: vec![NONE; map.refined().triangle_count()], labels: Labels::none(map) }
     }
 
-    /// Labels of sides from those of the triangles that they bound. A gap between two labels is closed.
-    pub(super) fn show(&mut self, map: &PlanarMap, of_triangles: &[u32]) -> &Labels {
+    /// Labels of sides from those of the triangles that they bound. A gap is closed where two labels meet at any of
+    /// its parts, which `gaps` lists.
+    pub(super) fn show(&mut self, map: &PlanarMap, gaps: &[HalfEdge], of_triangles: &[u32]) -> &Labels {
+        let mesh = map.refined();
         for (triangle, &label) in of_triangles.iter().enumerate() {
             if std::mem::replace(&mut self.of_triangles[triangle], label) != label {
-                self.show_triangle(map, of_triangles, triangle);
+                for side in (0..3).filter_map(|i| mesh.side(HalfEdge::of(triangle, i))) {
+                    self.labels.sides[side.index()] = (label != NONE).then_some(label);
+                }
+            }
+        }
+        self.labels.closed_gaps.fill(false);
+        for &h in gaps {
+            if let (Some(gap), Some(twin)) = (mesh.gap(h), mesh.passage(h)) {
+                let differ = of_triangles[h.triangle()] != of_triangles[twin.triangle()];
+                self.labels.closed_gaps[gap as usize] |= differ;
             }
         }
         &self.labels
-    }
-
-    fn show_triangle(&mut self, map: &PlanarMap, of_triangles: &[u32], triangle: usize) {
-        let mesh = map.triangulation();
-        let label = of_triangles[triangle];
-        for h in (0..3).map(|i| HalfEdge::of(triangle, i)) {
-            if let Some(side) = mesh.side(h) {
-                self.labels.sides[side.index()] = (label != NONE).then_some(label);
-            } else if let (Some(gap), Some(twin)) = (mesh.gap(h), mesh.passage(h)) {
-                self.labels.closed_gaps[gap as usize] = label != of_triangles[twin.triangle()];
-            }
-        }
     }
 }
