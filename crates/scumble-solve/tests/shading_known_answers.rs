@@ -19,7 +19,7 @@ fn solve(map: &PlanarMap, sources: &[SoftSource]) -> Field {
     let white = |piece: &scumble_core::Piece| piece.curve.map(|_| [[1.0; 4]; 3]);
     let sides = map.pieces().iter().flat_map(|piece| [white(piece); 2]).collect();
     let boundary = Boundary { sides, sources: sources.to_vec(), ..Boundary::default() };
-    MeshSolver::new(map.refined()).solve(&boundary, Blend::Srgb).expect("a field").clone()
+    MeshSolver::new(map.refined().clone()).solve(&boundary, Blend::Srgb).expect("a field").clone()
 }
 
 fn source(points: &[Point], radius_du: f64, weight: f64) -> SoftSource {
