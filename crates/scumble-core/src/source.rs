@@ -35,9 +35,9 @@ const RADII_DU: [f64; 2] = [0.5, LONGER_SIDE_DU];
 /// Coordinates beyond this, in du, are taken as this: a thousand pages.
 const FARTHEST_DU: f64 = 1000.0 * LONGER_SIDE_DU;
 
-/// The weight at full strength. In the middle of a dab, everything at its rim shows through by 1 in 3000 then, and
-/// everything at half its radius by 1 in 100.
-pub const FULL_WEIGHT: f64 = 200.0;
+/// The weight at full strength. In the middle of a dab, what is at its rim shows through by 1 in 1100 then: colours that
+/// are far apart in OKLab need that to come within two levels of sRGB.
+pub const FULL_WEIGHT: f64 = 160.0;
 
 /// The sources of the scribbles that shade, in an order that does not depend on theirs. Without strength, width or
 /// place there is no source.

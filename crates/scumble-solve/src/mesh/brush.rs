@@ -13,6 +13,7 @@ pub(super) struct Brush {
     segments: Vec<[Point; 2]>,
     /// The box of every [`CHUNK`] segments.
     boxes: Vec<Rect>,
+    /// The box of all of them.
     bounds: Rect,
     pub(super) radius_du: f64,
     pub(super) weight: f64,
@@ -24,18 +25,21 @@ impl Brush {
         let segments: Vec<_> = source.points.windows(2).map(|w| [w[0], w[1]]).chain(dab).collect();
         let boxes: Vec<_> = segments.chunks(CHUNK).map(|chunk| bounds(chunk.as_flattened())).collect();
         let radius_du = source.radius_du;
-        let bounds = bounds(segments.as_flattened()).inflate(radius_du, radius_du);
+        let bounds = bounds(segments.as_flattened());
         Self { segments, boxes, bounds, radius_du, weight: source.weight }
     }
 
     /// What no point within its radius lies outside of.
     pub(super) fn bounds(&self) -> Rect {
-        self.bounds
+        self.bounds.inflate(self.radius_du, self.radius_du)
     }
 
     /// The distance of a point from the stroke, in du, where it is less than so much; that much elsewhere.
     pub(super) fn distance_du(&self, p: Point, most_du: f64) -> f64 {
         let mut least_sq = most_du * most_du;
+        if distance_sq_to_rect(p, self.bounds) >= least_sq {
+            return most_du;
+        }
         for (rect, chunk) in self.boxes.iter().zip(self.segments.chunks(CHUNK)) {
             if distance_sq_to_rect(p, *rect) < least_sq {
                 least_sq = chunk.iter().map(|&segment| distance_sq(p, segment)).fold(least_sq, f64::min);
@@ -49,10 +53,10 @@ impl Brush {
     pub(super) fn near(&self, p: Point, spread_du: f64, near: &mut Vec<[Point; 2]>) {
         near.clear();
         let most_du = self.radius_du + spread_du;
-        if !self.bounds.inflate(spread_du, spread_du).contains(p) {
+        let least_du = self.distance_du(p, most_du);
+        if least_du >= most_du {
             return;
         }
-        let least_du = self.distance_du(p, most_du);
         let reach_sq = (least_du + 2.0 * spread_du).min(most_du).powi(2);
         for (rect, chunk) in self.boxes.iter().zip(self.segments.chunks(CHUNK)) {
             if distance_sq_to_rect(p, *rect) <= reach_sq {

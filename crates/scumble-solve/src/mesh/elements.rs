@@ -52,7 +52,6 @@ impl Elements {
         let refined = refine::refine(mesh, dofs, &brushes);
         let mut shade = Shade { shapes: refined.shapes, masses: Vec::new(), loads: Vec::new() };
         shade.shade(&brushes);
-        if std::env::var("Z").is_ok() { eprintln!("Z {} {} masses {} R {}", dofs.triangles.len(), shade.shapes.len(), shade.masses.len(), sources[0].radius_du); }
         Self { shade: Some(shade), ..Self::new(refined.dofs) }
     }
 

@@ -19,27 +19,22 @@ const MAX_FINER: usize = 60_000;
 
 /// Longest edge under a stroke, in widths of the layer at its rim, `R (4 w)^(−1/4)`, in which the colour turns into that
 /// of the source.
-fn RIM_EDGE() -> f64 {
-    std::env::var("RIM_EDGE").map_or(1.0, |v| v.parse().unwrap())
-}
+const RIM_EDGE: f64 = 1.75;
 
 /// The same in radii, where the layer is wider.
-fn LONGEST_EDGE() -> f64 {
-    std::env::var("LONGEST_EDGE").map_or(0.35, |v| v.parse().unwrap())
-}
+const LONGEST_EDGE: f64 = 0.5;
 
-/// Longest edge along the side of a curve, in widths of the layer there, `√(1 / strength)`.
-fn LAYER_EDGE() -> f64 {
-    std::env::var("LAYER_EDGE").map_or(1.0, |v| v.parse().unwrap())
-}
+/// Where the rim is, in radii: the source is all but nothing beyond.
+const RIM: f64 = 0.85;
 
-/// What the longest edge grows by beyond the radius, for each du of distance.
-fn GROWTH() -> f64 {
-    std::env::var("GROWTH").map_or(0.5, |v| v.parse().unwrap())
-}
+/// What the longest edge grows by beyond the rim, for each du of distance.
+const GROWTH: f64 = 2.0;
 
-/// No point of a triangle is further from its centroid than this part of its longest edge.
-fn REACH() -> f64 { std::env::var("REACH").map_or(0.333, |v| v.parse().unwrap()) }
+/// Longest edge where a stroke runs over the side of a curve, in widths of the layer there, `√(1 / strength)`.
+const SIDE_EDGE: f64 = 0.75;
+
+/// What that grows by for each du of distance from the side.
+const SIDE_GROWTH: f64 = 0.7;
 
 /// A triangle of the finer mesh.
 #[derive(Clone, Copy, Debug)]
@@ -91,8 +86,8 @@ pub(super) fn refine(mesh: &Triangulation, dofs: &Dofs, brushes: &[Brush]) -> Re
 #[derive(Debug)]
 struct Cells {
     points: Vec<Point>,
-    /// For each point whether it is on a side.
-    is_on_side: Vec<bool>,
+    /// For each point its distance from the sides, in du, as the edges go: never less than it is.
+    side_du: Vec<f64>,
     edges: Vec<Edge>,
     cells: Vec<Cell>,
     most: usize,
@@ -114,19 +109,34 @@ impl Cells {
         for (i, side) in (0..).zip(&dofs.sides) {
             edges[side.dofs[1] as usize].side = i;
         }
-        let is_on_side = vec![false; points.len()];
+        let side_du = vec![f64::INFINITY; points.len()];
         let most = cells.len() + MAX_FINER;
-        let mut cells = Self { points, is_on_side, edges, cells, most };
-        cells.mark_sides();
+        let mut cells = Self { points, side_du, edges, cells, most };
+        cells.find_sides();
         cells
     }
 
-    fn mark_sides(&mut self) {
+    /// Starts from the edges with one triangle, and goes over the triangles until nothing comes nearer.
+    fn find_sides(&mut self) {
         for cell in &self.cells {
             for k in 0..3 {
-                if self.edges[cell.edges[k] as usize].cells[1] == NONE {
-                    self.is_on_side[cell.corners[k] as usize] = true;
-                    self.is_on_side[cell.corners[(k + 1) % 3] as usize] = true;
+                if self.is_side(cell.edges[k]) {
+                    self.side_du[cell.corners[k] as usize] = 0.0;
+                    self.side_du[cell.corners[(k + 1) % 3] as usize] = 0.0;
+                }
+            }
+        }
+        let mut is_changed = true;
+        while is_changed {
+            is_changed = false;
+            for corners in self.cells.iter().map(|cell| cell.corners) {
+                for k in 0..3 {
+                    let [a, b] = [corners[k] as usize, corners[(k + 1) % 3] as usize];
+                    let way_du = self.side_du[a] + self.points[a].distance(self.points[b]);
+                    if way_du < self.side_du[b] {
+                        self.side_du[b] = way_du;
+                        is_changed = true;
+                    }
                 }
             }
         }
@@ -150,25 +160,23 @@ impl Cells {
     }
 
     fn is_too_large(&self, i: usize, brush: &Brush, coarsening: f64) -> bool {
-        let [a, b, c] = self.cells[i].corners.map(|corner| self.points[corner as usize]);
+        let corners = self.cells[i].corners.map(|corner| self.points[corner as usize]);
+        let [a, b, c] = corners.map(Point::to_vec2);
         let longest_du =
             [a - b, b - c, c - a].map(|edge| edge.hypot2()).into_iter().fold(0.0, f64::max).sqrt();
-        let excess_du = longest_du - coarsening * rim_edge_du(brush);
-        let is_at_side = self.is_at_side(i);
-        // Beyond this distance from the stroke's rim the edges are short enough.
-        let reach_du = excess_du.max(0.0) / GROWTH() + REACH() * longest_du;
-        let middle = ((a.to_vec2() + b.to_vec2() + c.to_vec2()) / 3.0).to_point();
-        if (excess_du <= 0.0 && !is_at_side) || !brush.bounds().inflate(reach_du, reach_du).contains(middle) {
-            return false;
-        }
-        let far_du = brush.radius_du + reach_du;
-        let near_du = (brush.distance_du(middle, far_du) - REACH() * longest_du).max(0.0);
-        excess_du > GROWTH() * (near_du - brush.radius_du).max(0.0)
-            || (is_at_side && longest_du > coarsening * layer_edge_du(brush, near_du))
+        let longest_du = longest_du / coarsening;
+        // Beyond this distance from the stroke the edge is short enough.
+        let far_du = RIM * brush.radius_du + ((longest_du - rim_edge_du(brush)) / GROWTH).max(0.0);
+        let distance_du = brush.distance_du(((a + b + c) / 3.0).to_point(), far_du);
+        distance_du < far_du
+            && (longest_du > rim_edge_du(brush) || longest_du > self.side_edge_du(i, brush, distance_du))
     }
 
-    fn is_at_side(&self, i: usize) -> bool {
-        self.cells[i].corners.iter().any(|&corner| self.is_on_side[corner as usize])
+    /// Longest edge for the sake of the sides, under a stroke at a distance from its middle.
+    fn side_edge_du(&self, i: usize, brush: &Brush, distance_du: f64) -> f64 {
+        let side_du = self.cells[i].corners.map(|corner| self.side_du[corner as usize]);
+        let side_du = side_du.into_iter().fold(f64::INFINITY, f64::min);
+        SIDE_EDGE / brush.strength_at(distance_du * distance_du).sqrt() + SIDE_GROWTH * side_du
     }
 
     fn is_side(&self, edge: u32) -> bool {
@@ -189,17 +197,16 @@ impl Cells {
         }
     }
 
-    /// The longest edge of a triangle; of equal ones, the one that is so for its neighbour as well.
+    /// The longest edge of a triangle; of equal ones, one that its neighbour and any numbering agree on.
     fn longest(&self, i: u32) -> u32 {
         let Cell { corners, edges, .. } = self.cells[i as usize];
-        let length_sq = |k: usize| {
-            let [a, b] = [corners[k], corners[(k + 1) % 3]].map(|corner| self.points[corner as usize]);
-            (b - a).hypot2()
+        let key = |k: usize| {
+            let [a, b] =
+                [corners[k], corners[(k + 1) % 3]].map(|corner| self.points[corner as usize].to_vec2());
+            [(b - a).hypot2(), (a + b).x, (a + b).y]
         };
-        let keys = [0, 1, 2].map(|k| (length_sq(k), edges[k]));
-        let larger =
-            |a: (f64, u32), b: (f64, u32)| if b.0 > a.0 || (b.0 == a.0 && b.1 > a.1) { b } else { a };
-        larger(larger(keys[0], keys[1]), keys[2]).1
+        let larger = |j: usize, k: usize| if key(k) > key(j) { k } else { j };
+        edges[larger(larger(0, 1), 2)]
     }
 
     /// Bisects an edge and the triangles at it.
@@ -210,13 +217,20 @@ impl Cells {
         let [start, end] = [cell.corners[k], cell.corners[(k + 1) % 3]];
         let middle = self.points.len() as u32;
         self.points.push(self.points[start as usize].midpoint(self.points[end as usize]));
-        self.is_on_side.push(cells[1] == NONE);
+        self.side_du.push(self.middle_side_du(edge, [start, end]));
         let half = 0.5 * (part[0] + part[1]);
         let halves = [[part[0], half], [half, part[1]]].map(|part| self.new_edge(side, part));
         self.split_cell(cells[0], edge, middle, halves);
         if cells[1] != NONE {
             self.split_cell(cells[1], edge, middle, [halves[1], halves[0]]);
         }
+    }
+
+    /// The distance of the middle of an edge from the sides.
+    fn middle_side_du(&self, edge: u32, [start, end]: [u32; 2]) -> f64 {
+        let [start, end] = [start as usize, end as usize];
+        let half_du = 0.5 * self.points[start].distance(self.points[end]);
+        if self.is_side(edge) { 0.0 } else { self.side_du[start].min(self.side_du[end]) + half_du }
     }
 
     fn new_edge(&mut self, side: u32, part: [f64; 2]) -> u32 {
@@ -306,10 +320,5 @@ fn place(cell: &Cell, edge: u32) -> usize {
 
 /// Longest edge under a stroke.
 fn rim_edge_du(brush: &Brush) -> f64 {
-    brush.radius_du * (RIM_EDGE() / (4.0 * brush.weight).sqrt().sqrt()).min(LONGEST_EDGE())
-}
-
-/// Longest edge along a side at a distance from the stroke.
-fn layer_edge_du(brush: &Brush, near_du: f64) -> f64 {
-    LAYER_EDGE() / brush.strength_at(near_du * near_du).sqrt()
+    brush.radius_du * (RIM_EDGE / (4.0 * brush.weight).sqrt().sqrt()).min(LONGEST_EDGE)
 }
