@@ -6,6 +6,7 @@
 //! | a line drawing in drawing units | [`drawing`] |
 //! | a stroke of colour | [`scribble`] |
 //! | shading scribbles as soft sources | [`source`] |
+//! | colours for highlights and shadows | [`tone`] |
 //! | the document, gestures, undo | [`edit`] |
 //! | triangles, half-edges, sides | [`triangulation`] |
 //! | Delaunay triangulation and refinement | `delaunay` |
@@ -41,6 +42,7 @@ mod snap;
 pub mod sort;
 pub mod source;
 mod stroke;
+pub mod tone;
 pub mod triangulation;
 pub mod visibility;
 
@@ -56,5 +58,6 @@ pub use scribble::{Scribble, ScribbleKind, Shading};
 pub use settings::{EngineKind, Settings};
 pub use sight::Sight;
 pub use source::SoftSource;
+pub use tone::Tone;
 pub use triangulation::{HalfEdge, SideId, Triangulation};
 pub use visibility::{Visible, visibility_polygon};

@@ -203,11 +203,16 @@ fn assemble<'a>(
     parts.triplets.reserve(12 * elements.size_hint().0 + size);
     for Element { corners, dofs, mass } in elements {
         let weights = element::weights(corners);
-        (0..6).zip(element::diagonal(weights)).for_each(|(i, entry)| parts.add(dofs[i], dofs[i], entry));
-        element::couplings(weights).into_iter().for_each(|(i, j, entry)| parts.add(dofs[i], dofs[j], entry));
-        if let Some(mass) = mass {
-            let upper = (0..6).flat_map(|i| (i..6).map(move |j| (i, j)));
-            upper.for_each(|(i, j)| parts.add(dofs[i], dofs[j], mass[i][j]));
+        let mass_of = |i: usize, j: usize| mass.map_or(0.0, |mass| mass[i][j]);
+        for (i, entry) in (0..6).zip(element::diagonal(weights)) {
+            parts.add(dofs[i], dofs[i], entry + mass_of(i, i));
+        }
+        for (i, j, entry) in element::couplings(weights) {
+            parts.add(dofs[i], dofs[j], entry + mass_of(i, j));
+        }
+        if mass.is_some() {
+            // A corner and the middle of the opposite edge.
+            (0..3).for_each(|i| parts.add(dofs[i], dofs[3 + (i + 1) % 3], mass_of(i, 3 + (i + 1) % 3)));
         }
     }
     parts.triplets.extend((0..).zip(parts.diagonal).map(|(row, entry)| (row, row, entry)));
