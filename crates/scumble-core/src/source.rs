@@ -69,7 +69,7 @@ fn soft_source(scribble: &Scribble, blend: Blend) -> Option<SoftSource> {
 /// The weight of a source of some strength: to the eye, even steps of strength are even steps of shade. Zero for what
 /// is no number.
 fn weight(strength: f64) -> f64 {
-    let strength = strength.max(0.0).min(1.0);
+    let strength = if strength.is_nan() { 0.0 } else { strength.clamp(0.0, 1.0) };
     FULL_WEIGHT * strength * strength * strength
 }
 
