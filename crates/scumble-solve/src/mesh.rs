@@ -8,7 +8,8 @@
 //!
 //! Every region is a linear system of its own. Its geometry is looked at when one of its gaps is closed or opened, its
 //! matrix is factored when the set of its coloured sides changes, and a change of colours costs two triangular
-//! solves. All arithmetic is scalar and in a fixed order, so a picture is the same on every machine.
+//! solves. A region that a soft source shades gets a finer mesh under the stroke and a mass term, in a system beside its
+//! own, which is there again when the source is gone. All arithmetic is scalar and in a fixed order, so a picture is the same on every machine.
 
 mod barriers;
 mod brush;
