@@ -3,6 +3,7 @@
 use kurbo::{Point, Vec2};
 use scumble_core::{Blend, EngineKind, Paint, Settings, Srgb8};
 use scumble_solve::{Pixmap, paint};
+use scumble_web::brush::Ink;
 use scumble_web::command::{Command, Phase, Setting, Tool, ViewChange};
 use scumble_web::effect::Effect;
 use scumble_web::painting::{Changed, Painter, Painting};
@@ -41,7 +42,11 @@ impl Page {
     fn open(svg: &[u8]) -> Self {
         let mut page = Self { session: Session::new(DESK).expect("a blank page"), canvas: Canvas::default() };
         page.view(ViewChange::Resize([1200, 900], 1.0));
-        page.session.command(Command::Open { name: "square.svg".into(), bytes: svg.to_vec() });
+        page.session.command(Command::Open {
+            name: "square.svg".into(),
+            bytes: svg.to_vec(),
+            scribbles: vec![],
+        });
         page.view(ViewChange::ZoomReset);
         page
     }
@@ -198,7 +203,7 @@ fn a_file_that_cannot_be_opened_leaves_the_drawing_as_it_was() {
     for bytes in
         [&b""[..], b"\x89PNG\r\n\x1a\n", b"<svg", b"<html/>", b"<svg xmlns='http://www.w3.org/2000/svg'/>"]
     {
-        page.session.command(Command::Open { name: "bad".into(), bytes: bytes.to_vec() });
+        page.session.command(Command::Open { name: "bad".into(), bytes: bytes.to_vec(), scribbles: vec![] });
         let effects = page.session.take_effects();
         assert!(matches!(effects[..], [Effect::Failed(_)]), "{effects:?}");
         assert_eq!(page.color_at(INSIDE), RED);
@@ -266,7 +271,11 @@ fn undo_brings_back_the_drawing_that_another_was_opened_over() {
     let mut page = Page::open(SQUARE);
     page.stroke(RED, &ACROSS);
     let blank = br#"<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 9 9"><path d="M1 1h6" stroke="black"/></svg>"#;
-    page.session.command(Command::Open { name: "other.svg".into(), bytes: blank.to_vec() });
+    page.session.command(Command::Open {
+        name: "other.svg".into(),
+        bytes: blank.to_vec(),
+        scribbles: vec![],
+    });
     assert!(page.session.document().scribbles.is_empty());
     page.session.command(Command::Undo);
     page.view(ViewChange::ZoomReset);
@@ -425,7 +434,7 @@ fn a_scribble_of_no_colour_keeps_its_place_free() {
     let mut page = Page::open(SQUARE);
     page.session.command(Command::Scribbles(false));
     page.stroke(RED, &ACROSS);
-    page.session.command(Command::Color(Paint::Clear));
+    page.session.command(Command::Color(Ink::Paint(Paint::Clear)));
     page.pen(Phase::Down, INSIDE);
     assert_ne!(page.color_at(INSIDE), RED);
     page.session.pointer(Phase::Cancel, &[]);
