@@ -7,3 +7,4 @@ mod color;
 mod corpus;
 mod eval;
 mod folder;
+mod samples;
