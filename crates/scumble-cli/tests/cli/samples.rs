@@ -47,8 +47,8 @@ fn colored(name: &str, px_per_unit: usize) -> Picture {
     let folder = Folder::new(&format!("{name}-{px_per_unit}"));
     let folder = folder.with("d.svg", &text("svg")).with("s.json", &text("json"));
     let size = (SIDE * px_per_unit).to_string();
-    let output = folder
-        .run(&["color", "d.svg", "--scribbles", "s.json", "-o", "o.png", "--lines", "--size", &size]);
+    let output =
+        folder.run(&["color", "d.svg", "--scribbles", "s.json", "-o", "o.png", "--lines", "--size", &size]);
     assert!(output.status.success() && stderr(&output).is_empty(), "{}", stderr(&output));
     read(&folder.path().join("o.png")).unwrap()
 }
