@@ -164,6 +164,34 @@ describe("shading", () => {
     assert.deepEqual(editor.tab.faults, []);
   });
 
+  test("the pressure of a pen gives the radius or the strength, that of a mouse nothing", async () => {
+    const editor = await open();
+    await editor.slide("strength", 100);
+    await editor.click("Blue");
+    /** The colours in the middle of a dab, and within its radius, at full pressure. */
+    const dabbed = async (/** @type {() => Promise<unknown>} */ dab) => {
+      await editor.until("Scribble added", dab);
+      const colors = await colorsAt(editor, [MIDDLE, [MIDDLE[0] + 4, MIDDLE[1]]]);
+      await editor.until("Undone", () => editor.click("Undo"));
+      return colors;
+    };
+    const pen = async (/** @type {number} */ pressure) => {
+      const [place] = await editor.place([MIDDLE], SIDE);
+      return dabbed(() => press(editor, place, pressure));
+    };
+    const [, byMouse] = await dabbed(() => editor.scribble([MIDDLE], SIDE));
+    const [, hard] = await pen(1);
+    const [, soft] = await pen(0.2);
+    assertClose(byMouse, hard);
+    assert.ok(distance(soft, RED) < 0.7 * distance(hard, RED), `${hex(soft)}, ${hex(hard)}`);
+
+    await editor.choose("Pen pressure", "strength");
+    assertClose((await pen(1))[0], BLUE);
+    const [weak] = await pen(0.2);
+    assert.ok(distance(weak, BLUE) > 0.4 * distance(RED, BLUE), hex(weak));
+    assert.deepEqual(editor.tab.faults, []);
+  });
+
   test("S goes to and fro between Fill and Shade, and goes back to scribbling", async () => {
     const editor = await open();
     await editor.tab.press("s");
@@ -222,6 +250,22 @@ const SHADED = [
   ["Pear", 360, [[106, 228], [232, 262]]],
   ["Sphere", 360, [[129, 94], [210, 180]]],
 ];
+
+/**
+ * Puts a pen down and takes it away again.
+ * @param {Editor} editor
+ * @param {Point} place in CSS pixels of the canvas
+ * @param {number} pressure
+ */
+async function press(editor, [x, y], pressure) {
+  const box = await editor.box();
+  // Only a pointer that the browser knows can be captured: the first is the mouse's.
+  const at = { pointerId: 1, pointerType: "pen", bubbles: true, clientX: box.x + x, clientY: box.y + y, pressure };
+  await editor.tab.evaluate(`
+    for (const kind of ["pointerdown", "pointerup"]) {
+      document.getElementById("canvas").dispatchEvent(new PointerEvent(kind, ${JSON.stringify(at)}));
+    }`);
+}
 
 /**
  * The names of what Tab comes to, one after the other.

@@ -45,7 +45,7 @@ fn colored(name: &str, px_per_unit: usize) -> Picture {
     let samples = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../web/samples");
     let text = |extension: &str| fs::read_to_string(samples.join(format!("{name}.{extension}"))).unwrap();
     let folder = Folder::new(&format!("{name}-{px_per_unit}"));
-    let folder = folder.with("d.svg", &text("svg")).with("s.json", &text("json"));
+    let folder = folder.with("d.svg", text("svg")).with("s.json", text("json"));
     let size = (SIDE * px_per_unit).to_string();
     let output =
         folder.run(&["color", "d.svg", "--scribbles", "s.json", "-o", "o.png", "--lines", "--size", &size]);
