@@ -1,7 +1,6 @@
 //! What the pen draws with: the kind, colour and size of the next scribble.
 
-use kurbo::Point;
-use scumble_core::{Paint, Scribble, ScribbleKind, Shading, Srgb8, Tone};
+use scumble_core::{Paint, ScribbleKind, Shading, Srgb8, Tone};
 
 /// Smallest and largest width of a scribble that fills, and of one that shades, in du.
 const SIZES_DU: [[f64; 2]; 2] = [[2.0, 96.0], [2.0, 256.0]];
@@ -164,13 +163,7 @@ impl Brush {
         self.set_size((self.size_du() / STEP).min(self.size_du() - 1.0));
     }
 
-    /// A scribble through points in du, by a pen that has pressed so hard at most, in `0..=1`.
-    pub(crate) fn scribble(&self, color: Paint, points: Vec<Point>, pressed: f64) -> Scribble {
-        let (width_du, kind) = self.pressed(pressed);
-        Scribble { color, kind, width_du, points }
-    }
-
-    /// Width in du and kind of a scribble by a pen that has pressed so hard at most.
+    /// Width in du and kind of a scribble by a pen that has pressed so hard at most, in `0..=1`.
     pub(crate) fn pressed(&self, pressed: f64) -> (f64, ScribbleKind) {
         let Mode { kind, shading, pressure } = self.mode;
         match (kind, pressure) {

@@ -19,7 +19,7 @@ use crate::view::Viewport;
 
 mod gestures;
 
-use gestures::Eraser;
+use gestures::{Eraser, Stroke};
 
 /// Drawings that undo can come back to.
 const SHELF_SIZE: usize = 8;
@@ -39,9 +39,8 @@ pub struct Session {
     tool: Tool,
     /// The eraser in hand.
     eraser: Option<Eraser>,
-    /// The greatest pressure of the stroke in hand, in `0..=1`.
-    pressed: f64,
     brush: Brush,
+    stroke: Stroke,
     lines_shown: bool,
     scribbles_shown: bool,
     desk: Srgb8,
@@ -87,8 +86,8 @@ impl Session {
             layers: Layers::default(),
             tool: Tool::default(),
             eraser: None,
-            pressed: 0.0,
             brush: Brush::default(),
+            stroke: Stroke::default(),
             lines_shown: true,
             scribbles_shown: true,
             desk,

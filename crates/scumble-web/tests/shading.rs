@@ -82,6 +82,16 @@ fn without_strength_nothing_changes_and_undo_brings_back_every_pixel() {
 }
 
 #[test]
+fn of_a_scribble_that_shades_a_thin_spine_is_drawn_over_the_picture() {
+    let mut page = page();
+    page.session.command(Command::Scribbles(true));
+    set(&mut page, ModeChange::Strength(0.0));
+    page.stroke(BLUE, &[MIDDLE]);
+    assert_ne!(page.color_at(MIDDLE), RED);
+    assert_eq!(page.color_at((MIDDLE.0 + 8.0, MIDDLE.1)), RED);
+}
+
+#[test]
 fn a_stroke_stays_in_its_region_unless_it_crosses() {
     for crosses in [false, true] {
         let mut page = page();
@@ -177,6 +187,20 @@ fn the_greatest_pressure_of_a_stroke_is_its_radius_or_its_strength() {
     assert_eq!(press(Pressure::Strength, &[f32::NAN, 9.0]), (64.0, 0.5));
     let (width_du, _) = press(Pressure::Radius, &[0.0, 0.0]);
     assert!(width_du > 0.0);
+}
+
+#[test]
+fn a_stroke_ends_as_it_began_whatever_is_set_meanwhile() {
+    let mut page = page();
+    page.pen(Phase::Down, MIDDLE);
+    let [before, after] = [(); 2].map(|()| {
+        set(&mut page, ModeChange::OtherKind);
+        page.session.command(Command::BrushLarger);
+        page.pen(Phase::Move, CORNER);
+        (last(&page).width_du, last(&page).kind)
+    });
+    assert_eq!(before, after);
+    assert_eq!(before, (64.0, ScribbleKind::Shade(Shading { strength: 1.0, crosses: false })));
 }
 
 #[test]

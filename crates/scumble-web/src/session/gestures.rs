@@ -1,11 +1,11 @@
 //! What the pen does on the canvas: it scribbles, or erases scribbles.
 
 use kurbo::{Affine, Line, Point, Rect, Vec2};
-use scumble_core::{Paint, Srgb8};
+use scumble_core::{Paint, Scribble, ScribbleKind, Srgb8};
 use scumble_solve::{Scene, View, paint};
 
 use super::Session;
-use crate::brush::Ink;
+use crate::brush::{Brush, Ink};
 use crate::command::{Phase, Tool};
 use crate::effect::Effect;
 use crate::painting::PAPER;
@@ -18,6 +18,25 @@ const CLICK_CSS: f64 = 4.0;
 
 /// Pixels of a du where the colour of a place is looked up.
 const CLOSE: f64 = 64.0;
+
+/// What a stroke is drawn with, from its beginning to its end.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Stroke {
+    brush: Brush,
+    /// The greatest pressure so far, in `0..=1`.
+    pressed: f64,
+}
+
+impl Stroke {
+    fn press(&mut self, samples: &[f32]) {
+        let pressures = samples.chunks_exact(3).map(|sample| f64::from(sample[2]));
+        self.pressed = pressures.fold(self.pressed, f64::max).min(1.0);
+    }
+
+    fn width_and_kind(&self) -> (f64, ScribbleKind) {
+        self.brush.pressed(self.pressed)
+    }
+}
 
 /// An eraser on its way.
 #[derive(Debug)]
@@ -35,10 +54,10 @@ impl Session {
     /// one width and one strength: the greatest pressure counts.
     pub fn pointer(&mut self, phase: Phase, samples: &[f32]) {
         let points = self.points_du(samples);
-        if matches!(phase, Phase::Down | Phase::Erase) {
-            self.pressed = 0.0;
+        if phase == Phase::Down {
+            self.stroke = Stroke { brush: self.brush, pressed: 0.0 };
         }
-        self.pressed = greatest_pressure(samples).max(self.pressed);
+        self.stroke.press(samples);
         match (phase, self.tool) {
             (Phase::Down, Tool::Scribble) => self.begin_scribble(&points),
             (Phase::Down, Tool::Erase) | (Phase::Erase, _) => self.begin_erasing(&points),
@@ -87,8 +106,8 @@ impl Session {
             Ink::Paint(color) => color,
             Ink::Tone(tone) => Paint::Color(tone.step(self.color_under(first))),
         };
-        let scribble = self.brush.scribble(color, points.to_vec(), self.pressed);
-        self.sheet.editor.begin_scribble(scribble);
+        let (width_du, kind) = self.stroke.width_and_kind();
+        self.sheet.editor.begin_scribble(Scribble { color, kind, width_du, points: points.to_vec() });
         self.scribbles_changed();
     }
 
@@ -104,7 +123,7 @@ impl Session {
     }
 
     fn extend_scribble(&mut self, points: &[Point]) {
-        let (width_du, kind) = self.brush.pressed(self.pressed);
+        let (width_du, kind) = self.stroke.width_and_kind();
         self.sheet.editor.extend_scribble(points);
         self.sheet.editor.press_scribble(width_du, kind);
     }
@@ -176,10 +195,4 @@ impl Session {
             self.scribbles_changed();
         }
     }
-}
-
-/// Within `0..=1`; zero where there are no samples.
-fn greatest_pressure(samples: &[f32]) -> f64 {
-    let pressures = samples.chunks_exact(3).map(|sample| f64::from(sample[2]));
-    pressures.fold(0.0, f64::max).min(1.0)
 }
