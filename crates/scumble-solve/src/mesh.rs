@@ -13,9 +13,11 @@
 
 mod barriers;
 mod brush;
+mod cholesky;
 mod dofs;
 mod element;
 mod elements;
+mod fronts;
 mod order;
 mod refine;
 mod region;

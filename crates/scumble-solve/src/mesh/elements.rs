@@ -109,7 +109,7 @@ impl Elements {
             dofs,
             mass: masses.next_if(|(element, _)| *element as usize == i).map(|(_, mass)| mass),
         });
-        System::new(&mut elements, &fixed)
+        Ok(System::new(&mut elements, &fixed))
     }
 }
 

@@ -113,15 +113,12 @@ impl Region {
     }
 
     /// Computes the values if the colours changed, and says whether they did. The system is factored.
-    ///
-    /// A channel of one value is not solved for: in opaque regions the opacity costs nothing.
     pub(super) fn solve(&mut self) -> bool {
         let changed = !self.is_solved;
         if let (true, Coloring::Blended, Some(system)) = (changed, self.coloring, self.elements().system()) {
             let mut values = self.fixed_values();
             let [least, most] = self.range();
-            let channels: Vec<_> = (0..4).filter(|&i| least[i] != most[i]).collect();
-            system.solve(&mut values, &channels, &mut self.elements().loads(self.sources()));
+            system.solve(&mut values, &mut self.elements().loads(self.sources()));
             let clamp = |value: BlendColor| [0, 1, 2, 3].map(|i| value[i].max(least[i]).min(most[i]) as f32);
             self.values = values.into_iter().map(clamp).collect();
         }
