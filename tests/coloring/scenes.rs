@@ -2,7 +2,7 @@
 //! or after what they show: tested by the labels of sides, and as pictures.
 
 use kurbo::{BezPath, Point, Rect, Stroke};
-use scumble_core::{Curve, Drawing, EngineKind, Line, Paint, Rgba8, Scribble, Settings, Srgb8};
+use scumble_core::{Curve, Drawing, EngineKind, Line, Paint, Rgba8, Scribble, ScribbleKind, Settings, Srgb8};
 
 /// A drawing on a page of 1024 × 1024 du, and what somebody scribbled on it.
 #[derive(Clone, Debug)]
@@ -199,6 +199,7 @@ pub(crate) fn kept_free() -> Coloring {
 fn scene(name: &'static str, lines: &[&'static str], scribbles: &[(Paint, &[(f64, f64)])]) -> Coloring {
     let scribble = |&(color, points): &(Paint, &[(f64, f64)])| Scribble {
         color,
+        kind: ScribbleKind::Fill,
         width_du: SCRIBBLE_WIDTH_DU,
         points: points.iter().copied().map(Point::from).collect(),
     };

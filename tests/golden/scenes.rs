@@ -185,7 +185,7 @@ fn solved(curves: &[BezPath], colors: &[[Option<Paint>; 2]]) -> Field {
             }
         }
     }
-    let boundary = Boundary { sides, closed_gaps: vec![true] };
+    let boundary = Boundary { closed_gaps: vec![true], ..sides.into() };
     MeshSolver::new(map.refined().clone()).solve(&boundary, Blend::Oklab).expect("a field").clone()
 }
 

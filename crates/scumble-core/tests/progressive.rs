@@ -3,7 +3,9 @@
 
 use kurbo::{BezPath, Circle, Point, Rect, Shape};
 use proptest::prelude::*;
-use scumble_core::{Curve, Drawing, Engine, Gap, Labels, Paint, PlanarMap, Progressive, Sampling, Scribble};
+use scumble_core::{
+    Curve, Drawing, Engine, Gap, Labels, Paint, PlanarMap, Progressive, Sampling, Scribble, ScribbleKind,
+};
 
 fn map(paths: impl IntoIterator<Item = BezPath>) -> PlanarMap {
     let curves = paths.into_iter().map(|path| Curve { path, line: None }).collect();
@@ -27,7 +29,12 @@ fn circle(x: f64, y: f64, radius: f64) -> BezPath {
 }
 
 fn scribble(points: &[(f64, f64)]) -> Scribble {
-    Scribble { color: Paint::Clear, width_du: 4.0, points: points.iter().map(|&p| p.into()).collect() }
+    Scribble {
+        color: Paint::Clear,
+        kind: ScribbleKind::Fill,
+        width_du: 4.0,
+        points: points.iter().map(|&p| p.into()).collect(),
+    }
 }
 
 fn label(map: &PlanarMap, scribbles: &[Scribble]) -> Labels {

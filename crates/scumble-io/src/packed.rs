@@ -4,7 +4,7 @@
 //! lattices in passing. `docs/format.md` lists the walk, for others to follow.
 
 use kurbo::Rect;
-use scumble_core::{Blend, EngineKind, Line, Paint, Rgba8, Scribble, Srgb8};
+use scumble_core::{Blend, EngineKind, Line, Paint, Rgba8, Scribble, ScribbleKind, Srgb8};
 
 use crate::work::{ColorPoint, Unknown, Work, are_too_long, is_sample_name};
 use crate::work_file;
@@ -197,9 +197,14 @@ fn ten_to(digits: i64) -> f64 {
 
 fn scribble(c: &mut Coder, scribble: &mut Scribble, seen: &mut Seen, pen: &mut Pen) {
     paint(c, &mut scribble.color, seen);
-    // Shading scribbles will be told by this.
-    if c.flag(kind::SCRIBBLE, &[0], false) {
-        c.fail();
+    let mut shading = scribble.shading().unwrap_or_default();
+    if c.flag(kind::SCRIBBLE, &[0], !scribble.is_fill()) {
+        unit(c, kind::SCRIBBLE, &[2], &mut shading.strength);
+        shading.crosses = c.flag(kind::SCRIBBLE, &[3], shading.crosses);
+        if !(0.0..=1.0).contains(&shading.strength) {
+            c.fail();
+        }
+        scribble.kind = ScribbleKind::Shade(shading);
     }
     let last = (pen.width_du * PER_UNIT) as i64;
     positive(c, kind::SCRIBBLE, &[1, last], &mut scribble.width_du);
@@ -208,7 +213,7 @@ fn scribble(c: &mut Coder, scribble: &mut Scribble, seen: &mut Seen, pen: &mut P
 }
 
 fn blank_scribble() -> Scribble {
-    Scribble { color: Paint::Clear, width_du: 1.0, points: Vec::new() }
+    Scribble { color: Paint::Clear, kind: ScribbleKind::Fill, width_du: 1.0, points: Vec::new() }
 }
 
 const BLANK_COLOR_POINT: ColorPoint =

@@ -147,14 +147,19 @@ fn work_that_could_not_be_read_again_gets_no_link() {
     // Nothing tells these apart, so that they take hardly any characters; but memory.
     let curves = vec![Curve { path: line, line: None }; 20_000];
     refused(Document::new(Drawing { curves, ..page() }));
-    let still = |count| Scribble { color: Paint::Clear, width_du: 1.0, points: vec![Point::ZERO; count] };
+    let still = |count| Scribble {
+        color: Paint::Clear,
+        kind: Default::default(),
+        width_du: 1.0,
+        points: vec![Point::ZERO; count],
+    };
     refused(Document { scribbles: vec![still(300_000)], ..Document::new(page()) });
     assert!(
         write_link(&Work::new(Document { scribbles: vec![still(100_000)], ..Document::new(page()) })).is_ok()
     );
     let ends = [Point::ZERO, Point::new(1024.0, 1024.0)];
     let points: Vec<_> = iter::repeat_n(ends, 5000).flatten().collect();
-    let endless = Scribble { color: Paint::Clear, width_du: 1.0, points };
+    let endless = Scribble { color: Paint::Clear, kind: Default::default(), width_du: 1.0, points };
     refused(Document { scribbles: vec![endless], ..Document::new(page()) });
     let scattered = made::session(1, 2000);
     refused(Document { scribbles: scattered, ..Document::new(page()) });
@@ -186,7 +191,12 @@ fn numbers_that_are_none_do_no_harm() {
         path.move_to((x, 1.0));
         path.curve_to((1.0, x), (x, x), (x, 3.0));
         drawing.curves.push(Curve { path, line: None });
-        let scribbles = vec![Scribble { color: Paint::Clear, width_du: x, points: vec![Point::new(x, 1.0)] }];
+        let scribbles = vec![Scribble {
+            color: Paint::Clear,
+            kind: Default::default(),
+            width_du: x,
+            points: vec![Point::new(x, 1.0)],
+        }];
         let work = Work::new(Document { scribbles, ..Document::new(drawing) });
         if let Ok(link) = write_link(&work) {
             let read = read_link(&link.fragment).unwrap();

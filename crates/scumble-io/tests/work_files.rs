@@ -62,7 +62,7 @@ const NEWER: &str = r##"{"format": "scumble", "version": "1.4", "canvas": [0, 0,
     "curves": [{"path": "M 1 2 L 3 4", "layer": 2}],
     "fills": [{"path": "M 1 2 L 3 4 L 5 6 Z", "pattern": "dots"}],
     "scribbles": [{"color": "#ff0000", "width": 1, "points": [[1, 2]]},
-        {"color": "#00ff00", "width": 1, "points": [[3, 4]], "kind": "glow", "id": "b"},
+        {"color": "#00ff00", "width": 1, "points": [[3, 4]], "mood": "glow", "id": "b"},
         {"color": "#0000ff", "width": 1, "points": [[5, 6]], "id": "c"}],
     "color_points": [{"curve": 0, "side": "right", "at": 1, "color": "none", "pinned": false}],
     "layers": []}"##;
@@ -72,7 +72,7 @@ const UNKNOWN: [&str; 9] = [
     r##""paper": {"color": "#fff", "grain": [1, 2.50, -1e-400, null, true]}"##,
     r#""layer": 2"#,
     r#""pattern": "dots""#,
-    r#""kind": "glow","id": "b""#,
+    r#""mood": "glow","id": "b""#,
     r#""id": "c""#,
     r#""pinned": false"#,
     r#""layers": []"#,
@@ -98,7 +98,7 @@ fn unknown_fields_of_a_scribble_go_where_it_goes() {
     let edited = work.edited(vec![third, recolored], work.document.settings);
     let text = text(&edited);
     let of_third = r##"{"color": "#0000ff", "width": 1, "points": [[5,6]], "id": "c"}"##;
-    let of_second = r#"{"color": "none", "width": 1, "points": [[3,4]], "kind": "glow","id": "b"}"#;
+    let of_second = r#"{"color": "none", "width": 1, "points": [[3,4]], "mood": "glow","id": "b"}"#;
     assert!(text.contains(of_third) && text.contains(of_second), "{text}");
 }
 

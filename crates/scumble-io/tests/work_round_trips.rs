@@ -7,7 +7,8 @@ use proptest::collection::vec;
 use proptest::option;
 use proptest::prelude::*;
 use scumble_core::{
-    Blend, Curve, Document, Drawing, EngineKind, Fill, Line, Paint, Rgba8, Scribble, Settings, Srgb8,
+    Blend, Curve, Document, Drawing, EngineKind, Fill, Line, Paint, Rgba8, Scribble, ScribbleKind, Settings,
+    Shading, Srgb8,
 };
 use scumble_io::{ColorPoint, Work, read_file, read_link, write_file, write_link};
 
@@ -87,8 +88,13 @@ fn drawings() -> impl Strategy<Value = Drawing> {
 
 fn scribbles() -> impl Strategy<Value = Vec<Scribble>> {
     let near = (0.0..1024.0, 0.0..1024.0).prop_map(|(x, y)| Point::new(x, y));
-    vec((paints(), 1e-4..99.0, vec(near, 1..9)), 0..6).prop_map(|all| {
-        all.into_iter().map(|(color, width_du, points)| Scribble { color, width_du, points }).collect()
+    let shading = (0.0..=1.0, any::<bool>());
+    let shade = shading.prop_map(|(strength, crosses)| ScribbleKind::Shade(Shading { strength, crosses }));
+    let kinds = prop_oneof![Just(ScribbleKind::Fill), shade];
+    vec((paints(), kinds, 1e-4..99.0, vec(near, 1..9)), 0..6).prop_map(|all| {
+        all.into_iter()
+            .map(|(color, kind, width_du, points)| Scribble { color, kind, width_du, points })
+            .collect()
     })
 }
 

@@ -1,10 +1,10 @@
 //! The lists of a file as they are read: swatches, curves, solid ink, scribbles, colours set by hand.
 
 use kurbo::{BezPath, Cap, PathEl, Point, Stroke};
-use scumble_core::{Curve, Fill, Line, Paint, Rgba8, Scribble, Srgb8};
+use scumble_core::{Curve, Fill, Line, Paint, Rgba8, Scribble, ScribbleKind, Shading, Srgb8};
 
 use super::MAX_CURVES;
-use super::names::{CAPS, JOINS, RULES, SIDES, plain_stroke};
+use super::names::{CAPS, JOINS, KINDS, RULES, SIDES, plain_stroke};
 use crate::json::{Fault, Json, Member};
 use crate::work::{ColorPoint, Item, Unknown, Work};
 
@@ -128,18 +128,32 @@ fn fill(json: &mut Json, mut keeper: Keeper) -> Result<Fill, Fault> {
 
 fn scribble(json: &mut Json, mut keeper: Keeper) -> Result<Scribble, Fault> {
     let (mut color, mut width_du, mut points) = (None, None, Vec::new());
+    let (mut is_shade, mut shading) = (false, Shading::default());
     json.members(&mut |json, member| {
         match &*member.name {
             "color" => color = Some(paint(json)?),
             "width" => width_du = Some(positive(json)?),
+            "kind" => is_shade = named(json, &KINDS)?,
+            "strength" => shading.strength = strength(json)?,
+            "crosses" => shading.crosses = json.boolean()?,
             "points" => json.items(&mut |json| json.numbers().map(|[x, y]| points.push(Point::new(x, y))))?,
             _ => keeper.keep(json, &member)?,
         }
         Ok(())
     })?;
+    let kind = if is_shade { ScribbleKind::Shade(shading) } else { ScribbleKind::Fill };
     match (color, width_du) {
-        (Some(color), Some(width_du)) if !points.is_empty() => Ok(Scribble { color, width_du, points }),
+        (Some(color), Some(width_du)) if !points.is_empty() => Ok(Scribble { color, kind, width_du, points }),
         _ => json.fault("color, width and points in the scribble before this"),
+    }
+}
+
+fn strength(json: &mut Json) -> Result<f64, Fault> {
+    let strength = json.number()?;
+    if (0.0..=1.0).contains(&strength) {
+        Ok(strength)
+    } else {
+        json.fault("a strength from 0 to 1 before this")
     }
 }
 

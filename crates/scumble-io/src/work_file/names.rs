@@ -16,6 +16,9 @@ pub(super) const JOINS: [(&str, Join); 3] =
 
 pub(super) const RULES: [(&str, bool); 2] = [("nonzero", false), ("evenodd", true)];
 
+/// Whether a scribble shades.
+pub(super) const KINDS: [(&str, bool); 2] = [("fill", false), ("shade", true)];
+
 pub(super) const SIDES: [(&str, bool); 2] = [("left", true), ("right", false)];
 
 /// What a line is where nothing else is said, as in SVG.

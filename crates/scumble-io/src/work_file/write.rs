@@ -1,9 +1,9 @@
 //! Work as text, one line for each curve and scribble.
 
 use kurbo::{BezPath, PathEl, Point, Stroke};
-use scumble_core::{Curve, Document, Fill, Line, Paint, Rgba8, Scribble, Settings, Srgb8};
+use scumble_core::{Curve, Document, Fill, Line, Paint, Rgba8, Scribble, Settings, Shading, Srgb8};
 
-use super::names::{BLENDS, CAPS, ENGINES, JOINS, RULES, SIDES, name, plain_stroke};
+use super::names::{BLENDS, CAPS, ENGINES, JOINS, KINDS, RULES, SIDES, name, plain_stroke};
 use super::{PAGE_PER_UNIT, PER_UNIT, VERSION};
 use crate::json::{push_number, push_string};
 use crate::work::{ColorPoint, Item, Work};
@@ -125,6 +125,11 @@ fn push_scribble(text: &mut String, scribble: &Scribble) {
     text.push_str("{\"color\": ");
     push_paint(text, scribble.color);
     push_length(text, "width", scribble.width_du.max(1.0 / PER_UNIT as f64));
+    if let Some(Shading { strength, crosses }) = scribble.shading() {
+        text.extend([", \"kind\": \"", name(&KINDS, true), "\", \"strength\": "]);
+        push_number(text, strength, PER_UNIT);
+        text.extend([", \"crosses\": ", if crosses { "true" } else { "false" }]);
+    }
     text.push_str(", \"points\": [");
     for (i, point) in scribble.points.iter().enumerate() {
         text.push_str(if i > 0 { ", " } else { "" });

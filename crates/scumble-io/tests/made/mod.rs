@@ -19,7 +19,12 @@ pub(crate) fn session(seed: u64, count: usize) -> Vec<Scribble> {
             if dice.below(5) < 2 {
                 color = colors[dice.below(8)];
             }
-            Scribble { color: color.into(), width_du: 16.0, points: zigzag(&mut dice) }
+            Scribble {
+                color: color.into(),
+                kind: Default::default(),
+                width_du: 16.0,
+                points: zigzag(&mut dice),
+            }
         })
         .collect()
 }
