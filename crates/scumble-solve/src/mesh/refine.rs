@@ -17,12 +17,8 @@ const NONE: u32 = u32::MAX;
 /// Triangles of the finest mesh of a region beyond those of the region itself: more detail than that is left out.
 const MAX_FINER: usize = 60_000;
 
-/// Longest edge under a stroke, in widths of the layer at its rim, `R (4 w)^(−1/4)`, in which the colour turns into that
-/// of the source.
-const RIM_EDGE: f64 = 1.75;
-
-/// The same in radii, where the layer is wider.
-const LONGEST_EDGE: f64 = 0.5;
+/// Longest edge under a stroke, in radii.
+const LONGEST_EDGE: f64 = 0.55;
 
 /// Where the rim is, in radii: the source is all but nothing beyond.
 const RIM: f64 = 0.85;
@@ -164,12 +160,12 @@ impl Cells {
         let [a, b, c] = corners.map(Point::to_vec2);
         let longest_du =
             [a - b, b - c, c - a].map(|edge| edge.hypot2()).into_iter().fold(0.0, f64::max).sqrt();
-        let longest_du = longest_du / coarsening;
+        let [longest_du, most_du] = [longest_du / coarsening, LONGEST_EDGE * brush.radius_du];
         // Beyond this distance from the stroke the edge is short enough.
-        let far_du = RIM * brush.radius_du + ((longest_du - rim_edge_du(brush)) / GROWTH).max(0.0);
+        let far_du = RIM * brush.radius_du + ((longest_du - most_du) / GROWTH).max(0.0);
         let distance_du = brush.distance_du(((a + b + c) / 3.0).to_point(), far_du);
         distance_du < far_du
-            && (longest_du > rim_edge_du(brush) || longest_du > self.side_edge_du(i, brush, distance_du))
+            && (longest_du > most_du || longest_du > self.side_edge_du(i, brush, distance_du))
     }
 
     /// Longest edge for the sake of the sides, under a stroke at a distance from its middle.
@@ -316,9 +312,4 @@ impl Edge {
 /// The place of an edge in a triangle.
 fn place(cell: &Cell, edge: u32) -> usize {
     cell.edges.iter().position(|&e| e == edge).unwrap_or(0)
-}
-
-/// Longest edge under a stroke.
-fn rim_edge_du(brush: &Brush) -> f64 {
-    brush.radius_du * (RIM_EDGE / (4.0 * brush.weight).sqrt().sqrt()).min(LONGEST_EDGE)
 }
