@@ -14,6 +14,7 @@
 
 mod barriers;
 mod brush;
+mod cells;
 mod cholesky;
 mod dofs;
 mod element;
