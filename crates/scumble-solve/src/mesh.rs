@@ -4,15 +4,17 @@
 //! solver for free-form vector gradients*, 2012). There is one unknown for each sector of a node, one for each
 //! edge inside a region and one for each side of a curve, so no colour leaks from one side to the other. Coloured
 //! sides are fixed; the others, the frame, and closed gaps are no-flux barriers. A region without a coloured side stays
-//! paper.
+//! paper; what shades it fades into the paper around the stroke.
 //!
 //! Every region is a linear system of its own. Its geometry is looked at when one of its gaps is closed or opened, its
 //! matrix is factored when the set of its coloured sides changes, and a change of colours costs two triangular
 //! solves. A region that a soft source shades gets a finer mesh under the stroke and a mass term, in a system beside its
-//! own, which is there again when the source is gone. All arithmetic is scalar and in a fixed order, so a picture is the same on every machine.
+//! own, which is there again when the source is gone. All sums are in a fixed order, so a picture is the same on every
+//! machine.
 
 mod barriers;
 mod brush;
+mod cells;
 mod cholesky;
 mod dofs;
 mod element;

@@ -1,6 +1,6 @@
 //! Shading scribbles in a picture: what they show, and what they do not depend on.
 
-use kurbo::{Affine, BezPath, Circle, Point, Rect, Shape};
+use kurbo::{Affine, BezPath, Circle, Point, Rect, Shape, Vec2};
 use proptest::prelude::*;
 use scumble_core::{Blend, Curve, Document, Drawing, Paint, Scribble, ScribbleKind, Shading, Srgb8};
 use scumble_solve::{Field, FieldTriangle, Picture, Pixmap, Scene, View, paint};
@@ -203,4 +203,28 @@ fn a_shade_on_paper_fades_into_it() {
     assert!(difference(color_at(&pixels, (280.0, 500.0)), [200, 0, 0, 255]) <= 8);
     assert_eq!(color_at(&pixels, (170.0, 500.0)), paper);
     assert_eq!(color_at(&pixels, (740.0, 500.0)), paper);
+}
+
+#[test]
+fn where_nothing_has_a_colour_a_shade_stays_around_its_stroke() {
+    let bare = Drawing::new(Rect::new(0.0, 0.0, 1024.0, 1024.0));
+    for drawing in [bare, document(vec![]).drawing] {
+        for (strength, width_du) in [(0.2, 16.0), (0.6, 40.0), (1.0, 40.0), (1.0, 56.0)] {
+            let scribbles = vec![shade(Srgb8([200, 0, 0]), strength, width_du, &[(130.5, 130.5)])];
+            let pixels = pixels(&field(&Document { scribbles, ..Document::new(drawing.clone()) }));
+            let green = |along: Vec2, radii: f64| {
+                let p = Point::new(130.5, 130.5) + 0.5 * radii * width_du * along;
+                color_at(&pixels, p.into())[1]
+            };
+            let profile =
+                [0.0, 0.5, 1.0, 1.5, 2.0, 3.0, 4.0, 6.0, 10.0].map(|radii| green(Vec2::new(1.0, 0.0), radii));
+            assert!(profile.is_sorted() && profile[6] >= 235 && profile[8] >= 254, "{profile:?}");
+            assert!(strength < 1.0 || profile[0] <= 2, "{profile:?}");
+            for radii in [0.5, 1.0, 2.0, 3.0] {
+                let around = (0..8).map(|i| green(Vec2::from_angle(0.8 * f64::from(i)), radii));
+                let [least, most] = around.fold([255, 0], |[least, most], g| [g.min(least), g.max(most)]);
+                assert!(most - least <= 16, "{least} to {most} at {radii} radii of {width_du} du");
+            }
+        }
+    }
 }

@@ -212,3 +212,59 @@ fn backwards(
     }
     values[pivots.clone()].copy_from_slice(&local[..pivots.len()]);
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const SIZE: u32 = 90;
+
+    /// Elements between rows here and there, each of which pulls its rows to their mean and a little to zero.
+    fn elements() -> (Vec<[u32; 6]>, Vec<Matrix>) {
+        let row =
+            |i: u32, k: u32| if (i + k).is_multiple_of(11) { NONE } else { (i + k * (1 + i % 7)) % SIZE };
+        let rows = (0..SIZE).map(|i| [0, 1, 2, 3, 4, 5].map(|k| row(i, k))).collect();
+        let matrix = |i: u32| {
+            let pull = 1.0 + f64::from(i % 5);
+            [0, 1, 2, 3, 4, 5].map(|j| [0, 1, 2, 3, 4, 5].map(|k| if j == k { 5.1 * pull } else { -pull }))
+        };
+        (rows, (0..SIZE).map(matrix).collect())
+    }
+
+    #[test]
+    fn solutions_solve_the_sum_of_the_elements_whatever_the_groups() {
+        let (rows, matrices) = elements();
+        let right: Vec<BlendColor> = (0..SIZE).map(|i| [1.0, -2.0, 0.0, f64::from(i)]).collect();
+        for step in [1, 4, 13, SIZE] {
+            let ends: Vec<_> = (1..SIZE).filter(|end| end.is_multiple_of(step)).chain([SIZE]).collect();
+            let fronts = Fronts::new(&rows, &ends);
+            let mut values = right.clone();
+            Factor::new(&fronts, &rows, &matrices).expect("a factor").solve(&fronts, &mut values);
+            let mut left = vec![[0.0; 4]; SIZE as usize];
+            for (rows, matrix) in rows.iter().zip(&matrices) {
+                for (&i, entries) in rows.iter().zip(matrix).filter(|(row, _)| **row != NONE) {
+                    for (&j, entry) in rows.iter().zip(entries).filter(|(row, _)| **row != NONE) {
+                        (0..4).for_each(|c| left[i as usize][c] += entry * values[j as usize][c]);
+                    }
+                }
+            }
+            for (left, right) in left.as_flattened().iter().zip(right.as_flattened()) {
+                assert!((left - right).abs() < 1e-9, "{left} {right} in groups of {step}");
+            }
+        }
+    }
+
+    #[test]
+    fn a_part_that_nothing_holds_gets_some_value_and_what_is_no_number_none() {
+        let rows = [[0, 1, NONE, NONE, NONE, NONE]];
+        let mut matrix = [[0.0; 6]; 6];
+        (matrix[0][0], matrix[0][1], matrix[1][0], matrix[1][1]) = (1.0, -1.0, -1.0, 1.0);
+        let fronts = Fronts::new(&rows, &[1, 2]);
+        let mut values = [[0.5; 4], [-0.5; 4]];
+        Factor::new(&fronts, &rows, &[matrix]).expect("a factor").solve(&fronts, &mut values);
+        assert_eq!(values, [[0.5; 4], [0.0; 4]]);
+        matrix[1][1] = f64::NAN;
+        let error = Factor::new(&fronts, &rows, &[matrix]).err();
+        assert_eq!(error, Some(SolveError::NotPositive));
+    }
+}

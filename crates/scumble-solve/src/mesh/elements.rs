@@ -1,5 +1,7 @@
 //! The elements of a region: those of the mesh, or finer ones where sources shade it; and their system.
 
+use std::mem;
+
 use kurbo::Point;
 use scumble_core::{BlendColor, SoftSource, Triangulation};
 
@@ -10,6 +12,10 @@ use super::element::{self, Matrix};
 use super::order::elimination_rank;
 use super::refine::{self, Shape};
 use super::system::{Element, System};
+
+/// The distance in which a shade on paper fades by a factor of e, in radii of the widest brush. Without it, nothing
+/// would keep a shade from flowing all over a region that has no colour.
+const FADE_RADII: f64 = 1.5;
 
 /// Elements, and their system once one is needed.
 #[derive(Debug)]
@@ -46,12 +52,15 @@ impl Elements {
         Self { dofs, shade: None, is_ordered: false, system: None }
     }
 
-    /// Those that sources need in a region of the mesh.
-    pub(super) fn shaded(mesh: &Triangulation, dofs: &Dofs, sources: &[SoftSource]) -> Self {
+    /// Those that sources need in a region of the mesh, which may be paper.
+    pub(super) fn shaded(mesh: &Triangulation, dofs: &Dofs, sources: &[SoftSource], is_paper: bool) -> Self {
         let brushes: Vec<_> = sources.iter().map(Brush::new).collect();
         let refined = refine::refine(mesh, dofs, &brushes);
         let mut shade = Shade { shapes: refined.shapes, masses: Vec::new(), loads: Vec::new() };
         shade.shade(&brushes);
+        if is_paper {
+            shade.fade(&brushes);
+        }
         Self { shade: Some(shade), ..Self::new(refined.dofs) }
     }
 
@@ -114,6 +123,20 @@ impl Elements {
 }
 
 impl Shade {
+    /// Adds the pull of the paper to all elements: a source of clear colour that is everywhere, and so weak that it
+    /// shows beyond the others alone.
+    fn fade(&mut self, brushes: &[Brush]) {
+        let reach_du = FADE_RADII * brushes.iter().map(|brush| brush.radius_du).fold(0.0, f64::max);
+        let mut known = mem::take(&mut self.masses).into_iter().peekable();
+        for (element, shape) in (0..).zip(&self.shapes) {
+            let mut mass = element::mass(shape.corners, &|_| (reach_du * reach_du).recip());
+            if let Some((_, known)) = known.next_if(|(known, _)| *known == element) {
+                add(&mut mass, &known);
+            }
+            self.masses.push((element, mass));
+        }
+    }
+
     /// Integrates what the sources add, over each element in turn.
     fn shade(&mut self, brushes: &[Brush]) {
         let mut near = Vec::new();

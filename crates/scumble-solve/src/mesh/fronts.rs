@@ -15,7 +15,7 @@ pub(super) const NONE: u32 = u32::MAX;
 
 /// A front takes in a child where no more than one of so many entries is a zero then: fewer and larger fronts are faster,
 /// though they have more entries.
-const ENTRIES_PER_ZERO: usize = 4;
+const ENTRIES_PER_ZERO: usize = 6;
 
 /// The fronts of a factor, children before parents.
 #[derive(Debug)]

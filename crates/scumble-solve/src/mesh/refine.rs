@@ -1,28 +1,20 @@
 //! A finer mesh of one region, where sources need it.
 //!
-//! Triangles are bisected at their longest edges, each together with its neighbour there (M.-C. Rivara, *New
-//! longest-edge algorithms for the refinement and/or improvement of unstructured triangulations*, 1997). Angles stay
-//! above half the smallest of the region, sizes pass gradually into each other, and triangles away from the sources
-//! stay as they are. Nodes are none of the source's: the mesh changes little where a stroke moves a little.
+//! Sizes pass gradually into each other, and triangles away from the sources stay as they are. Nodes are none of the
+//! source's: the mesh changes little where a stroke moves a little.
 
 use kurbo::Point;
 use scumble_core::Triangulation;
 
 use super::brush::Brush;
-use super::dofs::{Dofs, Side};
-
-/// No triangle, or no number yet.
-const NONE: u32 = u32::MAX;
+use super::cells::Cells;
+use super::dofs::Dofs;
 
 /// Triangles of the finest mesh of a region beyond those of the region itself: more detail than that is left out.
 const MAX_FINER: usize = 60_000;
 
-/// Longest edge under a stroke, in widths of the layer at its rim, `R (4 w)^(−1/4)`, in which the colour turns into that
-/// of the source.
-const RIM_EDGE: f64 = 1.75;
-
-/// The same in radii, where the layer is wider.
-const LONGEST_EDGE: f64 = 0.5;
+/// Longest edge under a stroke, in radii.
+const LONGEST_EDGE: f64 = 0.55;
 
 /// Where the rim is, in radii: the source is all but nothing beyond.
 const RIM: f64 = 0.85;
@@ -35,26 +27,6 @@ const SIDE_EDGE: f64 = 0.75;
 
 /// What that grows by for each du of distance from the side.
 const SIDE_GROWTH: f64 = 0.7;
-
-/// A triangle of the finer mesh.
-#[derive(Clone, Copy, Debug)]
-struct Cell {
-    /// The triangle of the region that it is a part of.
-    parent: u32,
-    corners: [u32; 3],
-    /// From corner `i` to corner `i + 1`.
-    edges: [u32; 3],
-}
-
-/// An edge of the finer mesh.
-#[derive(Clone, Copy, Debug)]
-struct Edge {
-    /// The one or two triangles at it.
-    cells: [u32; 2],
-    /// The side of the region that it is a part of, and the part.
-    side: u32,
-    part: [f64; 2],
-}
 
 /// The elements of a region, refined.
 #[derive(Debug)]
@@ -83,72 +55,15 @@ pub(super) fn refine(mesh: &Triangulation, dofs: &Dofs, brushes: &[Brush]) -> Re
     }
 }
 
-#[derive(Debug)]
-struct Cells {
-    points: Vec<Point>,
-    /// For each point its distance from the sides, in du, as the edges go: never less than it is.
-    side_du: Vec<f64>,
-    edges: Vec<Edge>,
-    cells: Vec<Cell>,
-    most: usize,
-}
-
 impl Cells {
-    /// The region as it is. Its unknowns at corners are the points, those in the middle of edges the edges.
-    fn new(mesh: &Triangulation, dofs: &Dofs) -> Self {
-        let mut points = vec![Point::ORIGIN; dofs.count];
-        let mut edges = vec![Edge { cells: [NONE; 2], side: NONE, part: [0.0, 1.0] }; dofs.count];
-        let mut cells = Vec::with_capacity(2 * dofs.triangles.len());
-        for (i, (&t, &[a, b, c, ab, bc, ca])) in dofs.triangles.iter().zip(&dofs.of_triangle).enumerate() {
-            for (corner, p) in [a, b, c].into_iter().zip(mesh.corners(t as usize)) {
-                points[corner as usize] = p;
-            }
-            [ab, bc, ca].into_iter().for_each(|edge| edges[edge as usize].replace(NONE, i as u32));
-            cells.push(Cell { parent: t, corners: [a, b, c], edges: [ab, bc, ca] });
-        }
-        for (i, side) in (0..).zip(&dofs.sides) {
-            edges[side.dofs[1] as usize].side = i;
-        }
-        let side_du = vec![f64::INFINITY; points.len()];
-        let most = cells.len() + MAX_FINER;
-        let mut cells = Self { points, side_du, edges, cells, most };
-        cells.find_sides();
-        cells
-    }
-
-    /// Starts from the edges with one triangle, and goes over the triangles until nothing comes nearer.
-    fn find_sides(&mut self) {
-        for cell in &self.cells {
-            for k in 0..3 {
-                if self.is_side(cell.edges[k]) {
-                    self.side_du[cell.corners[k] as usize] = 0.0;
-                    self.side_du[cell.corners[(k + 1) % 3] as usize] = 0.0;
-                }
-            }
-        }
-        let mut is_changed = true;
-        while is_changed {
-            is_changed = false;
-            for corners in self.cells.iter().map(|cell| cell.corners) {
-                for k in 0..3 {
-                    let [a, b] = [corners[k] as usize, corners[(k + 1) % 3] as usize];
-                    let way_du = self.side_du[a] + self.points[a].distance(self.points[b]);
-                    if way_du < self.side_du[b] {
-                        self.side_du[b] = way_du;
-                        is_changed = true;
-                    }
-                }
-            }
-        }
-    }
-
     /// Bisects all that is too large; `false` where that is too much.
     fn refine(&mut self, brushes: &[Brush], coarsening: f64) -> bool {
+        let most = self.cells.len() + MAX_FINER;
         for brush in brushes {
             let mut i = 0;
             while i < self.cells.len() {
                 while self.is_too_large(i, brush, coarsening) {
-                    if self.cells.len() >= self.most {
+                    if self.cells.len() >= most {
                         return false;
                     }
                     self.bisect(i);
@@ -164,12 +79,12 @@ impl Cells {
         let [a, b, c] = corners.map(Point::to_vec2);
         let longest_du =
             [a - b, b - c, c - a].map(|edge| edge.hypot2()).into_iter().fold(0.0, f64::max).sqrt();
-        let longest_du = longest_du / coarsening;
+        let [longest_du, most_du] = [longest_du / coarsening, LONGEST_EDGE * brush.radius_du];
         // Beyond this distance from the stroke the edge is short enough.
-        let far_du = RIM * brush.radius_du + ((longest_du - rim_edge_du(brush)) / GROWTH).max(0.0);
+        let far_du = RIM * brush.radius_du + ((longest_du - most_du) / GROWTH).max(0.0);
         let distance_du = brush.distance_du(((a + b + c) / 3.0).to_point(), far_du);
         distance_du < far_du
-            && (longest_du > rim_edge_du(brush) || longest_du > self.side_edge_du(i, brush, distance_du))
+            && (longest_du > most_du || longest_du > self.side_edge_du(i, brush, distance_du))
     }
 
     /// Longest edge for the sake of the sides, under a stroke at a distance from its middle.
@@ -178,147 +93,4 @@ impl Cells {
         let side_du = side_du.into_iter().fold(f64::INFINITY, f64::min);
         SIDE_EDGE / brush.strength_at(distance_du * distance_du).sqrt() + SIDE_GROWTH * side_du
     }
-
-    fn is_side(&self, edge: u32) -> bool {
-        self.edges[edge as usize].cells[1] == NONE
-    }
-
-    /// Bisects a triangle, or, first, a neighbour that has to be.
-    fn bisect(&mut self, i: usize) {
-        let mut i = i as u32;
-        loop {
-            let edge = self.longest(i);
-            let [a, b] = self.edges[edge as usize].cells;
-            let twin = if a == i { b } else { a };
-            if twin == NONE || self.longest(twin) == edge {
-                return self.split(edge);
-            }
-            i = twin;
-        }
-    }
-
-    /// The longest edge of a triangle; of equal ones, one that its neighbour and any numbering agree on.
-    fn longest(&self, i: u32) -> u32 {
-        let Cell { corners, edges, .. } = self.cells[i as usize];
-        let key = |k: usize| {
-            let [a, b] =
-                [corners[k], corners[(k + 1) % 3]].map(|corner| self.points[corner as usize].to_vec2());
-            [(b - a).hypot2(), (a + b).x, (a + b).y]
-        };
-        let larger = |j: usize, k: usize| if key(k) > key(j) { k } else { j };
-        edges[larger(larger(0, 1), 2)]
-    }
-
-    /// Bisects an edge and the triangles at it.
-    fn split(&mut self, edge: u32) {
-        let Edge { cells, side, part } = self.edges[edge as usize];
-        let cell = self.cells[cells[0] as usize];
-        let k = place(&cell, edge);
-        let [start, end] = [cell.corners[k], cell.corners[(k + 1) % 3]];
-        let middle = self.points.len() as u32;
-        self.points.push(self.points[start as usize].midpoint(self.points[end as usize]));
-        self.side_du.push(self.middle_side_du(edge, [start, end]));
-        let half = 0.5 * (part[0] + part[1]);
-        let halves = [[part[0], half], [half, part[1]]].map(|part| self.new_edge(side, part));
-        self.split_cell(cells[0], edge, middle, halves);
-        if cells[1] != NONE {
-            self.split_cell(cells[1], edge, middle, [halves[1], halves[0]]);
-        }
-    }
-
-    /// The distance of the middle of an edge from the sides.
-    fn middle_side_du(&self, edge: u32, [start, end]: [u32; 2]) -> f64 {
-        let [start, end] = [start as usize, end as usize];
-        let half_du = 0.5 * self.points[start].distance(self.points[end]);
-        if self.is_side(edge) { 0.0 } else { self.side_du[start].min(self.side_du[end]) + half_du }
-    }
-
-    fn new_edge(&mut self, side: u32, part: [f64; 2]) -> u32 {
-        self.edges.push(Edge { cells: [NONE; 2], side, part });
-        self.edges.len() as u32 - 1
-    }
-
-    /// Bisects a triangle at an edge of which the halves are given in its direction of turn.
-    fn split_cell(&mut self, i: u32, edge: u32, middle: u32, halves: [u32; 2]) {
-        let Cell { parent, corners, edges } = self.cells[i as usize];
-        let k = place(&self.cells[i as usize], edge);
-        let [a, b, c] = [0, 1, 2].map(|j| corners[(k + j) % 3]);
-        let [bc, ca] = [1, 2].map(|j| edges[(k + j) % 3]);
-        let across = self.new_edge(NONE, [0.0, 1.0]);
-        let new = self.cells.len() as u32;
-        self.cells[i as usize] = Cell { parent, corners: [a, middle, c], edges: [halves[0], across, ca] };
-        self.cells.push(Cell { parent, corners: [middle, b, c], edges: [halves[1], bc, across] });
-        self.edges[bc as usize].replace(i, new);
-        for (edge, cell) in [(halves[0], i), (halves[1], new), (across, i), (across, new)] {
-            self.edges[edge as usize].replace(NONE, cell);
-        }
-    }
-
-    /// Numbers the unknowns.
-    fn refined(self, coarse: &Dofs) -> Refined {
-        let mut next = 0;
-        let (mut corner_dofs, mut edge_dofs) = (vec![NONE; self.points.len()], vec![NONE; self.edges.len()]);
-        let mut number = |dof: &mut u32| {
-            if *dof == NONE {
-                *dof = next;
-                next += 1;
-            }
-        };
-        self.cells
-            .iter()
-            .flat_map(|cell| cell.corners)
-            .for_each(|corner| number(&mut corner_dofs[corner as usize]));
-        let corner_count = corner_dofs.iter().filter(|&&dof| dof != NONE).count();
-        self.cells.iter().flat_map(|cell| cell.edges).for_each(|edge| number(&mut edge_dofs[edge as usize]));
-        let of_cell = |cell: &Cell| {
-            let ([a, b, c], [ab, bc, ca]) =
-                (cell.corners.map(|i| corner_dofs[i as usize]), cell.edges.map(|i| edge_dofs[i as usize]));
-            [a, b, c, ab, bc, ca]
-        };
-        let of_triangle: Vec<_> = self.cells.iter().map(of_cell).collect();
-        let dofs = Dofs {
-            triangles: self.cells.iter().map(|cell| cell.parent).collect(),
-            sides: self.sides(coarse, &of_triangle),
-            of_triangle,
-            gaps: coarse.gaps.clone(),
-            corner_count,
-            count: next as usize,
-        };
-        let shape = |cell: &Cell| Shape {
-            corners: cell.corners.map(|i| self.points[i as usize]),
-            side_edges: (0..3).map(|k| u32::from(self.is_side(cell.edges[k])) << k).sum(),
-        };
-        Refined { dofs, shapes: self.cells.iter().map(shape).collect() }
-    }
-
-    fn sides(&self, coarse: &Dofs, of_triangle: &[[u32; 6]]) -> Vec<Side> {
-        let mut sides = Vec::new();
-        for (cell, dofs) in self.cells.iter().zip(of_triangle) {
-            for k in 0..3 {
-                let Edge { side, part, .. } = self.edges[cell.edges[k] as usize];
-                if let Some(coarse) = coarse.sides.get(side as usize) {
-                    sides.push(Side { id: coarse.id, part, dofs: [dofs[k], dofs[3 + k], dofs[(k + 1) % 3]] });
-                }
-            }
-        }
-        sides
-    }
-}
-
-impl Edge {
-    fn replace(&mut self, old: u32, new: u32) {
-        if let Some(cell) = self.cells.iter_mut().find(|cell| **cell == old) {
-            *cell = new;
-        }
-    }
-}
-
-/// The place of an edge in a triangle.
-fn place(cell: &Cell, edge: u32) -> usize {
-    cell.edges.iter().position(|&e| e == edge).unwrap_or(0)
-}
-
-/// Longest edge under a stroke.
-fn rim_edge_du(brush: &Brush) -> f64 {
-    brush.radius_du * (RIM_EDGE / (4.0 * brush.weight).sqrt().sqrt()).min(LONGEST_EDGE)
 }

@@ -1,5 +1,7 @@
 //! One region: its coloured sides, its system, and the values of its unknowns.
 
+use std::mem;
+
 use scumble_core::{BlendColor, HalfEdge, SideColors, SideId, SoftSource, Triangulation};
 
 use super::SolveError;
@@ -16,6 +18,8 @@ pub(super) struct Region {
     shaded: Option<(Vec<SoftSource>, Elements)>,
     /// The colours of its sides, as of the last look at them.
     given: Vec<Option<[BlendColor; 3]>>,
+    /// Whether no side is coloured, as of the same look.
+    is_paper: bool,
     coloring: Coloring,
     /// The colour of each unknown, where the region is neither paper nor flat.
     values: Vec<[f32; 4]>,
@@ -37,6 +41,7 @@ impl Region {
     pub(super) fn new(dofs: Dofs) -> Self {
         Self {
             given: vec![None; dofs.sides.len()],
+            is_paper: true,
             base: Elements::new(dofs),
             shaded: None,
             coloring: Coloring::Paper,
@@ -75,14 +80,15 @@ impl Region {
     /// Takes in the colours and the sources that shade it; sets up the system if it is needed and is not that of
     /// the last time.
     pub(super) fn analyse(&mut self, mesh: &Triangulation, colors: &SideColors, sources: Vec<SoftSource>) {
-        self.shade(mesh, sources);
-        let given = given(&self.elements().dofs.sides, colors, self.shaded.is_some());
+        let is_paper = given(&self.base.dofs.sides, colors).iter().all(Option::is_none);
+        self.shade(mesh, sources, is_paper);
+        let given = given(&self.elements().dofs.sides, colors);
         if given != self.given {
             self.given = given;
             self.is_solved = false;
         }
         if !self.is_solved {
-            self.coloring = coloring(&self.given, self.sources());
+            self.coloring = coloring(self.colors());
         }
         if self.coloring == Coloring::Blended {
             let is_colored: Vec<_> = self.given.iter().map(Option::is_some).collect();
@@ -91,16 +97,18 @@ impl Region {
         }
     }
 
-    fn shade(&mut self, mesh: &Triangulation, sources: Vec<SoftSource>) {
-        if self.sources() == sources {
+    fn shade(&mut self, mesh: &Triangulation, sources: Vec<SoftSource>, is_paper: bool) {
+        let was_paper = mem::replace(&mut self.is_paper, is_paper);
+        let is_same = is_paper == was_paper || sources.is_empty();
+        if self.sources() == sources && is_same {
             return;
         }
         self.is_solved = false;
         match &mut self.shaded {
-            Some((known, _)) if are_recolored(known, &sources) => *known = sources,
+            Some((known, _)) if are_recolored(known, &sources) && is_same => *known = sources,
             _ if sources.is_empty() => self.shaded = None,
             _ => {
-                let elements = Elements::shaded(mesh, &self.base.dofs, &sources);
+                let elements = Elements::shaded(mesh, &self.base.dofs, &sources, is_paper);
                 self.shaded = Some((sources, elements));
             }
         }
@@ -163,23 +171,24 @@ impl Region {
         values.into_iter().map(Option::unwrap_or_default).collect()
     }
 
+    /// The colours that are given: by sides, by sources, and by the paper where these are on it.
+    fn colors(&self) -> impl Iterator<Item = BlendColor> {
+        let paper = (self.is_paper && self.shaded.is_some()).then_some([0.0; 4]);
+        let sources = self.sources().iter().map(|source| source.color);
+        self.given.iter().flatten().flatten().copied().chain(sources).chain(paper)
+    }
+
     /// The least and the greatest value given, channel by channel.
     fn range(&self) -> [BlendColor; 2] {
         let start = [[f64::INFINITY; 4], [f64::NEG_INFINITY; 4]];
-        let sources = self.sources().iter().map(|source| source.color);
-        self.conditions().map(|(_, color)| color).chain(sources).fold(start, |[least, most], color| {
+        self.colors().fold(start, |[least, most], color| {
             [[0, 1, 2, 3].map(|i| color[i].min(least[i])), [0, 1, 2, 3].map(|i| color[i].max(most[i]))]
         })
     }
 }
 
-/// The colours of sides. A region that is shaded but has no coloured side is paper, and stays that at its sides: without
-/// anything given there, the least shade would flow all over it.
-fn given(sides: &[Side], colors: &SideColors, is_shaded: bool) -> Vec<Option<[BlendColor; 3]>> {
+fn given(sides: &[Side], colors: &SideColors) -> Vec<Option<[BlendColor; 3]>> {
     let color = |id: SideId| colors.get(id.index()).copied().flatten();
-    if is_shaded && sides.iter().all(|side| color(side.id).is_none()) {
-        return vec![Some([[0.0; 4]; 3]); sides.len()];
-    }
     sides.iter().map(|side| color(side.id).map(|colors| colors_of_part(colors, side.part))).collect()
 }
 
@@ -204,9 +213,7 @@ fn are_recolored(before: &[SoftSource], after: &[SoftSource]) -> bool {
         })
 }
 
-fn coloring(given: &[Option<[BlendColor; 3]>], sources: &[SoftSource]) -> Coloring {
-    let sides = given.iter().flatten().flatten().copied();
-    let mut colors = sides.chain(sources.iter().map(|source| source.color));
+fn coloring(mut colors: impl Iterator<Item = BlendColor>) -> Coloring {
     match colors.next() {
         None => Coloring::Paper,
         Some(first) if colors.all(|color| color == first) => {

@@ -39,7 +39,9 @@ impl System {
     /// Sets up the matrix and finds the pattern of its factor.
     pub(super) fn new<'a>(elements: &mut dyn Iterator<Item = Element<'a>>, fixed: &[bool]) -> Self {
         let row_of = rows(fixed);
-        let (mut rows, mut matrices, mut couplings) = (Vec::new(), Vec::new(), Vec::new());
+        let count = elements.size_hint().0;
+        let (mut rows, mut matrices) = (Vec::with_capacity(count), Vec::with_capacity(count));
+        let mut couplings = Vec::new();
         let mut is_corner = vec![false; fixed.len()];
         for element in elements {
             element.dofs[..3].iter().for_each(|&corner| is_corner[corner as usize] = true);
