@@ -61,9 +61,7 @@ impl Clearance {
         let is_at_tip = mesh.half_edges().map(is_at_tip).collect();
         Self { widths_du, is_at_tip, place_widths_du }
     }
-}
 
-impl Clearance {
     /// The width of the narrowest passage that a way leads through, in du; on a way within one triangle that of its
     /// widest place. The way begins in a triangle of the map and crosses no line.
     pub(crate) fn narrowest_du(&self, map: &PlanarMap, way: [Point; 3], triangle: usize) -> f64 {

@@ -1,16 +1,16 @@
 //! The `Global` engine: all scribbles at once, each place taken by the one that comes to it by the widest way.
 //!
 //! Every scribble floods the refined mesh from where it was drawn. The way from triangle to triangle costs
-//! `(length + 1 du) · (1 / width)⁸`: nearly the order "widest passage first, then distance", but a metric, so that a scribble
-//! that grows takes places from others and never gives any away, and the order of scribbles does not matter. Costs are
-//! integers, so that nothing depends on how sums are rounded.
+//! `(length + 1 du) · (1 / width)⁸`: nearly the order "widest passage first, then distance", but a metric, so that a
+//! scribble that grows takes places from others and never gives any away, and the order of scribbles does not matter.
+//! Costs are integers, so that nothing depends on how sums are rounded.
 //!
 //! A place in a passage of a certain width is as hard to leave as the passage: what is scribbled close to a line, or
 //! on it, has less to say about the other end of the room than what is scribbled in the open. That makes up for the
 //! hand that leaves its region a little. What is at hand is another matter: there the nearest scribble has its say,
 //! however narrow its place, so that a dab near a line colours that line.
 //!
-//! Colours stop at the [gaps](PlanarMap::gaps) of the map, but for those that lead into [pockets]. With `spread`, they
+//! Colours stop at the [gaps](PlanarMap::gaps) of the map, but for those that lead into `pockets`. With `spread`, they
 //! go on from there: through all gaps, and then across lines, into each region from the neighbour that shares the
 //! longest border with it.
 //!

@@ -11,7 +11,7 @@ use kurbo::Point;
 
 use crate::color::{Blend, BlendColor};
 use crate::drawing::LONGER_SIDE_DU;
-use crate::scribble::{Scribble, ScribbleKind};
+use crate::scribble::Scribble;
 use crate::sort;
 
 /// A soft source along a stroke.
@@ -51,7 +51,7 @@ pub fn soft_sources(scribbles: &[Scribble], blend: Blend) -> Vec<SoftSource> {
 }
 
 fn soft_source(scribble: &Scribble, blend: Blend) -> Option<SoftSource> {
-    let ScribbleKind::Shade(shading) = scribble.kind else { return None };
+    let shading = scribble.shading()?;
     let weight = weight(shading.strength);
     let points = scribble.points.iter().filter(|p| p.is_finite());
     let near = |x: f64| x.clamp(-FARTHEST_DU, FARTHEST_DU);
@@ -88,7 +88,7 @@ fn key(source: &SoftSource) -> impl Iterator<Item = u64> {
 mod tests {
     use super::*;
     use crate::color::{Paint, Srgb8};
-    use crate::scribble::Shading;
+    use crate::scribble::{ScribbleKind, Shading};
 
     fn scribble(strength: f64, width_du: f64, points: &[(f64, f64)]) -> Scribble {
         Scribble {
