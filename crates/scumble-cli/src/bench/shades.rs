@@ -6,7 +6,7 @@ use scumble_core::{Scribble, ScribbleKind, Settings, Shading, Srgb8};
 use crate::clock::{Times, print_head, print_row};
 use crate::stages::{self, Opened, SpreadTimes};
 
-/// Widths of the brush, in du: as the page opens with, and a wide one.
+/// Widths of the brush, in du: a thin one, and one that is a little thinner than the page opens with.
 pub(super) const WIDTHS_DU: [f64; 2] = [16.0, 48.0];
 
 const STRENGTH: f64 = 0.8;
