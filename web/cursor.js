@@ -5,7 +5,7 @@ const RING_PX = { least: 6, most: 120 };
 
 /** How far the eraser reaches across, as in `gestures.rs`. */
 const ERASER_PX = 10;
-/** The ring of a brush without a colour. */
+/** The ring of a brush without a colour of its own. */
 const COLORLESS = "#80808080";
 
 let tool = "scribble";
@@ -34,7 +34,7 @@ function show(change) {
 function brush() {
   const width_px = size_du * zoom;
   const drawn = width_px >= RING_PX.least && width_px <= RING_PX.most;
-  return drawn ? ring(width_px, color === "none" ? COLORLESS : color) : "crosshair";
+  return drawn ? ring(width_px, color.startsWith("#") ? color : COLORLESS) : "crosshair";
 }
 
 /**

@@ -65,7 +65,7 @@ export class Engine {
 
   /**
    * @param {Phase} phase
-   * @param {Float32Array} samples x and y in CSS pixels from the canvas' corner, and pressure in 0..=1, in turn
+   * @param {Float32Array} samples x and y in CSS pixels from the canvas' corner, and pressure in 0..=1 (1 where there is none to be had), in turn
    */
   pointer(phase, samples) {
     this.#enter((app) => app.pointer(phase, samples));

@@ -1,6 +1,6 @@
 // Files in and out: opened, dropped or pasted SVG, and pictures to keep.
 
-/** @typedef {(name: string, bytes: Uint8Array) => void} Open */
+/** @typedef {(name: string, bytes: Uint8Array, scribbles?: unknown[]) => void} Open */
 
 /**
  * Takes files from the file dialog, from drops on the page and from the clipboard, which may also hold SVG text.

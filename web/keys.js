@@ -15,6 +15,7 @@ const CHORDS = {
   "shift+1": "fit",
   "b": "tool-scribble",
   "e": "tool-erase",
+  "s": "other-kind",
   "x": "swap-colors",
   "[": "brush-smaller",
   "]": "brush-larger",

@@ -71,7 +71,8 @@ function both(first, second) {
 }
 
 const engine = new Engine(handlers);
-const open = (/** @type {string} */ name, /** @type {Uint8Array} */ bytes) => engine.command("open", { name, bytes });
+/** @type {import("./files.js").Open} */
+const open = (name, bytes, scribbles) => engine.command("open", { name, bytes, scribbles });
 const samples = new Samples(open, () => warn(say("error-samples")));
 const pointers = new Pointers(stage, engine);
 

@@ -116,7 +116,8 @@ export class Pointers {
     this.#penPoints += events.length;
     const samples = events.flatMap((e) => {
       const { x, y } = this.#place(e);
-      return [x, y, e.pressure];
+      // What feels no pressure reports one all the same.
+      return [x, y, e.pointerType === "pen" ? e.pressure : 1];
     });
     this.#engine.pointer(phase, new Float32Array(samples));
   }

@@ -1,6 +1,6 @@
 // The drawings that come with the page: a dialog of thumbnails.
 
-/** @typedef {{ file: string, name: string, credit: string }} Sample */
+/** @typedef {{ file: string, name: string, credit: string, scribbles?: string }} Sample */
 
 const FOLDER = new URL("../samples/", import.meta.url);
 
@@ -66,9 +66,12 @@ export class Samples {
   async #choose(sample) {
     this.#dialog.close();
     const choice = ++this.#choices;
-    const bytes = await fetched(sample.file, (response) => response.arrayBuffer());
+    const [bytes, work] = await Promise.all([
+      fetched(sample.file, (response) => response.arrayBuffer()),
+      sample.scribbles ? fetched(sample.scribbles, (response) => response.json()) : { scribbles: [] },
+    ]);
     if (choice !== this.#choices) return;
-    if (bytes) this.#open(sample.name, new Uint8Array(bytes));
+    if (bytes && work) this.#open(sample.name, new Uint8Array(bytes), work.scribbles);
     else this.#failed();
   }
 }

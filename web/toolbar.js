@@ -18,6 +18,14 @@ const PALETTE = Object.entries({
   white: "#ffffff",
 });
 
+/** Swatches of steps from the colour that is there, by what the module calls them. */
+const TONES = /** @type {Record<string, string>} */ ({
+  lighter: "linear-gradient(135deg, #8b8d98 25%, #fff 75%)",
+  darker: "linear-gradient(135deg, #8b8d98 25%, #000 75%)",
+  warmer: "linear-gradient(135deg, #8b8d98 25%, #ff8b3e 75%)",
+  cooler: "linear-gradient(135deg, #8b8d98 25%, #4a9df8 75%)",
+});
+
 /** What is picked for "no colour", in the page and in the module. */
 const NO_COLOR = "none";
 
@@ -33,19 +41,21 @@ const settingOf = (/** @type {string} */ setting) =>
  * @param {(command: string, args: unknown) => void} set for a value
  */
 export function connect(act, set) {
-  fillPalette(set);
+  fillPalette("palette", [...PALETTE, ["no-colour", NO_COLOR]], set);
+  fillPalette("tones", Object.keys(TONES).map((tone) => [tone, tone]), set);
   document.addEventListener("mousedown", keepFocus);
   for (const button of /** @type {NodeListOf<HTMLElement>} */ (document.querySelectorAll("[data-action]"))) {
     button.addEventListener("click", () => act(button.dataset.action ?? ""));
   }
-  for (const tool of tools()) tool.addEventListener("change", () => set("tool", tool.value));
-  for (const setting of ["lines", "scribbles", "spread"]) {
+  for (const radio of radios()) radio.addEventListener("change", () => set(radio.name, radio.value));
+  for (const setting of ["lines", "scribbles", "spread", "crosses"]) {
     settingOf(setting).addEventListener("change", () => set(setting, settingOf(setting).checked));
   }
-  for (const setting of ["engine", "blend"]) {
+  for (const setting of ["engine", "blend", "pressure"]) {
     settingOf(setting).addEventListener("change", () => set(setting, settingOf(setting).value));
   }
   connectSlider(settingOf("gap-closing"), set);
+  connectSlider(settingOf("strength"), set);
   input("brush-size").addEventListener("input", () => set("brush-size", input("brush-size").valueAsNumber));
   input("picker").addEventListener("input", () => set("color", input("picker").value));
 }
@@ -61,9 +71,17 @@ function connectSlider(slider, set) {
   for (const kind of ["change", "pointerup", "blur"]) slider.addEventListener(kind, () => set("settle"));
 }
 
-/** The radio buttons of the tools. */
-function tools() {
-  return /** @type {NodeListOf<HTMLInputElement>} */ (document.querySelectorAll(".tool input"));
+/** The radio buttons of the tools, and of what a scribble does. */
+function radios() {
+  return /** @type {NodeListOf<HTMLInputElement>} */ (document.querySelectorAll("input[type=radio]"));
+}
+
+/**
+ * @param {string} group
+ * @param {string} value
+ */
+function check(group, value) {
+  for (const radio of radios()) if (radio.name === group) radio.checked = radio.value === value;
 }
 
 /**
@@ -71,12 +89,16 @@ function tools() {
  * @param {MouseEvent} event
  */
 function keepFocus(event) {
-  if (event.target instanceof Element && event.target.closest("button, .tool")) event.preventDefault();
+  if (event.target instanceof Element && event.target.closest("button, .tool, .kind")) event.preventDefault();
 }
 
-/** @param {(command: string, args: unknown) => void} set */
-function fillPalette(set) {
-  for (const [key, color] of [...PALETTE, ["no-colour", NO_COLOR]]) {
+/**
+ * @param {string} id of the list
+ * @param {string[][]} swatches the key in the message table, and what the module calls it
+ * @param {(command: string, args: unknown) => void} set
+ */
+function fillPalette(id, swatches, set) {
+  for (const [key, color] of swatches) {
     const item = document.createElement("li");
     const swatch = document.createElement("button");
     swatch.type = "button";
@@ -87,7 +109,7 @@ function fillPalette(set) {
     name(swatch, say(key));
     swatch.addEventListener("click", () => set("color", color));
     item.append(swatch);
-    control("palette").append(item);
+    control(id).append(item);
   }
 }
 
@@ -96,7 +118,7 @@ function fillPalette(set) {
  * @param {string} color
  */
 function paint(swatch, color) {
-  swatch.style.setProperty("--swatch", color);
+  swatch.style.setProperty("--swatch", TONES[color] ?? color);
   swatch.classList.toggle("none", color === NO_COLOR);
 }
 
@@ -117,13 +139,22 @@ export function pickColor() {
 export const shown = {
   /** @param {string} name */
   tool(name) {
-    for (const tool of tools()) tool.checked = tool.value === name;
+    check("tool", name);
   },
-  /** @param {string} color #rrggbb or none */
+  /** @param {{kind: string, strength: number, crosses: boolean, pressure: string, largest: number}} mode */
+  mode({ kind, strength, crosses, pressure, largest }) {
+    check("kind", kind);
+    control("shading").hidden = control("tones").hidden = kind !== "shade";
+    input("brush-size").max = String(largest);
+    showPercent(settingOf("strength"), control("strength-figure"), Math.round(strength * 100));
+    settingOf("crosses").checked = crosses;
+    settingOf("pressure").value = pressure;
+  },
+  /** @param {string} color #rrggbb, none, or a tone */
   color(color) {
     paint(control("color"), color);
-    if (color !== NO_COLOR) input("picker").value = color;
-    for (const swatch of /** @type {NodeListOf<HTMLElement>} */ (control("palette").querySelectorAll(".swatch"))) {
+    if (color.startsWith("#")) input("picker").value = color;
+    for (const swatch of /** @type {NodeListOf<HTMLElement>} */ (document.querySelectorAll(".palette .swatch"))) {
       swatch.setAttribute("aria-pressed", String(swatch.dataset.color === color));
     }
   },

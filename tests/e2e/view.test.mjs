@@ -55,9 +55,10 @@ describe("the view", () => {
   test("Ctrl and wheel zooms about the pointer", async () => {
     await pointAt(PLACES[0]);
     const [fixed, [dx, dy]] = await moved(() => editor.tab.hold("Control", () => editor.tab.wheel(0, -20)));
-    assert.deepEqual(fixed, [0, 0]);
+    // The pointer stands on a whole pixel, up to half of one beside the place.
+    assert.ok(fixed.every((pixels) => Math.abs(pixels) <= 1), `${fixed} pixels`);
     assert.ok(dx > 20, `${dx} pixels`);
-    assert.equal(dy, 0);
+    assert.ok(Math.abs(dy) <= 1, `${dy} pixels`);
   });
 
   test("Fit shows the whole page again", async () => {

@@ -176,7 +176,7 @@ fn solved(curves: &[BezPath], colors: &[[Option<Paint>; 2]]) -> Field {
     let map = PlanarMap::build(&drawing, &Sampling { spacing_du: 24.0, chord_du: 0.5 }).expect("a map");
     let (first, last) = (map.steps(0).first().expect("a step"), map.steps(0).last().expect("a step"));
     let nodes = [map.ends(first.left)[0], map.ends(last.left)[1]];
-    let map = map.with_gaps(vec![Gap { nodes, width_du: 1.0 }]);
+    let map = map.with_gaps(vec![Gap { nodes, is_wide: false }]);
     let mut sides = vec![None; map.side_count()];
     for (curve, [left, right]) in colors.iter().enumerate() {
         for step in map.steps(curve) {
@@ -185,7 +185,7 @@ fn solved(curves: &[BezPath], colors: &[[Option<Paint>; 2]]) -> Field {
             }
         }
     }
-    let boundary = Boundary { sides, closed_gaps: vec![true] };
+    let boundary = Boundary { closed_gaps: vec![true], ..sides.into() };
     MeshSolver::new(map.refined().clone()).solve(&boundary, Blend::Oklab).expect("a field").clone()
 }
 

@@ -3,6 +3,7 @@
 
 mod growth;
 mod labels;
+mod shades;
 
 use std::path::Path;
 
@@ -15,6 +16,7 @@ use crate::clock::{Times, print_head, print_row, timed};
 use crate::set::{self, Entry, Kind};
 use crate::stages::{self, Opened, PAPER};
 use labels::{CANDIDATES, Candidate, LabelTimes};
+use shades::{ShadeTimes, WIDTHS_DU};
 
 pub(crate) use growth::run as run_made;
 
@@ -45,6 +47,7 @@ struct Report {
     /// From coloured sides to pixels, on the drawings of the baseline.
     beside_baseline: Times,
     labels: [LabelTimes; CANDIDATES.len()],
+    shades: [ShadeTimes; WIDTHS_DU.len()],
 }
 
 /// Times the drawings of a set and prints the figures.
@@ -82,6 +85,9 @@ impl Report {
             .push(read_ms + opened.import_ms + opened.map_ms + opened.mesh_ms + spread_ms + paint_ms);
         let boundary = self.more_scribbles(&mut opened, &scribbles)?;
         self.recolor(&mut opened, &scribbles)?;
+        for (width_du, times) in WIDTHS_DU.into_iter().zip(&mut self.shades) {
+            times.take(&mut opened, &scribbles, width_du)?;
+        }
         if with_baseline { self.baseline(&mut opened, &boundary) } else { Ok(()) }
     }
 
@@ -155,6 +161,9 @@ impl Report {
             print_row(name, times);
         }
         self.print_ratio();
+        for (width_du, times) in WIDTHS_DU.into_iter().zip(&self.shades) {
+            shades::print(times, width_du);
+        }
         labels::print(&format!("labels, {} drawings", self.import.len()), &self.labels);
     }
 

@@ -3,19 +3,15 @@
 mod on_pixels;
 
 use anyhow::ensure;
-use scumble_core::drawing::LONGER_SIDE_DU;
-use scumble_core::{Boundary, Drawing, Scribble};
-use scumble_io::{ReadScribbles, read_scribbles, write_png};
-use scumble_solve::{Pixmap, Shape, SolveError, line_shapes};
+use scumble_core::{Boundary, Document, Drawing, Scribble};
+use scumble_io::{ReadScribbles, Work, read_scribbles, write_png};
+use scumble_solve::{Pixmap, SolveError};
 use serde::Serialize;
 
 use crate::clock::timed;
-use crate::files;
 use crate::options::{ColorOptions, Solver};
-use crate::stages::{self, Opened, PAPER, SpreadTimes};
-
-/// Largest distance of a drawn line from its true place, in pixels.
-const LINE_TOLERANCE_PX: f64 = 0.1;
+use crate::stages::{self, Opened, SpreadTimes};
+use crate::{files, render, works};
 
 /// What `--timings` prints.
 #[derive(Debug, Serialize)]
@@ -51,37 +47,45 @@ struct Milliseconds {
 /// When the input is bad or the picture cannot be written; then there is no file.
 pub(crate) fn run(options: &ColorOptions) -> anyhow::Result<()> {
     for input in [&options.drawing, &options.scribbles] {
-        let is_same = files::is_same(input, &options.output);
-        ensure!(!is_same, "{} is read; name another file for the picture", input.display());
+        let is_same = |output: &std::path::Path| files::is_same(input, output);
+        ensure!(!is_same(&options.output), "{} is read; name another file for the picture", input.display());
+        let is_saved_over = options.save.as_deref().is_some_and(is_same);
+        ensure!(!is_saved_over, "{} is read; name another file to save", input.display());
     }
     let mut opened = stages::open(&files::read(&options.drawing)?)?;
     let ReadScribbles { scribbles, notes } =
         read_scribbles(&files::read(&options.scribbles)?, drawing(&opened))?;
-    warn(&options.drawing, &opened.import.notes.to_string());
-    warn(&options.scribbles, &notes.to_string());
+    files::warn(&options.drawing, &opened.import.notes.to_string());
+    files::warn(&options.scribbles, &notes.to_string());
     if options.solver != Solver::Mesh {
         let boundary = opened.picture.color(&scribbles, &options.settings);
-        let pixmap = on_pixels::paint(&opened, &boundary, options)?;
-        return files::write(&options.output, &write_png(pixmap.width_px, pixmap.height_px, &pixmap.rgba)?);
+        write(&on_pixels::paint(&opened, &boundary, options)?, options)?;
+        return save(&opened, scribbles, options);
     }
     let (colors, times) = spread(&mut opened, &scribbles, options)?;
-    let (pixmap, paint_ms) = timed(|| paint(&mut opened, &colors, options));
-    let pixmap = pixmap?;
-    files::write(&options.output, &write_png(pixmap.width_px, pixmap.height_px, &pixmap.rgba)?)?;
+    let blend = options.settings.blend;
+    let Opened { import, picture, .. } = &mut opened;
+    let (pixmap, paint_ms) = timed(|| render::paint(&import.drawing, picture, &colors, blend, &options.look));
+    write(&pixmap?, options)?;
     if options.timings {
         println!("{}", serde_json::to_string(&timings(&mut opened, &times, paint_ms))?);
     }
-    Ok(())
+    save(&opened, scribbles, options)
+}
+
+fn write(pixmap: &Pixmap, options: &ColorOptions) -> anyhow::Result<()> {
+    files::write(&options.output, &write_png(pixmap.width_px, pixmap.height_px, &pixmap.rgba)?)
+}
+
+/// Keeps the drawing with its scribbles, if it is to be kept.
+fn save(opened: &Opened, scribbles: Vec<Scribble>, options: &ColorOptions) -> anyhow::Result<()> {
+    let Some(path) = &options.save else { return Ok(()) };
+    let drawing = drawing(opened).clone();
+    works::write(path, &Work::new(Document { drawing, scribbles, settings: options.settings }))
 }
 
 fn drawing(opened: &Opened) -> &Drawing {
     &opened.import.drawing
-}
-
-fn warn(path: &std::path::Path, notes: &str) {
-    if !notes.is_empty() {
-        eprintln!("scumble: warning: {}: {notes}", path.display());
-    }
 }
 
 /// Spreads the colours: of all scribbles at once or, where each is to be timed, of one more at a time.
@@ -99,23 +103,6 @@ fn spread(
     let (boundary, last) = stages::spread(&mut opened.picture, scribbles, &options.settings)?;
     times.extend((!scribbles.is_empty()).then_some(last));
     Ok((boundary, times))
-}
-
-fn paint(opened: &mut Opened, boundary: &Boundary, options: &ColorOptions) -> Result<Pixmap, SolveError> {
-    let view = stages::page_view(drawing(opened), options.size_px);
-    let shapes = shapes(opened, options);
-    let field = opened.picture.mesh().solve(boundary, options.settings.blend)?;
-    Ok(stages::paint_page(field, &shapes, &view, (!options.transparent).then_some(PAPER)))
-}
-
-/// What is painted over the colours.
-fn shapes(opened: &Opened, options: &ColorOptions) -> Vec<Shape> {
-    if options.lines { lines(opened, options.size_px) } else { Vec::new() }
-}
-
-fn lines(opened: &Opened, size_px: u32) -> Vec<Shape> {
-    let tolerance_du = LINE_TOLERANCE_PX * LONGER_SIDE_DU / f64::from(size_px);
-    line_shapes(drawing(opened), opened.picture.map(), tolerance_du)
 }
 
 fn timings(opened: &mut Opened, times: &[SpreadTimes], paint_ms: f64) -> Timings {

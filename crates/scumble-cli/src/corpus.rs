@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
 use kurbo::{Line, ParamCurve, ParamCurveNearest, PathEl, Point, Rect, Shape};
-use scumble_core::{Drawing, PlanarMap, Scribble, Settings, Srgb8, Step};
+use scumble_core::{Drawing, PlanarMap, Scribble, ScribbleKind, Settings, Srgb8, Step};
 use scumble_io::ImportError;
 
 use crate::clock::{self, Times};
@@ -70,7 +70,8 @@ fn color_twice(path: &Path) -> anyhow::Result<(Opened, SpreadTimes)> {
 pub(crate) fn scribbles_on(drawing: &Drawing) -> Vec<Scribble> {
     let size = drawing.size_du();
     let at = |x: f64, y: f64| Point::new(x * size.width, y * size.height);
-    let scribble = |rgb, points| Scribble { color: Srgb8(rgb).into(), width_du: 8.0, points };
+    let scribble =
+        |rgb, points| Scribble { color: Srgb8(rgb).into(), kind: ScribbleKind::Fill, width_du: 8.0, points };
     vec![
         scribble([230, 25, 75], vec![at(0.45, 0.5), at(0.5, 0.48), at(0.55, 0.5)]),
         scribble([0, 130, 200], vec![at(0.25, 0.25), at(0.25, 0.32)]),

@@ -67,7 +67,8 @@ fn run_together(options: &EvalOptions) -> anyhow::Result<()> {
 
 /// Each scribble alone, by the chosen method and by two plain ones.
 fn run_single(options: &EvalOptions) -> anyhow::Result<()> {
-    let mut reports = [options.method, method::FLOOD, method::SIGHT].map(Singles::new);
+    let beside = [method::FLOOD, method::SIGHT].into_iter().filter(|plain| plain.name != options.method.name);
+    let mut reports: Vec<Singles> = [options.method].into_iter().chain(beside).map(Singles::new).collect();
     for_each_drawing(options, Kind::Sparse, |_, subject| {
         reports.iter_mut().try_for_each(|singles| singles.add(subject, options.settings))
     })?;

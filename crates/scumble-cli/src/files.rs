@@ -75,3 +75,10 @@ pub(crate) fn drawings(folder: &Path) -> anyhow::Result<Vec<PathBuf>> {
     paths.sort();
     Ok(paths)
 }
+
+/// Tells what was left out of a file.
+pub(crate) fn warn(path: &Path, notes: &str) {
+    if !notes.is_empty() {
+        eprintln!("scumble: warning: {}: {notes}", path.display());
+    }
+}

@@ -8,7 +8,7 @@ use std::f64::consts::TAU;
 
 use kurbo::{BezPath, Ellipse, Point, Rect, Shape, Stroke, Vec2};
 use scumble_core::drawing::LONGER_SIDE_DU;
-use scumble_core::{Curve, Drawing, Line, Rgba8, Scribble, Srgb8};
+use scumble_core::{Curve, Drawing, Line, Rgba8, Scribble, ScribbleKind, Srgb8};
 
 /// Number of scribbles on a made drawing, in columns and rows.
 const SCRIBBLES: [u32; 2] = [10, 6];
@@ -54,7 +54,12 @@ fn scribble(row: u32, column: u32) -> Scribble {
     );
     let point = |i: u32| start + Vec2::new(f64::from(i) * STEP_DU, 8.0 * (f64::from(i) * 0.4).sin());
     let color = Srgb8([40 + 20 * column as u8, 40 + 30 * row as u8, 128]);
-    Scribble { color: color.into(), width_du: 8.0, points: (0..SCRIBBLE_POINTS).map(point).collect() }
+    Scribble {
+        color: color.into(),
+        kind: ScribbleKind::Fill,
+        width_du: 8.0,
+        points: (0..SCRIBBLE_POINTS).map(point).collect(),
+    }
 }
 
 /// The curves of one cell, given its middle and half its size.

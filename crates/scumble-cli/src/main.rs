@@ -12,6 +12,9 @@
 //! | `scumble eval`: how well engines colour | `eval` |
 //! | … beside other people's methods on pixels | `rivals` |
 //! | folders of drawings with scribbles and truth | `set` |
+//! | `scumble render`: the picture of a file | `render` |
+//! | `scumble link`, `open`, `convert` | `share` |
+//! | work in and out of files of any kind | `works` |
 //! | from a file to a picture, stage by stage | `stages` |
 //! | times and their percentiles | `clock` |
 //! | files in and out | `files` |
@@ -26,9 +29,12 @@ mod eval;
 mod files;
 mod made;
 mod options;
+mod render;
 mod rivals;
 mod set;
+mod share;
 mod stages;
+mod works;
 
 use std::process::ExitCode;
 
@@ -45,15 +51,35 @@ scumble color DRAWING.svg --scribbles S.json -o OUT.png
     [--blend oklab|srgb]    how colours mix
     [--engine global|progressive]
                             all scribbles at once, or one after the other
-    [--gap-closing 0.5]     how readily gaps between lines count as closed, 0 to 1 (global only)
+    [--gap-closing 0.5]     how readily gaps between lines count as closed, 0 to 1
     [--spread]              colour also what nobody scribbled (global only)
+    [--save FILE.scumble]   keep the drawing with its scribbles
     [--solver mesh|gpu|cpu-grid|jeschke]
                             on triangles, exact; on pixels, by the graphics card or without;
                             on pixels after Jeschke et al. 2009
     [--timings]             print counts and milliseconds of each stage as JSON
 
     S.json: {\"scribbles\":[{\"color\":\"#rrggbb\",\"width\":1.5,\"points\":[[x,y],…]},…]}
-    in units of the drawing's viewBox, in drawing order.
+    in units of the drawing's viewBox, in drawing order. With \"kind\":\"shade\",\"strength\":0.8 a scribble shades
+    where it is drawn, in the region of its first point; with \"crosses\":true also beyond.
+
+scumble render FILE -o OUT.png
+    the picture of a .scumble file, or of a drawing
+    [--size 1024] [--lines] [--transparent]
+                            as for color
+    [--samples DIR]         where the samples are, for a file that only names one
+
+scumble convert A B
+    turns a .svg, .scumble or .json file into a .scumble or .json file
+
+scumble link FILE
+    prints a link to a .scumble file, or to a drawing, as its last line
+    [--base URL]            what comes before the #
+    [--stats]               print a table of what takes how much before it
+
+scumble open LINK -o FILE.scumble
+    turns a link into a file
+    [--samples DIR]         where the samples are, for a link that only names one
 
 scumble corpus DIR [--take N]
     tries all drawings of a folder, or N of them evenly spaced;
@@ -74,7 +100,7 @@ scumble eval SETDIR
     [--kind dense|sparse]   which scribbles
     [--engine global|progressive|sight|flood|lazybrush|lazybrush-soft|nearest]
                             who colours; from flood on, other people's methods on pixels
-    [--gap-closing 0.5]     how readily gaps between lines count as closed, 0 to 1 (global only)
+    [--gap-closing 0.5]     how readily gaps between lines count as closed, 0 to 1 (global and progressive only)
     [--spread]              colour also what nobody scribbled (global and flood only)
     [--single]              each sparse scribble alone, without spreading
     [--sheet SHEET.png]     write a contact sheet, worst first: scribbles, truth, result
@@ -84,6 +110,8 @@ Exit code 2: bad input; nothing was written (with --pictures: up to there).
 ";
 
 fn main() -> ExitCode {
+    // Whoever reads only the first lines ends the program quietly.
+    sigpipe::reset();
     match run() {
         Ok(code) => code,
         Err(error) => {
@@ -102,6 +130,10 @@ fn run() -> anyhow::Result<ExitCode> {
         Command::BenchMade => bench::run_made()?,
         Command::Compare { set, every, half } => compare::run(&set, every, half)?,
         Command::Eval(options) => eval::run(&options)?,
+        Command::Render(options) => render::run(&options)?,
+        Command::Convert { from, to } => share::convert(&from, &to)?,
+        Command::Link(options) => share::link(&options)?,
+        Command::Open(options) => share::open(&options)?,
     }
     Ok(ExitCode::SUCCESS)
 }

@@ -9,6 +9,7 @@ use scumble_core::{Blend, EngineKind, Settings};
 
 use crate::eval::{EvalOptions, Method};
 use crate::set::Kind;
+use crate::works;
 
 /// Picture sizes that are made, in pixels of the longer side.
 const SIZES_PX: std::ops::RangeInclusive<u32> = 1..=16384;
@@ -23,6 +24,10 @@ pub(crate) enum Command {
     BenchMade,
     Compare { set: PathBuf, every: usize, half: bool },
     Eval(EvalOptions),
+    Render(RenderOptions),
+    Convert { from: PathBuf, to: PathBuf },
+    Link(LinkOptions),
+    Open(OpenOptions),
 }
 
 /// What `scumble color` is to make.
@@ -31,13 +36,21 @@ pub(crate) struct ColorOptions {
     pub(crate) drawing: PathBuf,
     pub(crate) scribbles: PathBuf,
     pub(crate) output: PathBuf,
+    pub(crate) look: Look,
+    pub(crate) settings: Settings,
+    /// Where to keep the drawing with its scribbles.
+    pub(crate) save: Option<PathBuf>,
+    pub(crate) timings: bool,
+    pub(crate) solver: Solver,
+}
+
+/// How a picture is painted.
+#[derive(Debug)]
+pub(crate) struct Look {
     /// Longer side.
     pub(crate) size_px: u32,
     pub(crate) lines: bool,
     pub(crate) transparent: bool,
-    pub(crate) settings: Settings,
-    pub(crate) timings: bool,
-    pub(crate) solver: Solver,
 }
 
 /// What spreads the colours of sides.
@@ -52,6 +65,32 @@ pub(crate) enum Solver {
     CpuGrid,
     /// Pixels, after Jeschke et al. 2009.
     Jeschke,
+}
+
+/// What `scumble render` is to make.
+#[derive(Debug)]
+pub(crate) struct RenderOptions {
+    pub(crate) file: PathBuf,
+    pub(crate) output: PathBuf,
+    pub(crate) samples: Option<PathBuf>,
+    pub(crate) look: Look,
+}
+
+/// What `scumble link` is to print.
+#[derive(Debug)]
+pub(crate) struct LinkOptions {
+    pub(crate) file: PathBuf,
+    /// What comes before the `#`.
+    pub(crate) base: String,
+    pub(crate) stats: bool,
+}
+
+/// What `scumble open` is to write.
+#[derive(Debug)]
+pub(crate) struct OpenOptions {
+    pub(crate) link: String,
+    pub(crate) output: PathBuf,
+    pub(crate) samples: Option<PathBuf>,
 }
 
 /// Reads a command line.
@@ -82,9 +121,16 @@ pub(crate) fn parse(mut arguments: Arguments) -> anyhow::Result<Command> {
             Ok(Command::Compare { set: set.into(), every: every.unwrap_or(1), half })
         }
         Some("eval") => eval(arguments).map(Command::Eval),
-        Some(other) => {
-            bail!("there is no command “{other}”; use color, corpus, bench, compare or eval, or --help")
+        Some("render") => render(arguments).map(Command::Render),
+        Some("convert") => {
+            let [from, to] = rest(arguments, ["A", "B"])?;
+            let to = PathBuf::from(to);
+            works::check_writable(&to)?;
+            Ok(Command::Convert { from: from.into(), to })
         }
+        Some("link") => link(arguments).map(Command::Link),
+        Some("open") => open(arguments).map(Command::Open),
+        Some(other) => bail!("there is no command “{other}”; see --help"),
     }
 }
 
@@ -94,11 +140,11 @@ fn path(value: &std::ffi::OsStr) -> Result<PathBuf, std::convert::Infallible> {
 
 fn color(mut arguments: Arguments) -> anyhow::Result<ColorOptions> {
     let scribbles = arguments.opt_value_from_os_str("--scribbles", path).map_err(advise)?;
-    let output = arguments.opt_value_from_os_str("-o", path).map_err(advise)?;
-    let size_px = arguments.opt_value_from_fn("--size", size).map_err(advise)?;
+    let output = picture(&mut arguments)?;
+    let save = arguments.opt_value_from_os_str("--save", path).map_err(advise)?;
+    save.as_deref().map(works::check_writable).transpose()?;
     let settings = settings(&mut arguments)?;
-    let lines = arguments.contains("--lines");
-    let transparent = arguments.contains("--transparent");
+    let look = look(&mut arguments)?;
     let timings = arguments.contains("--timings");
     let solver = arguments.opt_value_from_fn("--solver", solver).map_err(advise)?.unwrap_or_default();
     ensure!(!timings || solver == Solver::Mesh, "--timings are those of the mesh solver; leave out --solver");
@@ -106,33 +152,72 @@ fn color(mut arguments: Arguments) -> anyhow::Result<ColorOptions> {
     Ok(ColorOptions {
         drawing: drawing.into(),
         scribbles: scribbles.context("--scribbles is missing; name a file of scribbles")?,
-        output: output.context("-o is missing; name the picture to write, for example -o picture.png")?,
-        size_px: size_px.unwrap_or(1024),
-        lines,
-        transparent,
+        output,
+        look,
         settings,
+        save,
         timings,
         solver,
     })
 }
 
+fn render(mut arguments: Arguments) -> anyhow::Result<RenderOptions> {
+    let output = picture(&mut arguments)?;
+    let samples = arguments.opt_value_from_os_str("--samples", path).map_err(advise)?;
+    let look = look(&mut arguments)?;
+    let [file] = rest(arguments, ["FILE"])?;
+    Ok(RenderOptions { file: file.into(), output, samples, look })
+}
+
+fn link(mut arguments: Arguments) -> anyhow::Result<LinkOptions> {
+    let base: Option<String> = arguments.opt_value_from_str("--base").map_err(advise)?;
+    let base = base.unwrap_or_default();
+    ensure!(!base.contains('#'), "--base has a “#”; give the address up to it");
+    let stats = arguments.contains("--stats");
+    let [file] = rest(arguments, ["FILE"])?;
+    Ok(LinkOptions { file: file.into(), base, stats })
+}
+
+fn open(mut arguments: Arguments) -> anyhow::Result<OpenOptions> {
+    let output: Option<PathBuf> = arguments.opt_value_from_os_str("-o", path).map_err(advise)?;
+    let output = output.context("-o is missing; name the file to write, for example -o drawing.scumble")?;
+    works::check_writable(&output)?;
+    let samples = arguments.opt_value_from_os_str("--samples", path).map_err(advise)?;
+    let [link] = rest(arguments, ["LINK"])?;
+    Ok(OpenOptions { link: link.to_string_lossy().into_owned(), output, samples })
+}
+
+fn picture(arguments: &mut Arguments) -> anyhow::Result<PathBuf> {
+    let output = arguments.opt_value_from_os_str("-o", path).map_err(advise)?;
+    output.context("-o is missing; name the picture to write, for example -o picture.png")
+}
+
+fn look(arguments: &mut Arguments) -> anyhow::Result<Look> {
+    let size_px = arguments.opt_value_from_fn("--size", size).map_err(advise)?;
+    let lines = arguments.contains("--lines");
+    Ok(Look { size_px: size_px.unwrap_or(1024), lines, transparent: arguments.contains("--transparent") })
+}
+
 fn eval(mut arguments: Arguments) -> anyhow::Result<EvalOptions> {
-    let default = Settings::default();
     let kind = arguments.opt_value_from_fn("--kind", kind).map_err(advise)?;
     let method = arguments.opt_value_from_fn("--engine", Method::parse).map_err(advise)?;
-    let gap_closing = arguments.opt_value_from_fn("--gap-closing", unit).map_err(advise)?;
-    let spread = arguments.contains("--spread");
+    let settings = reach(&mut arguments)?;
     let single = arguments.contains("--single");
     let sheet = arguments.opt_value_from_os_str("--sheet", path).map_err(advise)?;
     let pictures = arguments.opt_value_from_os_str("--pictures", path).map_err(advise)?;
     let [set] = rest(arguments, ["SETDIR"])?;
     let is_together = sheet.is_none() && pictures.is_none();
     ensure!(!single || is_together, "--single makes no pictures; leave out --sheet and --pictures");
+    let is_plain = kind != Some(Kind::Dense) && !settings.spread;
+    ensure!(
+        !single || is_plain,
+        "--single takes sparse scribbles and does not spread; leave out --kind and --spread"
+    );
     Ok(EvalOptions {
         set: set.into(),
         kind: kind.unwrap_or_default(),
         method: method.unwrap_or_default(),
-        settings: Settings { gap_closing: gap_closing.unwrap_or(default.gap_closing), spread, ..default },
+        settings,
         single,
         sheet,
         pictures,
@@ -141,16 +226,18 @@ fn eval(mut arguments: Arguments) -> anyhow::Result<EvalOptions> {
 
 /// How the drawing is to be coloured, where the options say otherwise than the defaults do.
 fn settings(arguments: &mut Arguments) -> anyhow::Result<Settings> {
-    let default = Settings::default();
     let blend = arguments.opt_value_from_fn("--blend", blend).map_err(advise)?;
     let engine = arguments.opt_value_from_fn("--engine", engine).map_err(advise)?;
+    let reach = reach(arguments)?;
+    Ok(Settings { blend: blend.unwrap_or(reach.blend), engine: engine.unwrap_or(reach.engine), ..reach })
+}
+
+/// How far colours are to go; all else as the defaults say.
+fn reach(arguments: &mut Arguments) -> anyhow::Result<Settings> {
+    let default = Settings::default();
     let gap_closing = arguments.opt_value_from_fn("--gap-closing", unit).map_err(advise)?;
-    Ok(Settings {
-        blend: blend.unwrap_or(default.blend),
-        engine: engine.unwrap_or(default.engine),
-        gap_closing: gap_closing.unwrap_or(default.gap_closing),
-        spread: arguments.contains("--spread"),
-    })
+    let gap_closing = gap_closing.unwrap_or(default.gap_closing);
+    Ok(Settings { gap_closing, spread: arguments.contains("--spread"), ..default })
 }
 
 /// What is left once the options are taken: exactly the arguments that have these names.

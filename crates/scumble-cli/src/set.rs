@@ -51,6 +51,10 @@ pub(crate) fn entries(set: &Path) -> anyhow::Result<Vec<Entry>> {
     let texts: Vec<EntryText> = serde_json::from_slice(&files::read(&index)?)
         .with_context(|| format!("{} is no list of drawings", index.display()))?;
     anyhow::ensure!(!texts.is_empty(), "{} lists no drawing", index.display());
+    for EntryText { id } in &texts {
+        let is_name = Path::new(id).file_name() == Some(id.as_ref());
+        anyhow::ensure!(is_name, "{} lists “{id}”, which is no name of a folder in the set", index.display());
+    }
     Ok(texts.into_iter().map(|EntryText { id }| Entry { folder: set.join(&id), id }).collect())
 }
 

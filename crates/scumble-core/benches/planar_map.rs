@@ -4,7 +4,7 @@ use std::hint::black_box;
 
 use criterion::{BatchSize, Criterion, criterion_group, criterion_main};
 use kurbo::{Affine, Ellipse, Point, Rect, Shape};
-use scumble_core::{Curve, Drawing, Engine, PlanarMap, Sampling, Scribble, Sight, Srgb8};
+use scumble_core::{Curve, Drawing, Engine, PlanarMap, Sampling, Scribble, ScribbleKind, Sight, Srgb8};
 
 /// Rings of overlapping petals: some 4,000 pieces with some hundred crossings.
 fn petals() -> Drawing {
@@ -23,7 +23,8 @@ fn planar_map(c: &mut Criterion) {
     let build = || PlanarMap::build(&drawing, &Sampling::default()).expect("a map");
     let map = build();
     let points = (0..60).map(|i| Point::new(500.0 + 3.0 * f64::from(i), 480.0 + f64::from(i % 7))).collect();
-    let scribble = [Scribble { color: Srgb8([200, 30, 40]).into(), width_du: 8.0, points }];
+    let scribble =
+        [Scribble { color: Srgb8([200, 30, 40]).into(), kind: ScribbleKind::Fill, width_du: 8.0, points }];
     c.bench_function("map", |b| b.iter(|| black_box(build())));
     c.bench_function("refine", |b| {
         b.iter_batched(|| map.clone(), |map| black_box(map.refined().clone()), BatchSize::LargeInput);

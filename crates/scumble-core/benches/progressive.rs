@@ -4,7 +4,7 @@ use std::hint::black_box;
 
 use criterion::{BatchSize, Criterion, criterion_group, criterion_main};
 use kurbo::{Affine, Ellipse, Point, Rect, Shape, Vec2};
-use scumble_core::{Curve, Drawing, Engine, Paint, PlanarMap, Progressive, Sampling, Scribble};
+use scumble_core::{Curve, Drawing, Engine, Paint, PlanarMap, Progressive, Sampling, Scribble, ScribbleKind};
 
 /// Two rings of overlapping petals: some 2,400 pieces.
 fn petals() -> PlanarMap {
@@ -24,7 +24,7 @@ fn scribbles() -> Vec<Scribble> {
     let stroke = |i: i32| {
         let at = Point::new(512.0, 512.0) + Vec2::from_angle(f64::from(i)) * f64::from(20 + 17 * (i % 20));
         let points = (0..20).map(|k| at + 3.0 * f64::from(k) * Vec2::from_angle(f64::from(2 * i))).collect();
-        Scribble { color: Paint::Clear, width_du: 8.0, points }
+        Scribble { color: Paint::Clear, kind: ScribbleKind::Fill, width_du: 8.0, points }
     };
     (0..20).map(stroke).collect()
 }

@@ -9,7 +9,7 @@
 //! so where the line points across it: such widths are scaled down. The border of the page is no line; passages along
 //! it count as wide.
 
-use kurbo::{Point, Vec2};
+use kurbo::{Line, ParamCurveNearest, Point, Vec2};
 
 use crate::planar_map::PlanarMap;
 use crate::triangulation::{HalfEdge, Triangulation};
@@ -61,9 +61,7 @@ impl Clearance {
         let is_at_tip = mesh.half_edges().map(is_at_tip).collect();
         Self { widths_du, is_at_tip, place_widths_du }
     }
-}
 
-impl Clearance {
     /// The width of the narrowest passage that a way leads through, in du; on a way within one triangle that of its
     /// widest place. The way begins in a triangle of the map and crosses no line.
     pub(crate) fn narrowest_du(&self, map: &PlanarMap, way: [Point; 3], triangle: usize) -> f64 {
@@ -96,24 +94,36 @@ fn exit(
     Some((h, mesh.passage(h)?))
 }
 
-/// Distance of a point from the nearest drawn line around the triangle that it lies in, in du; negative on a line,
-/// [`OPEN_DU`] where there is none.
+/// Distance of a point from the nearest drawn line that is seen from the triangle that it lies in, in du; negative on a
+/// line, [`OPEN_DU`] where there is none.
 pub(crate) fn distance_to_lines_du(map: &PlanarMap, p: Point, triangle: usize) -> f64 {
     let mesh = map.triangulation();
-    let to_line = |h: HalfEdge| {
-        let [a, b] = mesh.ends(h).map(|node| map.half_width_du(node));
-        let to_corner = a.map_or(OPEN_DU, |half_du| (p - mesh.segment(h)[0]).hypot() - half_du);
-        match (mesh.side(h), a, b) {
-            (Some(_), Some(a), Some(b)) => to_corner.min(distance_to_segment(p, mesh.segment(h)) - a.min(b)),
-            _ => to_corner,
+    let (mut nearest_du, mut around, mut at) = (OPEN_DU, vec![triangle], 0);
+    while let Some(&triangle) = around.get(at) {
+        for h in (0..3).map(|i| HalfEdge::of(triangle, i)) {
+            nearest_du = nearest_du.min(distance_to_line_du(map, p, h));
+            let is_near = distance_du(p, mesh.segment(h)) < nearest_du;
+            let next = mesh.passage(h).filter(|_| is_near).map(HalfEdge::triangle);
+            around.extend(next.filter(|next| !around.contains(next)));
         }
-    };
-    (0..3).map(|i| to_line(HalfEdge::of(triangle, i))).fold(OPEN_DU, f64::min)
+        at += 1;
+    }
+    nearest_du
 }
 
-fn distance_to_segment(p: Point, [a, b]: [Point; 2]) -> f64 {
-    let along = ((p - a).dot(b - a) / (b - a).hypot2()).clamp(0.0, 1.0);
-    (p - a.lerp(b, along)).hypot()
+/// Distance from what is drawn of a half-edge: its origin, and all of it if it is a piece of curve.
+fn distance_to_line_du(map: &PlanarMap, p: Point, h: HalfEdge) -> f64 {
+    let mesh = map.triangulation();
+    let [a, b] = mesh.ends(h).map(|node| map.half_width_du(node));
+    let to_corner_du = a.map_or(OPEN_DU, |half_du| (p - mesh.segment(h)[0]).hypot() - half_du);
+    match (mesh.side(h), a, b) {
+        (Some(_), Some(a), Some(b)) => to_corner_du.min(distance_du(p, mesh.segment(h)) - a.min(b)),
+        _ => to_corner_du,
+    }
+}
+
+fn distance_du(p: Point, [a, b]: [Point; 2]) -> f64 {
+    Line::new(a, b).nearest(p, 0.0).distance_sq.sqrt()
 }
 
 /// Whether no corner opposite to an edge lies in the circle over it, so that it crosses its passage at the narrowest.
@@ -155,7 +165,15 @@ fn circumcenter([a, b, c]: [Point; 3]) -> Option<Point> {
     (double_area > 0.0).then(|| a + offset / (2.0 * double_area))
 }
 
-/// The length of an edge without the lines at its ends.
+/// What the lines drawn through the ends of an edge leave of it, in du; negative where they overlap.
+pub(crate) fn clear_width_du(map: &PlanarMap, h: HalfEdge) -> f64 {
+    let mesh = map.triangulation();
+    let [a, b] = mesh.segment(h);
+    let lines_du: f64 = mesh.ends(h).iter().filter_map(|&node| map.half_width_du(node)).sum();
+    (b - a).hypot() - lines_du
+}
+
+/// The length of an edge without the lines at its ends, as far as it counts.
 fn edge_width_du(map: &PlanarMap, tips: &[Option<Vec2>], h: HalfEdge) -> f64 {
     let mesh = map.triangulation();
     let [a, b] = mesh.segment(h);
@@ -164,8 +182,8 @@ fn edge_width_du(map: &PlanarMap, tips: &[Option<Vec2>], h: HalfEdge) -> f64 {
     match mesh.ends(h).map(|node| map.half_width_du(node)) {
         [None, None] => OPEN_DU,
         [Some(half_du), None] | [None, Some(half_du)] => (BORDER_FACTOR * length_du - half_du).min(OPEN_DU),
-        [Some(left_du), Some(right_du)] => {
-            let width_du = length_du - left_du - right_du;
+        [Some(_), Some(_)] => {
+            let width_du = clear_width_du(map, h);
             let [left, right] = mesh.ends(h).map(|node| tips[node as usize]);
             let factor = tip_factor(left, across) * tip_factor(right, -across);
             if width_du > 0.0 { width_du * factor } else { width_du }

@@ -7,36 +7,41 @@ use crate::color::{Blend, BlendColor, Paint};
 use crate::engine::Labels;
 use crate::planar_map::{PlanarMap, Step};
 use crate::scribble::Scribble;
+use crate::source::{SoftSource, soft_sources};
 use crate::triangulation::SideId;
 
 /// The colour of a side at the start, the middle and the end of its half-edge in the triangulation; `None` where
 /// the side has no colour and is a no-flux barrier. Indexed by [`SideId`].
 pub type SideColors = Vec<Option<[BlendColor; 3]>>;
 
-/// What bounds the spreading of colours: the input of the solver.
+/// What bounds and feeds the spreading of colours: the input of the solver.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Boundary {
     /// The colours of the sides of curves; sides beyond its end have none.
     pub sides: SideColors,
     /// For each gap of the map whether it lets no colour through; gaps beyond its end are open.
     pub closed_gaps: Vec<bool>,
+    /// What shades; in whatever order, but the picture may depend on that in its last bits.
+    pub sources: Vec<SoftSource>,
 }
 
 impl From<SideColors> for Boundary {
-    /// With all gaps open.
+    /// With all gaps open, and no sources.
     fn from(sides: SideColors) -> Self {
-        Self { sides, closed_gaps: Vec::new() }
+        Self { sides, ..Self::default() }
     }
 }
 
-/// The boundary that labels give the solver, in a blend space.
+/// The boundary that labels, which name scribbles by their indices, and the scribbles give the solver, in a blend
+/// space. It does not depend on the order of those that shade.
 pub fn boundary(map: &PlanarMap, labels: &Labels, scribbles: &[Scribble], blend: Blend) -> Boundary {
     let color_of = |side: SideId| {
         let label = labels.sides.get(side.index()).copied().flatten()?;
         scribbles.get(label as usize).map(|scribble| scribble.color)
     };
     let sides = side_colors(map, &color_spans(map, color_of), blend);
-    Boundary { sides, closed_gaps: labels.closed_gaps.clone() }
+    let sources = soft_sources(scribbles, blend);
+    Boundary { sides, closed_gaps: labels.closed_gaps.clone(), sources }
 }
 
 /// Length of the transition between two runs, in du; shorter where a run is shorter.

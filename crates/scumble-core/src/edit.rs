@@ -7,7 +7,7 @@ use kurbo::Point;
 
 use crate::color::Paint;
 use crate::drawing::Drawing;
-use crate::scribble::Scribble;
+use crate::scribble::{Scribble, ScribbleKind};
 use crate::settings::Settings;
 use crate::sort;
 
@@ -81,6 +81,13 @@ impl Editor {
     pub fn extend_scribble(&mut self, points: &[Point]) {
         if let (true, Some(scribble)) = (self.is_scribbling(), self.document.scribbles.last_mut()) {
             scribble.points.extend(points.iter().copied().filter(|p| p.is_finite()));
+        }
+    }
+
+    /// Gives the scribble in hand another width, in du, and kind, as a pen does that presses harder.
+    pub fn press_scribble(&mut self, width_du: f64, kind: ScribbleKind) {
+        if let (true, Some(scribble)) = (self.is_scribbling(), self.document.scribbles.last_mut()) {
+            (scribble.width_du, scribble.kind) = (width_du, kind);
         }
     }
 

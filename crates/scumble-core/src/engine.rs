@@ -23,8 +23,9 @@ impl Labels {
 
 /// A way to tell which scribble colours which side.
 ///
-/// Labels depend on the map and the scribbles alone, never on the calls before: an engine may keep what it worked
-/// out for the scribbles of the last call, and redo only what differs.
+/// It is given the scribbles that fill; those that shade colour no sides. Labels depend on the map and the scribbles
+/// alone, never on the calls before: an engine may keep what it worked out for the scribbles of the last call, and redo
+/// only what differs.
 pub trait Engine: Debug {
     /// Labels for all sides and gaps of the map. An engine serves one map all its life.
     fn label(&mut self, map: &PlanarMap, scribbles: &[Scribble]) -> Labels;

@@ -4,7 +4,7 @@
 //! much narrower than the widest places on both its sides stays closed: it is a gap. This is the persistence of a
 //! saddle (H. Edelsbrunner et al., *Topological persistence and simplification*, 2002), as a ratio.
 
-use crate::clearance::{Clearance, is_gabriel};
+use crate::clearance::{Clearance, clear_width_du, is_gabriel};
 use crate::planar_map::{Gap, PlanarMap};
 use crate::sort;
 use crate::triangulation::{HalfEdge, Triangulation};
@@ -14,6 +14,9 @@ const LARGEST_RATIO: f64 = 0.95;
 
 /// Where no line ends, a passage must be this much narrower still to be a gap: a waist is no hole in an outline.
 const WAIST: f64 = 0.7;
+
+/// A gap is wide if it leaves more than this part of the narrower of the places it joins.
+const WIDE: f64 = 0.3;
 
 /// The ratio for a gap closing from 0 to 1: half of it for a little less than a third of the way, where it matters.
 fn closed_below(closing: f64) -> f64 {
@@ -45,16 +48,16 @@ impl PlanarMap {
 /// places they join are open.
 fn find(map: &PlanarMap, clearance: &Clearance, ratio: f64) -> Vec<Gap> {
     let mesh = map.triangulation();
-    let mut places = Places::new(clearance.place_widths_du.clone());
+    let mut basins = Basins::new(clearance.place_widths_du.clone());
     let mut gaps = Vec::new();
     for (width_du, h, twin) in passages(mesh, clearance) {
-        let [a, b] = [h, twin].map(|h| places.of(h.triangle() as u32));
-        let narrower_du = places.width_du(a).min(places.width_du(b));
+        let [a, b] = [h, twin].map(|h| basins.of(h.triangle() as u32));
+        let narrower_du = basins.width_du(a).min(basins.width_du(b));
         let ratio = if clearance.is_at_tip[h.index()] { ratio } else { WAIST * ratio };
         if a != b && is_gabriel(mesh, h) && width_du < ratio * narrower_du.max(0.0) {
-            gaps.push(Gap { nodes: mesh.ends(h), width_du });
+            gaps.push(Gap { nodes: mesh.ends(h), is_wide: clear_width_du(map, h) > WIDE * narrower_du });
         } else {
-            places.join(a, b);
+            basins.join(a, b);
         }
     }
     gaps
@@ -67,22 +70,22 @@ fn passages(mesh: &Triangulation, clearance: &Clearance) -> Vec<(f64, HalfEdge, 
         Some((clearance.widths_du[h.index()], h, twin))
     };
     let mut passages: Vec<_> = mesh.half_edges().filter_map(passage).collect();
-    sort::sort_by_key(&mut passages, |&(width_du, ..)| !sort::float(width_du));
+    sort::sort_copies_by_key(&mut passages, |&(width_du, ..)| !sort::float(width_du));
     passages
 }
 
-/// Sets of triangles, each with its widest place.
-struct Places {
+/// Basins of a watershed: sets of triangles, each with its widest place.
+struct Basins {
     parents: Vec<u32>,
     widths_du: Vec<f64>,
 }
 
-impl Places {
+impl Basins {
     fn new(widths_du: Vec<f64>) -> Self {
         Self { parents: (0..widths_du.len() as u32).collect(), widths_du }
     }
 
-    /// The set of a triangle, halving the way to it for the next time.
+    /// The basin of a triangle, halving the way to it for the next time.
     fn of(&mut self, mut triangle: u32) -> u32 {
         while self.parents[triangle as usize] != triangle {
             let parent = self.parents[triangle as usize];
@@ -92,11 +95,11 @@ impl Places {
         triangle
     }
 
-    fn width_du(&self, place: u32) -> f64 {
-        self.widths_du[place as usize]
+    fn width_du(&self, basin: u32) -> f64 {
+        self.widths_du[basin as usize]
     }
 
-    /// Joins two sets under the one with the wider place.
+    /// Joins two basins under the one with the wider place.
     fn join(&mut self, a: u32, b: u32) {
         let (wide, narrow) = if self.width_du(a) >= self.width_du(b) { (a, b) } else { (b, a) };
         self.parents[narrow as usize] = wide;

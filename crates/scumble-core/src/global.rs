@@ -1,16 +1,18 @@
 //! The `Global` engine: all scribbles at once, each place taken by the one that comes to it by the widest way.
 //!
-//! Every scribble floods the refined mesh from where it was drawn. The way from triangle to triangle costs `length · (1 / width)⁸`: nearly the order "widest passage first, then distance", but a metric, so that a
-//! scribble that grows takes places from others and never gives any away, and the order of scribbles does not
-//! matter. Costs are integers, so that nothing depends on how sums are rounded.
+//! Every scribble floods the refined mesh from where it was drawn. The way from triangle to triangle costs
+//! `(length + 1 du) · (1 / width)⁸`: nearly the order "widest passage first, then distance", but a metric, so that a
+//! scribble that grows takes places from others and never gives any away, and the order of scribbles does not matter.
+//! Costs are integers, so that nothing depends on how sums are rounded.
 //!
 //! A place in a passage of a certain width is as hard to leave as the passage: what is scribbled close to a line, or
 //! on it, has less to say about the other end of the room than what is scribbled in the open. That makes up for the
 //! hand that leaves its region a little. What is at hand is another matter: there the nearest scribble has its say,
 //! however narrow its place, so that a dab near a line colours that line.
 //!
-//! Colours stop at the [gaps](PlanarMap::gaps) of the map. With `spread`, they go on from there: through the gaps,
-//! and then across lines, into each region from the neighbour that shares the longest border with it.
+//! Colours stop at the [gaps](PlanarMap::gaps) of the map, but for those that lead into `pockets`. With `spread`, they
+//! go on from there: through all gaps, and then across lines, into each region from the neighbour that shares the
+//! longest border with it.
 //!
 //! A minimum cut on the places in doubt was not needed: on the quality set, this flood alone is ahead of cuts on
 //! pixels, and of the best of three methods picked for each drawing.
@@ -19,6 +21,7 @@ mod beyond;
 mod claim;
 mod crossing;
 mod flood;
+mod pockets;
 mod shown;
 
 use std::cmp::Ordering;
@@ -32,7 +35,6 @@ use shown::Shown;
 use crate::engine::{Engine, Labels};
 use crate::planar_map::PlanarMap;
 use crate::scribble::Scribble;
-use crate::sort;
 
 /// Floods the map from all scribbles; keeps the flood of the last call, and goes on with it where scribbles were only
 /// added to.
@@ -54,12 +56,13 @@ pub struct Global {
 #[derive(Clone, Debug)]
 struct Ground {
     ways: Ways,
-    crossing: Crossing,
+    /// Where colours spread.
+    crossing: Option<Crossing>,
 }
 
 impl Ground {
-    fn new(map: &PlanarMap) -> Self {
-        Self { ways: Ways::new(map), crossing: Crossing::new(map) }
+    fn new(map: &PlanarMap, spread: bool) -> Self {
+        Self { ways: Ways::new(map, spread), crossing: spread.then(|| Crossing::new(map)) }
     }
 }
 
@@ -72,17 +75,15 @@ impl Global {
 
 impl Engine for Global {
     fn label(&mut self, map: &PlanarMap, scribbles: &[Scribble]) -> Labels {
-        let ground = self.ground.take().unwrap_or_else(|| Ground::new(map));
+        let ground = self.ground.take().unwrap_or_else(|| Ground::new(map, self.spread));
         self.go_on(map, &ground.ways, scribbles);
         let mut labels = self.flood.labels.clone();
-        if self.spread {
-            self.beyond.follow(map, &ground.ways, &self.ranks, &self.flood, &mut labels);
-        }
+        self.beyond.follow(map, &ground.ways, &self.ranks, &self.flood, &mut labels);
         for (label, &at_hand) in labels.iter_mut().zip(&self.at_hand.labels).filter(|(_, at)| **at != NONE) {
             *label = at_hand;
         }
-        if self.spread {
-            ground.crossing.cross(&mut labels, &self.ranks);
+        if let Some(crossing) = &ground.crossing {
+            crossing.cross(&mut labels, &self.ranks);
         }
         let shown = self.shown.get_or_insert_with(|| Shown::new(map));
         let labels = shown.show(map, &ground.ways.gaps, &labels).clone();
@@ -114,15 +115,17 @@ impl Global {
     /// its rank among them.
     fn goes_on(&self, scribbles: &[Scribble], ranks: &[u32]) -> bool {
         let begins = |(claim, scribble): (&Claim, &Scribble)| scribble.points.starts_with(claim.points());
-        let order = |ranks: &[u32]| {
-            let mut order: Vec<usize> = (0..self.claims.len()).collect();
-            sort::sort_by_key(&mut order, |&i| ranks[i].into());
-            order
-        };
         !self.flood.labels.is_empty()
             && self.claims.len() <= scribbles.len()
             && self.claims.iter().zip(scribbles).all(begins)
-            && order(ranks) == order(&self.ranks)
+            && self.by_rank().is_sorted_by_key(|&label| ranks[label])
+    }
+
+    /// The scribbles of the last call in the order of their ranks.
+    fn by_rank(&self) -> Vec<usize> {
+        let mut by_rank = vec![0; self.ranks.len()];
+        self.ranks.iter().enumerate().for_each(|(label, &rank)| by_rank[rank as usize] = label);
+        by_rank
     }
 
     /// Dries the map, and lets those scribbles in that were there before.

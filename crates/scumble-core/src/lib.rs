@@ -5,6 +5,8 @@
 //! | colours and blend spaces | [`color`] |
 //! | a line drawing in drawing units | [`drawing`] |
 //! | a stroke of colour | [`scribble`] |
+//! | shading scribbles as soft sources | [`source`] |
+//! | colours for highlights and shadows | [`tone`] |
 //! | the document, gestures, undo | [`edit`] |
 //! | triangles, half-edges, sides | [`triangulation`] |
 //! | Delaunay triangulation and refinement | `delaunay` |
@@ -38,7 +40,9 @@ pub mod sight;
 mod small_map;
 mod snap;
 pub mod sort;
+pub mod source;
 mod stroke;
+pub mod tone;
 pub mod triangulation;
 mod visibility;
 
@@ -50,7 +54,9 @@ pub use engine::{Engine, Labels};
 pub use global::Global;
 pub use planar_map::{Gap, MapError, Piece, PlanarMap, Sampling, Step};
 pub use progressive::Progressive;
-pub use scribble::Scribble;
+pub use scribble::{Scribble, ScribbleKind, Shading};
 pub use settings::{EngineKind, Settings};
 pub use sight::Sight;
+pub use source::SoftSource;
+pub use tone::Tone;
 pub use triangulation::{HalfEdge, SideId, Triangulation};

@@ -55,8 +55,9 @@ pub struct Step {
 pub struct Gap {
     /// The nodes on either side of the passage.
     pub nodes: [u32; 2],
-    /// What the drawn lines leave free of the way between them, in du; negative where they overlap.
-    pub width_du: f64,
+    /// Whether it is hardly narrower than the places it joins: the end of a shape where one side of it has a colour
+    /// and the other has none, but two colours meet in it softly, as they do within one place.
+    pub is_wide: bool,
 }
 
 /// Why a drawing has no planar map.

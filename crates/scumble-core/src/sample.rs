@@ -140,8 +140,11 @@ impl Sampler<'_> {
 
     fn flat_enough(&mut self, c: &CubicBez, t: [f64; 2], halvings: usize) {
         let ends = t.map(|t| c.eval(t));
-        let middle = 0.5 * (t[0] + t[1]);
-        let off_du = distance_to_chord(c.eval(middle), ends);
+        let at = |part: f64| t[0] + part * (t[1] - t[0]);
+        let middle = at(0.5);
+        // An S goes through the middle of its chord.
+        let off_du = [0.25, 0.5, 0.75].map(|part| distance_to_chord(c.eval(at(part)), ends));
+        let off_du = off_du.into_iter().fold(0.0, f64::max);
         if off_du > self.sampling.chord_du && halvings < 8 {
             self.flat_enough(c, [t[0], middle], halvings + 1);
             self.flat_enough(c, [middle, t[1]], halvings + 1);
@@ -156,8 +159,11 @@ impl Sampler<'_> {
         let Some(inside) = clip(ends, self.rect) else { return };
         let [a, b] = inside.map(|t| LatticePoint::nearest(clamp(ends[0].lerp(ends[1], t), self.rect)));
         if a != b {
-            let end_du = |t: f64| if t == 1.0 { self.arc_du } else { start_du + t * length_du };
-            self.stretches.push(Stretch { ends: [a, b], arc_du: inside.map(end_du) });
+            // Segments within one lattice point are passed over, and tear no hole into the arc.
+            let before = self.stretches.last().filter(|before| inside[0] == 0.0 && before.ends[1] == a);
+            let from_du = before.map_or(start_du + inside[0] * length_du, |before| before.arc_du[1]);
+            let to_du = if inside[1] == 1.0 { self.arc_du } else { start_du + inside[1] * length_du };
+            self.stretches.push(Stretch { ends: [a, b], arc_du: [from_du, to_du] });
         }
     }
 }
@@ -245,6 +251,20 @@ mod tests {
     fn tight_bends_are_sampled_by_their_chord() {
         let stretches = sampled(&Circle::new((5.0, 5.0), 1.0).to_path(1e-6));
         assert!(stretches.len() >= 8, "{}", stretches.len());
+    }
+
+    #[test]
+    fn a_small_s_is_no_straight_line() {
+        let mut path = BezPath::new();
+        path.move_to((100.0, 100.0));
+        path.curve_to((100.0, 102.0), (101.0, 98.0), (101.0, 100.0));
+        assert!(sampled(&path).len() > 2);
+    }
+
+    #[test]
+    fn a_segment_within_one_lattice_point_tears_no_hole_into_the_arc() {
+        let path = BezPath::from_svg("M 300 300 H 700 V 700 H 300.0002 L 300 700 Z").expect("a path");
+        assert!(sampled(&path).windows(2).all(|pair| pair[0].arc_du[1] == pair[1].arc_du[0]));
     }
 
     #[test]

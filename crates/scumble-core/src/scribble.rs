@@ -1,4 +1,4 @@
-//! A scribble: a stroke of colour that a person drew over the lines.
+//! A scribble: a stroke of colour that a person drew over the lines, to fill regions or to shade where it was drawn.
 
 use kurbo::{Line, ParamCurveNearest, Point};
 
@@ -9,13 +9,54 @@ use crate::color::Paint;
 pub struct Scribble {
     /// The colour as picked, or nothing.
     pub color: Paint,
+    /// What becomes of it.
+    pub kind: ScribbleKind,
     /// Width of the drawn stroke in du; positive.
     pub width_du: f64,
     /// The pen's way, in du; at least one point, all finite.
     pub points: Vec<Point>,
 }
 
+/// What a scribble does.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub enum ScribbleKind {
+    /// Colours the sides of curves, as the engine sees it.
+    #[default]
+    Fill,
+    /// Colours the place where it was drawn, and leaves the sides of curves as they are.
+    Shade(Shading),
+}
+
+/// How a shading scribble colours its place. Half its width is the radius of its soft brush.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Shading {
+    /// How far the colour gets its way, within `0..=1`: not at all, to all the way along the middle of the stroke.
+    pub strength: f64,
+    /// Whether it goes on beyond the region that its first point is in.
+    pub crosses: bool,
+}
+
+impl Default for Shading {
+    /// A clear highlight.
+    fn default() -> Self {
+        Self { strength: 0.5, crosses: false }
+    }
+}
+
 impl Scribble {
+    /// Whether it colours the sides of curves.
+    pub fn is_fill(&self) -> bool {
+        self.kind == ScribbleKind::Fill
+    }
+
+    /// How it shades, if it does.
+    pub fn shading(&self) -> Option<Shading> {
+        match self.kind {
+            ScribbleKind::Fill => None,
+            ScribbleKind::Shade(shading) => Some(shading),
+        }
+    }
+
     /// Whether a straight way touches the stroke as it is drawn, or comes within a distance of it, in du.
     pub fn is_touched(&self, way: Line, reach_du: f64) -> bool {
         let most_du = 0.5 * self.width_du + reach_du;
@@ -30,7 +71,8 @@ fn distance_sq(a: Line, b: Line) -> f64 {
     if cross(a, b) {
         return 0.0;
     }
-    let from_ends = |ends: Line, to: Line| distance_sq_to(ends.p0, to).min(distance_sq_to(ends.p1, to));
+    let distance_sq = |point: Point, to: Line| to.nearest(point, 0.0).distance_sq;
+    let from_ends = |ends: Line, to: Line| distance_sq(ends.p0, to).min(distance_sq(ends.p1, to));
     from_ends(a, b).min(from_ends(b, a))
 }
 
@@ -43,20 +85,13 @@ fn cross(a: Line, b: Line) -> bool {
     parts(a, b) && parts(b, a)
 }
 
-fn distance_sq_to(point: Point, segment: Line) -> f64 {
-    if segment.p0 == segment.p1 {
-        // Nearest-point search divides by the length.
-        return (point - segment.p0).hypot2();
-    }
-    segment.nearest(point, 0.0).distance_sq
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
 
     fn scribble(points: &[(f64, f64)]) -> Scribble {
-        Scribble { color: Paint::Clear, width_du: 10.0, points: points.iter().map(|&p| p.into()).collect() }
+        let points = points.iter().map(|&p| p.into()).collect();
+        Scribble { color: Paint::Clear, kind: ScribbleKind::Fill, width_du: 10.0, points }
     }
 
     fn way(from: (f64, f64), to: (f64, f64)) -> Line {

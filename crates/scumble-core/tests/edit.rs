@@ -2,7 +2,9 @@
 
 use kurbo::{Point, Rect};
 use proptest::prelude::*;
-use scumble_core::{Blend, Document, Drawing, Editor, EngineKind, Paint, Scribble, Settings, Srgb8};
+use scumble_core::{
+    Blend, Document, Drawing, Editor, EngineKind, Paint, Scribble, ScribbleKind, Settings, Shading, Srgb8,
+};
 
 fn editor() -> Editor {
     Editor::new(Document::new(Drawing::new(Rect::new(0.0, 0.0, 72.0, 72.0))))
@@ -11,6 +13,7 @@ fn editor() -> Editor {
 fn begin(editor: &mut Editor, shade: u8) {
     editor.begin_scribble(Scribble {
         color: Srgb8([shade; 3]).into(),
+        kind: ScribbleKind::Fill,
         width_du: 5.0,
         points: vec![Point::ZERO],
     });
@@ -70,6 +73,23 @@ fn an_aborted_gesture_never_was() {
     editor.abort();
     assert!(shades(&editor).is_empty());
     assert!(editor.can_redo() && !editor.can_undo());
+}
+
+#[test]
+fn a_pen_that_presses_harder_changes_the_scribble_in_hand_and_no_other() {
+    let mut editor = editor();
+    let shade = ScribbleKind::Shade(Shading::default());
+    begin(&mut editor, 1);
+    editor.press_scribble(9.0, shade);
+    editor.commit();
+    editor.press_scribble(2.0, ScribbleKind::Fill);
+    let of = |editor: &Editor| {
+        editor.document().scribbles.iter().map(|s| (s.width_du, s.kind)).collect::<Vec<_>>()
+    };
+    assert_eq!(of(&editor), [(9.0, shade)]);
+    editor.undo();
+    editor.redo();
+    assert_eq!(of(&editor), [(9.0, shade)]);
 }
 
 #[test]

@@ -5,7 +5,8 @@ use kurbo::{Arc, BezPath, Circle, Point, Rect, Shape, Stroke, Vec2};
 use proptest::collection::vec;
 use proptest::prelude::*;
 use scumble_core::{
-    Curve, Drawing, Engine, Global, Labels, Line, Paint, PlanarMap, Rgba8, Sampling, Scribble, SideId, Srgb8,
+    Curve, Drawing, Engine, Global, Labels, Line, Paint, PlanarMap, Rgba8, Sampling, Scribble, ScribbleKind,
+    SideId, Srgb8,
 };
 
 #[path = "../../scumble-cli/src/made.rs"]
@@ -68,7 +69,12 @@ fn paints() -> impl Strategy<Value = Paint> {
 }
 
 fn scribble() -> impl Strategy<Value = Scribble> {
-    (paints(), ways()).prop_map(|(color, points)| Scribble { color, width_du: 8.0, points })
+    (paints(), ways()).prop_map(|(color, points)| Scribble {
+        color,
+        kind: ScribbleKind::Fill,
+        width_du: 8.0,
+        points,
+    })
 }
 
 /// Labels with the scribbles themselves in place of their numbers.
@@ -152,7 +158,7 @@ proptest! {
     fn scribbles_that_are_alike_or_begin_alike_have_no_order_either(
         map in maps(), way in ways(), longer in ways(), colors in vec(paints(), 3), spread: bool,
     ) {
-        let draw = |color, points: &[Point]| Scribble { color, width_du: 8.0, points: points.to_vec() };
+        let draw = |color, points: &[Point]| Scribble { color, kind: ScribbleKind::Fill, width_du: 8.0, points: points.to_vec() };
         let all = [way.as_slice(), &[way.clone(), longer].concat(), &way[..1]];
         let scribbles: Vec<_> =
             colors.iter().flat_map(|&color| all.map(|points| draw(color, points))).collect();
@@ -229,11 +235,13 @@ proptest! {
         }
     }
 
+    /// By the same scribble but in pockets, where another may come by a gap that is closed without spreading.
     #[test]
-    fn spreading_leaves_what_is_coloured_without_it(map in maps(), scribbles in vec(scribble(), 1..5)) {
+    fn what_is_coloured_is_so_with_spreading(map in maps(), scribbles in vec(scribble(), 1..5)) {
         let [narrow, wide] = [false, true].map(|spread| fresh(&map, spread, &scribbles));
+        let has_pockets = map.gaps().iter().any(|gap| gap.is_wide);
         for (narrow, wide) in narrow.sides.iter().zip(&wide.sides) {
-            prop_assert!(narrow.is_none() || narrow == wide);
+            prop_assert!(narrow.is_none() || wide.is_some() && (has_pockets || narrow == wide));
         }
     }
 
@@ -248,7 +256,7 @@ proptest! {
 
     #[test]
     fn a_scribble_colours_what_it_was_drawn_on(map in maps(), points in ways(), spread: bool) {
-        let one = Scribble { color: Paint::Clear, width_du: 8.0, points: points[..1].to_vec() };
+        let one = Scribble { color: Paint::Clear, kind: ScribbleKind::Fill, width_du: 8.0, points: points[..1].to_vec() };
         let mesh = map.triangulation();
         if let Some(t) = mesh.locate(one.points[0], 0) {
             let labels = fresh(&map, spread, std::slice::from_ref(&one));
@@ -269,7 +277,7 @@ proptest! {
     #[test]
     fn off_the_page_is_nowhere(map in maps(), points in ways(), spread: bool) {
         let points = points.into_iter().map(|p| p + Vec2::new(2000.0, 0.0)).collect();
-        let far = Scribble { color: Paint::Clear, width_du: 8.0, points };
+        let far = Scribble { color: Paint::Clear, kind: ScribbleKind::Fill, width_du: 8.0, points };
         prop_assert_eq!(fresh(&map, spread, &[far]), Labels::none(&map));
     }
 }

@@ -3,7 +3,7 @@
 use kurbo::{BezPath, Circle, Point, Rect, Shape, Stroke};
 use scumble_core::{
     Curve, Drawing, Engine, Global, Labels, Line, Paint, PlanarMap, Progressive, Rgba8, Sampling, Scribble,
-    Srgb8,
+    ScribbleKind, Srgb8,
 };
 
 /// A square whose outline has a gap of 20 du, a circle that crosses it, and a line that ends in mid-page.
@@ -23,7 +23,7 @@ fn engines() -> [Box<dyn Engine>; 3] {
 }
 
 fn scribble(points: Vec<Point>) -> Scribble {
-    Scribble { color: Srgb8([9, 9, 9]).into(), width_du: 8.0, points }
+    Scribble { color: Srgb8([9, 9, 9]).into(), kind: ScribbleKind::Fill, width_du: 8.0, points }
 }
 
 fn ways(map: &PlanarMap) -> Vec<Vec<Point>> {

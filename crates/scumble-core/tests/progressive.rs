@@ -3,7 +3,9 @@
 
 use kurbo::{BezPath, Circle, Point, Rect, Shape};
 use proptest::prelude::*;
-use scumble_core::{Curve, Drawing, Engine, Gap, Labels, Paint, PlanarMap, Progressive, Sampling, Scribble};
+use scumble_core::{
+    Curve, Drawing, Engine, Gap, Labels, Paint, PlanarMap, Progressive, Sampling, Scribble, ScribbleKind,
+};
 
 fn map(paths: impl IntoIterator<Item = BezPath>) -> PlanarMap {
     let curves = paths.into_iter().map(|path| Curve { path, line: None }).collect();
@@ -27,7 +29,12 @@ fn circle(x: f64, y: f64, radius: f64) -> BezPath {
 }
 
 fn scribble(points: &[(f64, f64)]) -> Scribble {
-    Scribble { color: Paint::Clear, width_du: 4.0, points: points.iter().map(|&p| p.into()).collect() }
+    Scribble {
+        color: Paint::Clear,
+        kind: ScribbleKind::Fill,
+        width_du: 4.0,
+        points: points.iter().map(|&p| p.into()).collect(),
+    }
 }
 
 fn label(map: &PlanarMap, scribbles: &[Scribble]) -> Labels {
@@ -116,7 +123,7 @@ fn figure_3b_the_gap_at_the_mouth_is_closed_for_a_scribble_within_and_open_for_o
         let points = map.triangulation().points();
         points.iter().position(|&p| p == Point::new(x, y)).expect("a node") as u32
     };
-    let mouth = Gap { nodes: [node(600.0, 400.0), node(600.0, 600.0)], width_du: 200.0 };
+    let mouth = Gap { nodes: [node(600.0, 400.0), node(600.0, 600.0)], is_wide: false };
     let map = map.clone().with_gaps(vec![mouth]);
     let within = scribble(&[(350.0, 480.0), (500.0, 520.0)]);
     let through = scribble(&[(350.0, 500.0), (700.0, 500.0), (700.0, 100.0), (100.0, 100.0)]);

@@ -2,7 +2,7 @@
 
 use kurbo::{BezPath, Circle, Point, Rect, Shape};
 use proptest::prelude::*;
-use scumble_core::{Curve, Drawing, Engine, PlanarMap, Sampling, Scribble, Sight, Srgb8};
+use scumble_core::{Curve, Drawing, Engine, PlanarMap, Sampling, Scribble, ScribbleKind, Sight, Srgb8};
 
 fn map(paths: impl IntoIterator<Item = BezPath>) -> PlanarMap {
     let curves = paths.into_iter().map(|path| Curve { path, line: None }).collect();
@@ -17,6 +17,7 @@ fn two_circles() -> PlanarMap {
 fn scribble(points: &[(f64, f64)]) -> Scribble {
     Scribble {
         color: Srgb8([9, 9, 9]).into(),
+        kind: ScribbleKind::Fill,
         width_du: 4.0,
         points: points.iter().map(|&p| p.into()).collect(),
     }
@@ -61,7 +62,7 @@ proptest! {
     fn growing_changing_and_erasing_strokes_leaves_no_trace(strokes in strokes(), cut in 0..5_usize) {
         let map = two_circles();
         let all: Vec<_> = strokes.into_iter()
-            .map(|points| Scribble { color: Srgb8([1, 2, 3]).into(), width_du: 3.0, points }).collect();
+            .map(|points| Scribble { color: Srgb8([1, 2, 3]).into(), kind: ScribbleKind::Fill, width_du: 3.0, points }).collect();
         let mut engine = Sight::default();
         for i in 0..all.len() {
             for grown in 1..=all[i].points.len() {

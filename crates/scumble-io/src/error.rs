@@ -111,3 +111,67 @@ pub enum ScribblesError {
         limit_pages: u32,
     },
 }
+
+/// Why a file is not work that can be opened.
+#[derive(Clone, Debug, Error, PartialEq, Eq)]
+pub enum FileError {
+    /// No bytes, or nothing but white space.
+    #[error("the file is empty; choose a .scumble file that was saved")]
+    Empty,
+    /// More bytes than are read.
+    #[error("the file is larger than the {} MB that can be opened; simplify the drawing", MAX_FILE_BYTES / 1_000_000)]
+    TooLarge,
+    /// Binary data, or text in another encoding.
+    #[error("the file is not a Scumble file: it is no text in UTF-8; choose a .scumble file")]
+    NotText,
+    /// Some other text.
+    #[error(
+        "the file is not a Scumble file: it does not say {{\"format\": \"scumble\", \"version\": \"1.0\", …}}; choose a .scumble file"
+    )]
+    NotWork,
+    /// A version whose files differ.
+    #[error("the file was saved by a newer Scumble, in version {0} of the format; update Scumble to open it")]
+    Newer(String),
+    /// Not as the format has it.
+    #[error(
+        "the file cannot be used: line {line} should have {expected}; mend it there, or save the drawing again"
+    )]
+    Damaged {
+        /// Counted from 1.
+        line: usize,
+        /// What should be there.
+        expected: &'static str,
+    },
+    /// Too many curves.
+    #[error("the drawing has more than 100,000 curves; simplify it or split it")]
+    TooManyCurves,
+    /// The pen's way is too long to follow.
+    #[error("the scribbles are longer than {limit_pages} pages in all; use fewer of them")]
+    TooLong {
+        /// The length allowed, in longer sides of the page.
+        limit_pages: u32,
+    },
+}
+
+/// Why a link is not work that can be opened, or why there is none.
+#[derive(Clone, Debug, Error, PartialEq, Eq)]
+pub enum LinkError {
+    /// Not of the form of a link.
+    #[error("this is no link to a drawing: it should hold “#1.” and letters after that; copy the whole link")]
+    NoLink,
+    /// Changed, cut off, or of numbers that make no sense.
+    #[error("the link is damaged: a part of it is missing or was changed; copy the whole link once more")]
+    Damaged,
+    /// A version whose links differ.
+    #[error("the link was made by a newer Scumble; update Scumble to open it")]
+    Newer,
+    /// More characters than are read.
+    #[error(
+        "the link is longer than the {} characters that can be opened; ask for the drawing as a file",
+        crate::MAX_LINK
+    )]
+    TooLong,
+    /// More than a reader would take.
+    #[error("the drawing is too large for a link; save it as a file and share that")]
+    TooLarge,
+}

@@ -1,4 +1,4 @@
-//! Files in and out: SVG drawings, scribbles as JSON, PNG pictures.
+//! Files and links in and out: Scumble's own, SVG drawings, scribbles as JSON, PNG pictures.
 //!
 //! Nothing here trusts its input: limits are checked before anything is built, and what cannot be used is either
 //! an error that says what to do or a note with a count.
@@ -13,13 +13,19 @@
 //! | … what was left out | `survey`, `notes` |
 //! | scribbles as JSON | `scribbles` |
 //! | pictures as PNG | `picture_file` |
+//! | a document with what belongs to it | `work` |
+//! | … as a `.scumble` file | `work_file`, `json` |
+//! | … as a link | `link`, `packed` |
 
 mod error;
 mod expansion;
 mod geometry;
+mod json;
 mod limits;
+mod link;
 mod notes;
 mod outline;
+mod packed;
 mod page;
 mod paint;
 mod picture_file;
@@ -27,12 +33,18 @@ mod scribbles;
 mod style_sheet;
 mod survey;
 mod svg;
+mod work;
+mod work_file;
 
-pub use error::{ImportError, ScribblesError};
+pub use error::{FileError, ImportError, LinkError, ScribblesError};
+pub use link::{Link, MAX_LINK, read_link, write_link};
 pub use notes::{ImportNotes, ScribbleNotes};
+pub use packed::PackedSizes;
 pub use picture_file::{PictureFileError, write_png};
 pub use scribbles::{ReadScribbles, read_scribbles};
 pub use svg::{Import, import_svg};
+pub use work::{ColorPoint, Unknown, Work};
+pub use work_file::{read_file, write_file};
 
 /// Largest file that is read, in bytes.
 pub const MAX_FILE_BYTES: usize = 20_000_000;

@@ -51,6 +51,10 @@ pub struct ScribbleNotes {
     pub unknown_fields: usize,
     /// Scribbles whose colour is neither `#rrggbb` nor `none`.
     pub bad_colors: usize,
+    /// Scribbles whose kind is neither `fill` nor `shade`.
+    pub bad_kinds: usize,
+    /// Scribbles that shade with a strength outside `0..=1`.
+    pub bad_strengths: usize,
     /// Scribbles whose width is zero, negative, or wider than the page.
     pub bad_widths: usize,
     /// Scribbles without points.
@@ -74,6 +78,16 @@ impl fmt::Display for ScribbleNotes {
         let counts = [
             (self.unknown_fields, "unknown field", "unknown fields"),
             (self.bad_colors, "scribble without a colour #rrggbb", "scribbles without a colour #rrggbb"),
+            (
+                self.bad_kinds,
+                "scribble that is neither fill nor shade",
+                "scribbles that are neither fill nor shade",
+            ),
+            (
+                self.bad_strengths,
+                "shade with a strength not from 0 to 1",
+                "shades with a strength not from 0 to 1",
+            ),
             (self.bad_widths, "scribble of unusable width", "scribbles of unusable width"),
             (self.no_points, "scribble without points", "scribbles without points"),
             (self.off_page, "scribble off the page", "scribbles off the page"),

@@ -61,9 +61,9 @@ impl Outlines {
     }
 
     fn end_subpath(&mut self) {
-        if !self.open.is_empty() {
-            self.done.push(std::mem::take(&mut self.open));
-        }
+        // What was moved to and closed without a segment is left behind.
+        let ended = std::mem::take(&mut self.open);
+        self.done.extend((!ended.is_empty()).then_some(ended));
     }
 
     fn finish(mut self) -> Vec<BezPath> {

@@ -1,11 +1,12 @@
 //! Scribbles as JSON: `{"scribbles":[{"color":"#rrggbb","width":1.5,"points":[[x,y],…]},…]}`, in page units and in
-//! drawing order. The colour `none` is that of a scribble that keeps its place free.
+//! drawing order. The colour `none` is that of a scribble that keeps its place free. With `"kind":"shade"` a scribble
+//! shades, with a `"strength"` from 0 to 1, and with `"crosses":true` beyond the region that it begins in.
 
 use std::collections::BTreeMap;
 
 use kurbo::{Affine, Point, Rect};
 use scumble_core::drawing::LONGER_SIDE_DU;
-use scumble_core::{Drawing, Paint, Scribble};
+use scumble_core::{Drawing, Paint, Scribble, ScribbleKind, Shading};
 use serde::Deserialize;
 use serde::de::IgnoredAny;
 
@@ -39,6 +40,10 @@ struct FileText {
 struct ScribbleText {
     color: String,
     width: f64,
+    kind: Option<String>,
+    strength: Option<f64>,
+    #[serde(default)]
+    crosses: bool,
     points: Vec<[f64; 2]>,
     #[serde(flatten)]
     unknown: BTreeMap<String, IgnoredAny>,
@@ -98,6 +103,7 @@ impl Reader {
     fn scribble(&mut self, text: ScribbleText) -> Option<Scribble> {
         self.notes.unknown_fields += text.unknown.len();
         let color = count_none(text.color.parse::<Paint>().ok(), &mut self.notes.bad_colors)?;
+        let kind = self.kind(&text)?;
         let width_du = text.width * self.du_per_page_unit;
         let usable_width = (width_du > 0.0 && width_du <= LONGER_SIDE_DU).then_some(width_du);
         let width_du = count_none(usable_width, &mut self.notes.bad_widths)?;
@@ -106,7 +112,20 @@ impl Reader {
         let on_page = self.touches_page(&points, width_du).then_some(points);
         let points = count_none(on_page, &mut self.notes.off_page)?;
         let points = points.into_iter().map(|p| self.within_reach(p)).collect();
-        Some(Scribble { color, width_du, points })
+        Some(Scribble { color, kind, width_du, points })
+    }
+
+    fn kind(&mut self, text: &ScribbleText) -> Option<ScribbleKind> {
+        let strength = text.strength.unwrap_or(Shading::default().strength);
+        let strength = (0.0..=1.0).contains(&strength).then_some(strength);
+        match text.kind.as_deref() {
+            None | Some("fill") => Some(ScribbleKind::Fill),
+            Some("shade") => {
+                let strength = count_none(strength, &mut self.notes.bad_strengths)?;
+                Some(ScribbleKind::Shade(Shading { strength, crosses: text.crosses }))
+            }
+            Some(_) => count_none(None, &mut self.notes.bad_kinds),
+        }
     }
 
     fn touches_page(&self, points: &[Point], width_du: f64) -> bool {

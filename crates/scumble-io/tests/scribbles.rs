@@ -1,7 +1,7 @@
 //! What a file of scribbles becomes.
 
 use kurbo::{Point, Rect};
-use scumble_core::{Drawing, Paint, Scribble, Srgb8};
+use scumble_core::{Drawing, Paint, Scribble, ScribbleKind, Shading, Srgb8};
 use scumble_io::{ReadScribbles, ScribbleNotes, ScribblesError, read_scribbles};
 
 /// A page on which one page unit is 16 du.
@@ -25,11 +25,16 @@ fn scribbles_are_read_in_order_and_in_du() {
         {"color":"#000000","width":1,"points":[[74,52]]}]}"##;
     let first = Scribble {
         color: Srgb8([0xe6, 0x19, 0x4b]).into(),
+        kind: ScribbleKind::Fill,
         width_du: 24.0,
         points: vec![Point::new(0.0, 0.0), Point::new(40.0, 16.0)],
     };
-    let dab =
-        Scribble { color: Srgb8([0; 3]).into(), width_du: 16.0, points: vec![Point::new(1024.0, 512.0)] };
+    let dab = Scribble {
+        color: Srgb8([0; 3]).into(),
+        kind: ScribbleKind::Fill,
+        width_du: 16.0,
+        points: vec![Point::new(1024.0, 512.0)],
+    };
     let expected = ReadScribbles { scribbles: vec![first, dab], notes: ScribbleNotes::default() };
     assert_eq!(read(json), Ok(expected));
 }
@@ -39,6 +44,31 @@ fn a_scribble_without_colour_keeps_its_place_free() {
     let read = read(r#"{"scribbles":[{"color":"none","width":1,"points":[[20,30]]}]}"#).unwrap();
     assert_eq!(read.scribbles[0].color, Paint::Clear);
     assert!(read.notes.is_empty());
+}
+
+#[test]
+fn a_scribble_fills_or_shades() {
+    let kinds = |fields: &str| {
+        let json =
+            format!(r##"{{"scribbles":[{{"color":"#ff0000","width":1,"points":[[20,30]]{fields}}}]}}"##);
+        read(&json).map(|read| read.scribbles[0].kind)
+    };
+    let shade = |strength, crosses| Ok(ScribbleKind::Shade(Shading { strength, crosses }));
+    assert_eq!(kinds(""), Ok(ScribbleKind::Fill));
+    assert_eq!(kinds(r#","kind":"fill","strength":7"#), Ok(ScribbleKind::Fill));
+    assert_eq!(kinds(r#","kind":"shade","strength":0.8"#), shade(0.8, false));
+    assert_eq!(kinds(r#","kind":"shade","strength":0,"crosses":true"#), shade(0.0, true));
+    assert_eq!(kinds(r#","kind":"shade""#), shade(Shading::default().strength, false));
+    let notes = |bad_kinds, bad_strengths| {
+        Err(ScribblesError::NoneUsable(ScribbleNotes {
+            bad_kinds,
+            bad_strengths,
+            ..ScribbleNotes::default()
+        }))
+    };
+    assert_eq!(kinds(r#","kind":"glow""#), notes(1, 0));
+    assert_eq!(kinds(r#","kind":"shade","strength":1.5"#), notes(0, 1));
+    assert_eq!(kinds(r#","kind":"shade","strength":-0.1"#), notes(0, 1));
 }
 
 #[test]

@@ -60,6 +60,12 @@ fn every_subpath_is_one_curve() {
 }
 
 #[test]
+fn a_subpath_that_is_closed_where_it_starts_is_no_part_of_the_next() {
+    let [curve] = &*stroked(r#"<path d="M 8 8 Z C 9 8 10 9 10 10"/>"#) else { panic!("one curve") };
+    assert_eq!(curve.path, BezPath::from_svg("M 128 128 C 144 128 160 144 160 160").unwrap());
+}
+
+#[test]
 fn quadratics_and_arcs_become_cubics() {
     let curves = stroked(r#"<path d="M8 8 Q 16 0 24 8"/><path d="M 8 32 A 8 8 0 0 1 24 32"/>"#);
     assert_close(bounds(&curves[0].path), [128.0, 64.0, 384.0, 128.0]);

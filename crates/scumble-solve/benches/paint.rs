@@ -2,7 +2,7 @@
 
 use criterion::{Criterion, criterion_group, criterion_main};
 use kurbo::{Affine, Point};
-use scumble_core::{Blend, Scribble, Srgb8};
+use scumble_core::{Blend, Scribble, ScribbleKind, Srgb8};
 use scumble_solve::{Field, FieldTriangle, Scene, Shape, View, paint, scribble_shape};
 
 const SIZE: u32 = 1024;
@@ -39,6 +39,7 @@ fn waves(color_at: impl Fn([f32; 2]) -> [f32; 4]) -> Field {
 fn scribbles() -> Vec<Shape> {
     let stroke = |k: usize| Scribble {
         color: Srgb8([200, 40, 90]).into(),
+        kind: ScribbleKind::Fill,
         width_du: 12.0,
         points: (0..500)
             .map(|i| f64::from(i) * 2.0)

@@ -173,7 +173,7 @@ mod tests {
     use super::*;
     use crate::{Field, Scene, View, paint};
     use kurbo::{Affine, Circle, Dashes};
-    use scumble_core::{Curve, Sampling};
+    use scumble_core::{Curve, Sampling, ScribbleKind};
 
     const INK: Rgba8 = Rgba8([10, 20, 30, 200]);
 
@@ -287,7 +287,12 @@ mod tests {
 
     #[test]
     fn a_scribble_is_round_and_a_single_point_a_disc() {
-        let scribble = |points| Scribble { color: Srgb8([9, 8, 7]).into(), width_du: 20.0, points };
+        let scribble = |points| Scribble {
+            color: Srgb8([9, 8, 7]).into(),
+            kind: ScribbleKind::Fill,
+            width_du: 20.0,
+            points,
+        };
         let disc = scribble_shape(&scribble(vec![Point::new(40.0, 40.0)]), 128, 0.1);
         assert_eq!(disc.color, Rgba8([9, 8, 7, 128]));
         let clear = Scribble { color: Paint::Clear, ..scribble(vec![Point::new(40.0, 40.0)]) };
@@ -306,7 +311,12 @@ mod tests {
             .map(f64::from)
             .map(|i| Point::new(300.0 + 9.1 * i, 500.0 + 30.0 * (i / 3.0).sin()))
             .collect();
-        let scribble = Scribble { color: Srgb8([9, 8, 7]).into(), width_du: 20.0, points: way.clone() };
+        let scribble = Scribble {
+            color: Srgb8([9, 8, 7]).into(),
+            kind: ScribbleKind::Fill,
+            width_du: 20.0,
+            points: way.clone(),
+        };
         let shapes = [scribble_shape(&scribble, 255, 0.1)];
         let scene = Scene { paper: None, field: &Field::default(), shapes: &shapes };
         for (point, zoom) in way.iter().flat_map(|point| [64.0, 2000.0].map(|zoom| (point, zoom))) {
@@ -322,7 +332,12 @@ mod tests {
 
     #[test]
     fn tolerances_of_any_kind_give_bounded_output() {
-        let scribble = Scribble { color: Srgb8([0; 3]).into(), width_du: 500.0, points: vec![Point::ORIGIN] };
+        let scribble = Scribble {
+            color: Srgb8([0; 3]).into(),
+            kind: ScribbleKind::Fill,
+            width_du: 500.0,
+            points: vec![Point::ORIGIN],
+        };
         for tolerance_du in [0.0, -1.0, f64::NAN, 1e9] {
             let count = scribble_shape(&scribble, 255, tolerance_du).triangles.len();
             assert!((4..=256).contains(&count), "{count}");

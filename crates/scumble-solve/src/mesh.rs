@@ -4,17 +4,26 @@
 //! solver for free-form vector gradients*, 2012). There is one unknown for each sector of a node, one for each
 //! edge inside a region and one for each side of a curve, so no colour leaks from one side to the other. Coloured
 //! sides are fixed; the others, the frame, and closed gaps are no-flux barriers. A region without a coloured side stays
-//! paper.
+//! paper; what shades it fades into the paper around the stroke.
 //!
 //! Every region is a linear system of its own. Its geometry is looked at when one of its gaps is closed or opened, its
 //! matrix is factored when the set of its coloured sides changes, and a change of colours costs two triangular
-//! solves. All arithmetic is scalar and in a fixed order, so a picture is the same on every machine.
+//! solves. A region that a soft source shades gets a finer mesh under the stroke and a mass term, in a system beside its
+//! own, which is there again when the source is gone. All sums are in a fixed order, so a picture is the same on every
+//! machine.
 
 mod barriers;
+mod brush;
+mod cells;
+mod cholesky;
 mod dofs;
 mod element;
+mod elements;
+mod fronts;
 mod order;
+mod refine;
 mod region;
+mod sources;
 mod system;
 
 use std::mem;
@@ -26,6 +35,7 @@ use thiserror::Error;
 use crate::field::Field;
 use barriers::Barriers;
 use region::Region;
+use sources::Reach;
 
 /// Why a drawing has no colour field.
 #[derive(Clone, Copy, Debug, Error, PartialEq, Eq)]
@@ -77,8 +87,12 @@ impl MeshSolver {
     /// Sets up the systems of the regions whose gaps or set of coloured sides changed.
     pub fn analyse(&mut self, boundary: &Boundary) {
         self.close_gaps(&boundary.closed_gaps);
+        let reaches: Vec<_> = boundary.sources.iter().map(|source| Reach::new(&self.mesh, source)).collect();
         for region in &mut self.regions {
-            region.analyse(&self.mesh, &boundary.sides);
+            let shading = boundary.sources.iter().zip(&reaches);
+            let shading = shading.filter(|(_, reach)| reach.meets(&self.mesh, region.triangles()));
+            let sources = shading.map(|(source, _)| source.clone()).collect();
+            region.analyse(&self.mesh, &boundary.sides, sources);
         }
     }
 
@@ -162,7 +176,7 @@ mod tests {
         let map = PlanarMap::build(&drawing, &Sampling::default()).expect("a map");
         let (last, first) = (map.steps(2).last().expect("a step"), map.steps(3).first().expect("a step"));
         let nodes = [map.ends(last.left)[1], map.ends(first.left)[0]];
-        map.with_gaps(vec![Gap { nodes, width_du: 20.0 }])
+        map.with_gaps(vec![Gap { nodes, is_wide: false }])
     }
 
     #[test]
@@ -171,7 +185,7 @@ mod tests {
         let sides = (0..map.side_count()).map(|i| Some([[i as f64; 4]; 3])).collect::<Vec<_>>();
         let mut solver = MeshSolver::new(map.refined().clone());
         let mut factored_after = |closed: bool| {
-            let boundary = Boundary { sides: sides.clone(), closed_gaps: vec![closed] };
+            let boundary = Boundary { closed_gaps: vec![closed], ..sides.clone().into() };
             solver.close_gaps(&boundary.closed_gaps);
             let kept = solver.regions.iter().filter(|region| region.is_factored()).count();
             solver.factor(&boundary).expect("factors");

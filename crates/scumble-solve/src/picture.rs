@@ -43,17 +43,35 @@ impl Picture {
         self.solver.get_or_insert_with(|| MeshSolver::new(map.refined().clone()))
     }
 
-    /// The labels of the sides and gaps.
+    /// The labels of the sides and gaps, by the scribbles that fill; they name scribbles by their indices among all.
     pub fn label(&mut self, scribbles: &[Scribble], settings: &Settings) -> Labels {
         let settings = settings.clamped();
         let before = std::mem::replace(&mut self.settings, settings);
-        if before.gap_closing != settings.gap_closing && self.map.close_gaps(settings.gap_closing) {
+        let is_other_map =
+            before.gap_closing != settings.gap_closing && self.map.close_gaps(settings.gap_closing);
+        if is_other_map {
             self.solver = None;
         }
-        if !before.share_engine(&settings) {
+        if is_other_map || !before.share_engine(&settings) {
             self.engine = settings.engine();
         }
-        self.engine.label(&self.map, scribbles)
+        self.label_fills(scribbles)
+    }
+
+    fn label_fills(&mut self, scribbles: &[Scribble]) -> Labels {
+        if scribbles.iter().all(Scribble::is_fill) {
+            return self.engine.label(&self.map, scribbles);
+        }
+        let (places, fills): (Vec<_>, Vec<_>) = (0..)
+            .zip(scribbles)
+            .filter(|(_, scribble)| scribble.is_fill())
+            .map(|(i, s)| (i, s.clone()))
+            .unzip();
+        let mut labels = self.engine.label(&self.map, &fills);
+        for label in labels.sides.iter_mut().flatten() {
+            *label = places[*label as usize];
+        }
+        labels
     }
 
     /// The colours that scribbles give the sides, and the gaps that they leave closed.

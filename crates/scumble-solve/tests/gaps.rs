@@ -32,7 +32,7 @@ fn open_circle() -> PlanarMap {
     let map = map([arc.to_path(1e-6)], Sampling::default().spacing_du);
     let (first, last) = (map.steps(0).first().expect("a step"), map.steps(0).last().expect("a step"));
     let nodes = [map.ends(first.left)[0], map.ends(last.left)[1]];
-    map.with_gaps(vec![Gap { nodes, width_du: OPENING_DU }])
+    map.with_gaps(vec![Gap { nodes, is_wide: false }])
 }
 
 fn centre(triangle: &FieldTriangle) -> Point {
@@ -67,7 +67,7 @@ fn is_flat(triangle: &FieldTriangle, color: BlendColor) -> bool {
 fn a_closed_gap_keeps_the_colour_in_and_an_open_one_lets_it_out() {
     let map = open_circle();
     let sides = colors(&map, Some(red()), None);
-    let closed = solved(&map, &Boundary { sides: sides.clone(), closed_gaps: vec![true] });
+    let closed = solved(&map, &Boundary { closed_gaps: vec![true], ..sides.clone().into() });
     assert!(closed.triangles.len() > 100);
     assert!(closed.triangles.iter().all(|triangle| is_inside(triangle) && is_flat(triangle, red())));
     let open = solved(&map, &sides.into());
@@ -79,7 +79,7 @@ fn a_closed_gap_keeps_the_colour_in_and_an_open_one_lets_it_out() {
 fn two_colours_on_either_side_of_a_closed_gap_stay_apart_to_the_last_bit() {
     let map = open_circle();
     let sides = colors(&map, Some(red()), Some(blue()));
-    let field = solved(&map, &Boundary { sides: sides.clone(), closed_gaps: vec![true] });
+    let field = solved(&map, &Boundary { closed_gaps: vec![true], ..sides.clone().into() });
     assert_eq!(field.triangles.len(), map.refined().triangle_count());
     for triangle in &field.triangles {
         assert!(is_flat(triangle, if is_inside(triangle) { red() } else { blue() }));
@@ -101,7 +101,7 @@ fn the_picture_may_jump_at_a_closed_gap_and_not_at_an_open_one() {
         kurbo::ParamCurveNearest::nearest(&gap, Point::new(x.into(), y.into()), 1e-9).distance_sq < 1e-8
     };
     for closed in [true, false] {
-        let boundary = Boundary { sides: sides.clone(), closed_gaps: vec![closed] };
+        let boundary = Boundary { closed_gaps: vec![closed], ..sides.clone().into() };
         let mut length_du = 0.0;
         for triangle in solved(&map, &boundary).triangles {
             for i in 0..3 {
@@ -122,12 +122,12 @@ fn gaps_beyond_the_end_of_the_list_are_open_and_gaps_that_are_no_edges_do_nothin
     let plain = map([circle()], 3.0);
     let [a, b] = plain.pieces()[0].nodes;
     let far = [a, a + 100];
-    let gaps = [[a, b], [b, a], far, [a, a], [7, u32::MAX]].map(|nodes| Gap { nodes, width_du: 1.0 });
+    let gaps = [[a, b], [b, a], far, [a, a], [7, u32::MAX]].map(|nodes| Gap { nodes, is_wide: false });
     let map = map([circle()], 3.0).with_gaps(gaps.to_vec());
     let sides = colors(&map, Some(red()), None);
     let without = solved(&plain, &sides.clone().into());
     for closed_gaps in [vec![], vec![true; 2], vec![true; 5], vec![true; 9]] {
-        assert_eq!(solved(&map, &Boundary { sides: sides.clone(), closed_gaps }), without);
+        assert_eq!(solved(&map, &Boundary { closed_gaps, ..sides.clone().into() }), without);
     }
 }
 
@@ -139,7 +139,7 @@ fn passages() -> impl Strategy<Value = PlanarMap> {
     let curves = proptest::collection::vec(prop_oneof![3 => line, 1 => circle], 2..7);
     curves.prop_map(|curves| {
         let map = map(curves, 24.0);
-        let gaps = gabriel_edges(&map).map(|nodes| Gap { nodes, width_du: 1.0 }).collect();
+        let gaps = gabriel_edges(&map).map(|nodes| Gap { nodes, is_wide: false }).collect();
         map.with_gaps(gaps)
     })
 }
@@ -186,7 +186,7 @@ proptest! {
         let mut solver = MeshSolver::new(map.refined().clone());
         for pattern in patterns.iter().chain(&patterns) {
             let closed_gaps = pattern.iter().copied().cycle().take(map.gaps().len()).collect();
-            let boundary = Boundary { sides: sides.clone(), closed_gaps };
+            let boundary = Boundary { closed_gaps, ..sides.clone().into() };
             prop_assert_eq!(solver.solve(&boundary, Blend::Oklab), Ok(&solved(&map, &boundary)));
         }
     }
@@ -196,6 +196,7 @@ proptest! {
         let boundary = Boundary {
             sides: (0..map.side_count()).map(|i| Some([[i as f64, 0.5, 0.5, 1.0]; 3])).collect(),
             closed_gaps: vec![true; map.gaps().len()],
+            sources: Vec::new(),
         };
         let mesh = map.refined();
         let along = |h: &HalfEdge| mesh.gap(*h).map(|gap| (gap, mesh.segment(*h)));

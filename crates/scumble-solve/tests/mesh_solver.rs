@@ -282,7 +282,7 @@ proptest! {
 
     #[test]
     fn colours_add_up(curves in curves(), coloring in colorings(), waves in [0.002..0.01_f64, 0.002..0.01]) {
-        // Smooth along the sides, so that no value has to be clamped to the range by more than a little.
+        // Smooth along the sides, so that no value has to be clamped to the range by more than a few levels.
         let map = map(curves);
         let colored = repeated(&coloring, &map);
         let field = |value: &dyn Fn(Point) -> f64| {
@@ -295,7 +295,7 @@ proptest! {
         let (a, b) = (|p: Point| (waves[0] * p.x).sin(), |p: Point| (waves[1] * p.y).cos());
         let [a, b, sum] = [field(&a), field(&b), field(&|p| a(p) + b(p))];
         for ((a, b), sum) in all_colors(&a).zip(all_colors(&b)).zip(all_colors(&sum)) {
-            prop_assert!((a[0] + b[0] - sum[0]).abs() < 0.01, "{} {} {}", a[0], b[0], sum[0]);
+            prop_assert!((a[0] + b[0] - sum[0]).abs() < 0.03, "{} {} {}", a[0], b[0], sum[0]);
         }
     }
 

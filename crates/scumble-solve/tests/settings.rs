@@ -1,7 +1,7 @@
 //! A picture under changing settings is the one that a fresh picture gives.
 
 use kurbo::{BezPath, Point, Rect, Shape};
-use scumble_core::{Blend, Curve, Document, Drawing, EngineKind, Scribble, Settings, Srgb8};
+use scumble_core::{Blend, Curve, Document, Drawing, EngineKind, Scribble, ScribbleKind, Settings, Srgb8};
 use scumble_solve::Picture;
 
 /// Two rooms of 480 by 400 du with a doorway of 60 du between them, and a closed one below.
@@ -18,7 +18,12 @@ fn document() -> Document {
     let curves = paths.map(|path| Curve { path, line: None }).to_vec();
     let drawing = Drawing { curves, ..Drawing::new(Rect::new(0.0, 0.0, 1024.0, 768.0)) };
     let points = vec![Point::new(100.0, 100.0), Point::new(300.0, 300.0)];
-    let scribbles = vec![Scribble { color: Srgb8([200, 30, 30]).into(), width_du: 8.0, points }];
+    let scribbles = vec![Scribble {
+        color: Srgb8([200, 30, 30]).into(),
+        kind: ScribbleKind::Fill,
+        width_du: 8.0,
+        points,
+    }];
     Document { scribbles, ..Document::new(drawing) }
 }
 

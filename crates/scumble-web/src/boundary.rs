@@ -4,13 +4,21 @@
 
 use js_sys::{Array, Float64Array, Object, Reflect, Uint8Array};
 use kurbo::{Point, Vec2};
-use scumble_core::{Blend, EngineKind, Paint, Settings, Srgb8};
+use scumble_core::{Scribble, ScribbleKind, Settings, Shading, Srgb8};
 use scumble_io::MAX_FILE_BYTES;
 use scumble_solve::Pixmap;
 use wasm_bindgen::{JsCast, JsValue};
 
-use crate::command::{Command, Setting, Tool, ViewChange};
+use crate::brush::{Ink, Mode, ModeChange};
+use crate::command::{Command, Setting, ViewChange};
 use crate::effect::Effect;
+
+mod names;
+
+use names::{
+    blend_from_name, blend_name, engine_from_name, engine_name, ink_from_name, kind_from_name, kind_name,
+    pressure_from_name, pressure_name, tone_name, tool_from_name, tool_name,
+};
 
 /// The command of a name, or `None` where there is none of it that takes these arguments.
 pub(crate) fn command_from_js(name: &str, args: &JsValue) -> Option<Command> {
@@ -18,10 +26,16 @@ pub(crate) fn command_from_js(name: &str, args: &JsValue) -> Option<Command> {
         "open" => Command::Open {
             name: field(args, "name").as_string()?,
             bytes: file(&field(args, "bytes").dyn_into().ok()?),
+            scribbles: scribbles(&field(args, "scribbles")),
         },
         "tool" => Command::Tool(tool_from_name(&args.as_string()?)?),
-        "color" => Command::Color(paint(args)?),
+        "color" => Command::Color(ink_from_name(&args.as_string()?)?),
         "swap-colors" => Command::SwapColors,
+        "kind" => Command::Mode(ModeChange::Kind(kind_from_name(&args.as_string()?)?)),
+        "other-kind" => Command::Mode(ModeChange::OtherKind),
+        "strength" => Command::Mode(ModeChange::Strength(args.as_f64()?)),
+        "crosses" => Command::Mode(ModeChange::Crosses(args.as_bool()?)),
+        "pressure" => Command::Mode(ModeChange::Pressure(pressure_from_name(&args.as_string()?)?)),
         "brush-size" => Command::BrushSize(args.as_f64()?),
         "brush-larger" => Command::BrushLarger,
         "brush-smaller" => Command::BrushSmaller,
@@ -71,9 +85,32 @@ pub(crate) fn color(value: &JsValue) -> Option<Srgb8> {
     value.as_string()?.parse().ok()
 }
 
-/// A colour written as #rrggbb, or none.
-fn paint(value: &JsValue) -> Option<Paint> {
-    value.as_string()?.parse().ok()
+/// Scribbles as a file of them has them (see `scumble_io::read_scribbles`), in units of the page. What is no scribble
+/// is left out.
+fn scribbles(list: &JsValue) -> Vec<Scribble> {
+    list.dyn_ref::<Array>().into_iter().flat_map(Array::iter).filter_map(|item| scribble(&item)).collect()
+}
+
+fn scribble(item: &JsValue) -> Option<Scribble> {
+    let shading = Shading {
+        strength: field(item, "strength").as_f64().unwrap_or(Shading::default().strength),
+        crosses: field(item, "crosses").is_truthy(),
+    };
+    let shades = field(item, "kind").as_string().as_deref() == Some("shade");
+    Some(Scribble {
+        color: field(item, "color").as_string()?.parse().ok()?,
+        kind: if shades { ScribbleKind::Shade(shading) } else { ScribbleKind::Fill },
+        width_du: field(item, "width").as_f64()?,
+        points: field(item, "points")
+            .dyn_ref::<Array>()?
+            .iter()
+            .map(|at| point(&at))
+            .collect::<Option<_>>()?,
+    })
+}
+
+fn point(xy: &JsValue) -> Option<Point> {
+    numbers(xy).map(|[x, y]| Point::new(x, y))
 }
 
 /// The bytes of a file, or so many of them that it is plain that there are too many.
@@ -88,39 +125,6 @@ fn numbers<const N: usize>(value: &JsValue) -> Option<[f64; N]> {
         *number = array.get(i).as_f64()?;
     }
     Some(numbers)
-}
-
-fn tool_from_name(name: &str) -> Option<Tool> {
-    [Tool::Scribble, Tool::Erase].into_iter().find(|tool| tool_name(*tool) == name)
-}
-
-fn tool_name(tool: Tool) -> &'static str {
-    match tool {
-        Tool::Scribble => "scribble",
-        Tool::Erase => "erase",
-    }
-}
-
-fn engine_from_name(name: &str) -> Option<EngineKind> {
-    [EngineKind::Global, EngineKind::Progressive].into_iter().find(|engine| engine_name(*engine) == name)
-}
-
-fn engine_name(engine: EngineKind) -> &'static str {
-    match engine {
-        EngineKind::Global => "global",
-        EngineKind::Progressive => "progressive",
-    }
-}
-
-fn blend_from_name(name: &str) -> Option<Blend> {
-    [Blend::Oklab, Blend::Srgb].into_iter().find(|blend| blend_name(*blend) == name)
-}
-
-fn blend_name(blend: Blend) -> &'static str {
-    match blend {
-        Blend::Oklab => "oklab",
-        Blend::Srgb => "srgb",
-    }
 }
 
 /// Name and value of each effect, in turn.
@@ -141,7 +145,9 @@ fn js_from_effect(effect: Effect) -> (&'static str, JsValue) {
         Effect::Zoom(zoom) => ("zoom", zoom.into()),
         Effect::View(css_from_du) => ("view", Float64Array::from(&css_from_du.as_coeffs()[..]).into()),
         Effect::Tool(tool) => ("tool", tool_name(tool).into()),
-        Effect::Color(color) => ("color", color.to_string().into()),
+        Effect::Mode(mode) => ("mode", js_from_mode(mode)),
+        Effect::Color(Ink::Paint(color)) => ("color", color.to_string().into()),
+        Effect::Color(Ink::Tone(tone)) => ("color", tone_name(tone).into()),
         Effect::BrushSize(size_du) => ("brush-size", size_du.into()),
         Effect::Lines(shown) => ("lines", shown.into()),
         Effect::Scribbles(shown) => ("scribbles", shown.into()),
@@ -162,6 +168,16 @@ fn js_from_effect(effect: Effect) -> (&'static str, JsValue) {
         Effect::Renderer(name) => ("renderer", name.into()),
         Effect::Lost(next) => ("lost", next.map_or(JsValue::NULL, JsValue::from)),
     }
+}
+
+fn js_from_mode(mode: Mode) -> JsValue {
+    object(&[
+        ("kind", kind_name(mode.kind).into()),
+        ("strength", mode.shading.strength.into()),
+        ("crosses", mode.shading.crosses.into()),
+        ("pressure", pressure_name(mode.pressure).into()),
+        ("largest", mode.sizes_du()[1].into()),
+    ])
 }
 
 fn js_from_settings(settings: Settings) -> JsValue {

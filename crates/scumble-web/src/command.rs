@@ -1,8 +1,9 @@
 //! What the page can ask for.
 
 use kurbo::{Point, Vec2};
-use scumble_core::{Blend, EngineKind, Paint, Settings, Srgb8};
+use scumble_core::{Blend, EngineKind, Scribble, Settings, Srgb8};
 
+use crate::brush::{Ink, ModeChange};
 use crate::view::Viewport;
 
 /// Where a gesture of the pen is.
@@ -82,13 +83,17 @@ pub enum Command {
         name: String,
         /// An SVG file.
         bytes: Vec<u8>,
+        /// What is scribbled on it to begin with, in units of the file.
+        scribbles: Vec<Scribble>,
     },
     /// What the pen does from here on.
     Tool(Tool),
-    /// The colour of the next scribbles, or none.
-    Color(Paint),
+    /// The colour of the next scribbles, or none, or a step from what they are drawn on.
+    Color(Ink),
     /// Back to the colour before.
     SwapColors,
+    /// How the next scribbles colour.
+    Mode(ModeChange),
     /// The width of the next scribbles, in du.
     BrushSize(f64),
     /// A step wider.

@@ -1,10 +1,11 @@
 //! What the page must know, as a short list after each call: what of its state has changed, and what happened.
 
 use kurbo::Affine;
-use scumble_core::{Paint, Settings};
+use scumble_core::Settings;
 use scumble_io::ImportNotes;
 use scumble_solve::Pixmap;
 
+use crate::brush::{Ink, Mode};
 use crate::command::Tool;
 
 /// One thing that the page must know.
@@ -20,8 +21,10 @@ pub enum Effect {
     View(Affine),
     /// What the pen does.
     Tool(Tool),
-    /// The colour of the next scribble, or none.
-    Color(Paint),
+    /// How the next scribble colours.
+    Mode(Mode),
+    /// The colour of the next scribble, or none, or a step from what it is drawn on.
+    Color(Ink),
     /// The width of the next scribble, in du.
     BrushSize(f64),
     /// Whether lines are shown.
@@ -79,7 +82,8 @@ pub(crate) struct State {
     pub(crate) zoom: Option<f64>,
     pub(crate) view: Option<Affine>,
     pub(crate) tool: Option<Tool>,
-    pub(crate) color: Option<Paint>,
+    pub(crate) mode: Option<Mode>,
+    pub(crate) color: Option<Ink>,
     pub(crate) brush_du: Option<f64>,
     pub(crate) lines: Option<bool>,
     pub(crate) scribbles: Option<bool>,
@@ -95,6 +99,7 @@ impl State {
             news(self.zoom, known.zoom, Effect::Zoom),
             news(self.view, known.view, Effect::View),
             news(self.tool, known.tool, Effect::Tool),
+            news(self.mode, known.mode, Effect::Mode),
             news(self.color, known.color, Effect::Color),
             news(self.brush_du, known.brush_du, Effect::BrushSize),
             news(self.lines, known.lines, Effect::Lines),

@@ -10,6 +10,9 @@ const TOLERANCE_PX: f64 = 0.1;
 /// Opacity of scribbles, of 255: the picture shows through.
 const SCRIBBLE_OPACITY: u8 = 160;
 
+/// A scribble that shades is drawn this wide, in du: its colours are to be seen.
+const SPINE_DU: f64 = 4.0;
+
 /// The desk reaches so far beyond the page, in du: past the widest canvas at the smallest zoom.
 const DESK_REACH_DU: f64 = 262_144.0;
 
@@ -52,7 +55,7 @@ impl Layers {
     pub(crate) fn set_scribbles(&mut self, scribbles: &[Scribble]) {
         let kept = self.scribbles.iter().zip(scribbles).take_while(|(old, new)| old == new).count();
         let fresh = scribbles.get(kept..).unwrap_or_default();
-        let shapes = fresh.iter().map(|s| scribble_shape(s, SCRIBBLE_OPACITY, self.tolerance_du));
+        let shapes = fresh.iter().map(|s| shape(s, self.tolerance_du));
         self.shapes.splice(kept..self.scribbles.len(), shapes);
         self.scribbles.splice(kept.., fresh.iter().cloned());
     }
@@ -78,6 +81,11 @@ impl Layers {
         let triangles = around.into_iter().flat_map(halves).collect();
         self.shapes.push(Shape { triangles, color: Rgba8([r, g, b, 255]) });
     }
+}
+
+fn shape(scribble: &Scribble, tolerance_du: f64) -> Shape {
+    let width_du = if scribble.is_fill() { scribble.width_du } else { SPINE_DU.min(scribble.width_du) };
+    scribble_shape(&Scribble { width_du, ..scribble.clone() }, SCRIBBLE_OPACITY, tolerance_du)
 }
 
 /// Steps of two, so that shapes are drawn anew only once in a while as the zoom changes.

@@ -4,6 +4,7 @@
 //! |---|---|
 //! | a document under gestures and commands | [`session`] |
 //! | what there is to paint | [`painting`] |
+//! | what the pen draws with | [`brush`] |
 //! | what the page can ask for | [`command`] |
 //! | what the page must know | [`effect`] |
 //! | pan, zoom, fit | [`view`] |
@@ -14,6 +15,7 @@
 //!
 //! All but the last three are free of the browser and tested without one.
 
+pub mod brush;
 pub mod command;
 pub mod effect;
 pub mod layers;

@@ -6,10 +6,11 @@
 use std::mem::take;
 
 use kurbo::{Affine, Rect};
-use scumble_core::{Document, Drawing, Editor, MapError, Paint, Srgb8};
+use scumble_core::{Document, Drawing, Editor, MapError, Scribble, Srgb8};
 use scumble_io::import_svg;
 use scumble_solve::{Field, Picture, View};
 
+use crate::brush::Brush;
 use crate::command::{Command, Setting, Tool};
 use crate::effect::{Effect, State};
 use crate::layers::Layers;
@@ -18,13 +19,7 @@ use crate::view::Viewport;
 
 mod gestures;
 
-use gestures::Eraser;
-
-/// Smallest and largest width of a scribble, in du.
-const BRUSH_DU: [f64; 2] = [2.0, 96.0];
-
-/// The brush grows and shrinks by this factor, and by one du at least.
-const BRUSH_STEP: f64 = 1.25;
+use gestures::{Eraser, Stroke};
 
 /// Drawings that undo can come back to.
 const SHELF_SIZE: usize = 8;
@@ -36,7 +31,7 @@ const BLANK: Rect = Rect::new(0.0, 0.0, 1024.0, 768.0);
 #[derive(Debug)]
 pub struct Session {
     sheet: Sheet,
-    /// Coloured drawings that others were opened over, for undo to come back to.
+    /// Drawings with work in them that others were opened over, for undo to come back to.
     shelf: Vec<Sheet>,
     field: Field,
     layers: Layers,
@@ -44,9 +39,8 @@ pub struct Session {
     tool: Tool,
     /// The eraser in hand.
     eraser: Option<Eraser>,
-    color: Paint,
-    previous_color: Paint,
-    brush_du: f64,
+    brush: Brush,
+    stroke: Stroke,
     lines_shown: bool,
     scribbles_shown: bool,
     desk: Srgb8,
@@ -86,15 +80,14 @@ impl Session {
         let drawing = Drawing::new(BLANK);
         Ok(Self {
             viewport: Viewport::new(drawing.frame()),
-            sheet: Sheet::new(String::new(), drawing)?,
+            sheet: Sheet::new(String::new(), drawing, Vec::new())?,
             shelf: Vec::new(),
             field: Field::default(),
             layers: Layers::default(),
             tool: Tool::default(),
             eraser: None,
-            color: Srgb8([0xe5, 0x48, 0x4d]).into(),
-            previous_color: Srgb8([0x3b, 0x82, 0xf6]).into(),
-            brush_du: 16.0,
+            brush: Brush::default(),
+            stroke: Stroke::default(),
             lines_shown: true,
             scribbles_shown: true,
             desk,
@@ -127,13 +120,14 @@ impl Session {
     /// Does what a control of the page asks for.
     pub fn command(&mut self, command: Command) {
         match command {
-            Command::Open { name, bytes } => self.open(name, &bytes),
+            Command::Open { name, bytes, scribbles } => self.open(name, &bytes, scribbles),
             Command::Tool(tool) => self.tool = tool,
-            Command::Color(color) => self.set_color(color),
-            Command::SwapColors => self.set_color(self.previous_color),
-            Command::BrushSize(size_du) => self.set_brush(size_du),
-            Command::BrushLarger => self.set_brush((self.brush_du * BRUSH_STEP).max(self.brush_du + 1.0)),
-            Command::BrushSmaller => self.set_brush((self.brush_du / BRUSH_STEP).min(self.brush_du - 1.0)),
+            Command::Color(ink) => self.change_brush(|brush| brush.set_ink(ink)),
+            Command::SwapColors => self.change_brush(Brush::swap_colors),
+            Command::Mode(change) => self.change_brush(|brush| change.apply(&mut brush.mode)),
+            Command::BrushSize(size_du) => self.brush.set_size(size_du),
+            Command::BrushLarger => self.brush.grow(),
+            Command::BrushSmaller => self.brush.shrink(),
             Command::Undo => self.undo(),
             Command::Redo => self.redo(),
             Command::Set(setting) => self.set(setting),
@@ -189,12 +183,12 @@ impl Session {
         self.effects.push(effect);
     }
 
-    fn open(&mut self, name: String, bytes: &[u8]) {
+    fn open(&mut self, name: String, bytes: &[u8], scribbles: Vec<Scribble>) {
         let import = match import_svg(bytes) {
             Ok(import) => import,
             Err(error) => return self.tell(Effect::Failed(error.to_string())),
         };
-        match Sheet::new(name.clone(), import.drawing) {
+        match Sheet::new(name.clone(), import.drawing, scribbles) {
             Ok(sheet) => self.lay_over(sheet),
             Err(error) => return self.tell(Effect::Failed(error.to_string())),
         }
@@ -204,7 +198,7 @@ impl Session {
     /// Shows another drawing. The one that was there is kept if somebody worked on it.
     fn lay_over(&mut self, sheet: Sheet) {
         let under = self.show(sheet);
-        if !under.editor.document().scribbles.is_empty() {
+        if under.editor.can_undo() {
             self.shelf.push(under);
             self.shelf.drain(..self.shelf.len().saturating_sub(SHELF_SIZE));
         }
@@ -255,19 +249,10 @@ impl Session {
         }
     }
 
-    /// Who picks a colour wants to scribble with it.
-    fn set_color(&mut self, color: Paint) {
+    /// Who picks a colour or a kind wants to scribble with it.
+    fn change_brush(&mut self, change: impl FnOnce(&mut Brush)) {
         self.tool = Tool::Scribble;
-        if color != self.color {
-            self.previous_color = self.color;
-            self.color = color;
-        }
-    }
-
-    fn set_brush(&mut self, size_du: f64) {
-        if size_du.is_finite() {
-            self.brush_du = size_du.round().clamp(BRUSH_DU[0], BRUSH_DU[1]);
-        }
+        change(&mut self.brush);
     }
 
     fn show_lines(&mut self, shown: bool) {
@@ -291,9 +276,7 @@ impl Session {
     }
 
     fn refresh(&mut self) {
-        if take(&mut self.stale.field) {
-            self.solve();
-        }
+        self.refresh_field();
         let px_per_du = self.viewport.view().px_from_du.as_coeffs()[0];
         if !self.layers.suit_scale(px_per_du) {
             self.layers = Layers::at_scale(px_per_du);
@@ -304,6 +287,12 @@ impl Session {
         }
         if take(&mut self.stale.scribbles) {
             self.draw_scribbles();
+        }
+    }
+
+    fn refresh_field(&mut self) {
+        if take(&mut self.stale.field) {
+            self.solve();
         }
     }
 
@@ -341,8 +330,9 @@ impl Session {
             zoom: Some(self.viewport.zoom()),
             view: Some(self.viewport.css_from_du()),
             tool: Some(self.tool),
-            color: Some(self.color),
-            brush_du: Some(self.brush_du),
+            mode: Some(self.brush.mode),
+            color: Some(self.brush.ink()),
+            brush_du: Some(self.brush.size_du()),
             lines: Some(self.lines_shown),
             scribbles: Some(self.scribbles_shown),
             settings: Some(self.document().settings),
@@ -351,9 +341,15 @@ impl Session {
 }
 
 impl Sheet {
-    fn new(name: String, drawing: Drawing) -> Result<Self, MapError> {
+    /// A drawing with scribbles in units of its page.
+    fn new(name: String, drawing: Drawing, mut scribbles: Vec<Scribble>) -> Result<Self, MapError> {
         let picture = Picture::new(&drawing)?;
-        Ok(Self { name, editor: Editor::new(Document::new(drawing)), picture })
+        for Scribble { width_du, points, .. } in &mut scribbles {
+            *width_du *= drawing.du_per_page_unit();
+            points.iter_mut().for_each(|point| *point = drawing.drawing_from_page() * *point);
+        }
+        let document = Document { scribbles, ..Document::new(drawing) };
+        Ok(Self { name, editor: Editor::new(document), picture })
     }
 }
 

@@ -1,81 +1,20 @@
 //! The editor without a browser: gestures and commands in, paintings and effects out.
 
+mod page;
+
 use kurbo::{Point, Vec2};
 use scumble_core::{Blend, EngineKind, Paint, Settings, Srgb8};
-use scumble_solve::{Pixmap, paint};
+use scumble_solve::paint;
+use scumble_web::brush::Ink;
 use scumble_web::command::{Command, Phase, Setting, Tool, ViewChange};
 use scumble_web::effect::Effect;
-use scumble_web::painting::{Changed, Painter, Painting};
-use scumble_web::session::Session;
+use scumble_web::painting::Changed;
+
+use page::{DESK, Page, SQUARE, pixel};
 
 const RED: Srgb8 = Srgb8([230, 25, 75]);
 const BLUE: Srgb8 = Srgb8([0, 90, 200]);
-const DESK: Srgb8 = Srgb8([90, 91, 92]);
 const WHITE: Srgb8 = Srgb8([255; 3]);
-
-/// A square of 480 du within a page of 1024 by 768 du.
-const SQUARE: &[u8] = br#"<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 1024 768">
-    <path d="M200 150H680V630H200Z" fill="none" stroke="black" stroke-width="8"/></svg>"#;
-
-/// A canvas that the painter on the CPU fills.
-#[derive(Default)]
-struct Canvas {
-    frames: Vec<Changed>,
-    shown: Option<Pixmap>,
-}
-
-impl Painter for Canvas {
-    fn paint(&mut self, painting: &Painting<'_>, changed: Changed) {
-        self.frames.push(changed);
-        self.shown = Some(paint(&painting.scene(), &painting.view));
-    }
-}
-
-/// A page of 1200 by 900 CSS pixels with a drawing open.
-struct Page {
-    session: Session,
-    canvas: Canvas,
-}
-
-impl Page {
-    fn open(svg: &[u8]) -> Self {
-        let mut page = Self { session: Session::new(DESK).expect("a blank page"), canvas: Canvas::default() };
-        page.view(ViewChange::Resize([1200, 900], 1.0));
-        page.session.command(Command::Open { name: "square.svg".into(), bytes: svg.to_vec() });
-        page.view(ViewChange::ZoomReset);
-        page
-    }
-
-    fn view(&mut self, change: ViewChange) {
-        self.session.command(Command::View(change));
-    }
-
-    /// A stroke of the pen through places in du, one batch of samples each.
-    fn stroke(&mut self, color: Srgb8, points_du: &[(f64, f64)]) {
-        self.session.command(Command::Color(color.into()));
-        for (i, &point) in points_du.iter().enumerate() {
-            self.pen(if i == 0 { Phase::Down } else { Phase::Move }, point);
-        }
-        self.session.pointer(Phase::Up, &[]);
-    }
-
-    fn pen(&mut self, phase: Phase, point_du: (f64, f64)) {
-        let Point { x, y } = self.session.css_from_du() * Point::from(point_du);
-        self.session.pointer(phase, &[x as f32, y as f32, 0.5]);
-    }
-
-    /// The colour on the canvas at a place in du, after a frame.
-    fn color_at(&mut self, point_du: (f64, f64)) -> Srgb8 {
-        self.session.frame(&mut self.canvas);
-        let place_px = self.session.css_from_du() * Point::from(point_du);
-        pixel(self.canvas.shown.as_ref().expect("a painting"), place_px)
-    }
-}
-
-fn pixel(picture: &Pixmap, place_px: Point) -> Srgb8 {
-    let i = 4 * (place_px.y as usize * picture.width_px as usize + place_px.x as usize);
-    Srgb8([picture.rgba[i], picture.rgba[i + 1], picture.rgba[i + 2]])
-}
 
 const ACROSS: [(f64, f64); 3] = [(300.0, 300.0), (340.0, 320.0), (380.0, 310.0)];
 const INSIDE: (f64, f64) = (600.0, 560.0);
@@ -198,7 +137,7 @@ fn a_file_that_cannot_be_opened_leaves_the_drawing_as_it_was() {
     for bytes in
         [&b""[..], b"\x89PNG\r\n\x1a\n", b"<svg", b"<html/>", b"<svg xmlns='http://www.w3.org/2000/svg'/>"]
     {
-        page.session.command(Command::Open { name: "bad".into(), bytes: bytes.to_vec() });
+        page.session.command(Command::Open { name: "bad".into(), bytes: bytes.to_vec(), scribbles: vec![] });
         let effects = page.session.take_effects();
         assert!(matches!(effects[..], [Effect::Failed(_)]), "{effects:?}");
         assert_eq!(page.color_at(INSIDE), RED);
@@ -266,7 +205,11 @@ fn undo_brings_back_the_drawing_that_another_was_opened_over() {
     let mut page = Page::open(SQUARE);
     page.stroke(RED, &ACROSS);
     let blank = br#"<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 9 9"><path d="M1 1h6" stroke="black"/></svg>"#;
-    page.session.command(Command::Open { name: "other.svg".into(), bytes: blank.to_vec() });
+    page.session.command(Command::Open {
+        name: "other.svg".into(),
+        bytes: blank.to_vec(),
+        scribbles: vec![],
+    });
     assert!(page.session.document().scribbles.is_empty());
     page.session.command(Command::Undo);
     page.view(ViewChange::ZoomReset);
@@ -425,7 +368,7 @@ fn a_scribble_of_no_colour_keeps_its_place_free() {
     let mut page = Page::open(SQUARE);
     page.session.command(Command::Scribbles(false));
     page.stroke(RED, &ACROSS);
-    page.session.command(Command::Color(Paint::Clear));
+    page.session.command(Command::Color(Ink::Paint(Paint::Clear)));
     page.pen(Phase::Down, INSIDE);
     assert_ne!(page.color_at(INSIDE), RED);
     page.session.pointer(Phase::Cancel, &[]);

@@ -32,7 +32,7 @@ fn canvas() -> HtmlCanvasElement {
 fn scribbled() -> Session {
     let mut session = Session::new(Srgb8([90; 3])).expect("a blank page");
     session.command(Command::View(ViewChange::Resize([640, 480], 1.0)));
-    session.command(Command::Open { name: "circle.svg".into(), bytes: DRAWING.to_vec() });
+    session.command(Command::Open { name: "circle.svg".into(), bytes: DRAWING.to_vec(), scribbles: vec![] });
     for (color, from, to) in [
         (Srgb8([230, 25, 75]), (400.0, 200.0), (600.0, 220.0)),
         (Srgb8([0, 130, 200]), (400.0, 560.0), (600.0, 540.0)),

@@ -18,11 +18,13 @@ pub(crate) const FLAVOURS: [&str; 2] = ["webgpu", "webgl"];
 
 /// The features of wasm that every browser with WebGPU or WebGL 2 has; `--all-features` would use others. Functions
 /// that are called once stay functions: inlined they compress worse, by 3% of the whole.
-const WASM_OPT: [&str; 10] = [
+const WASM_OPT: [&str; 12] = [
     "-O2",
     "--one-caller-inline-max-function-size=0",
     // Neighbours by name are neighbours by kind, and compress better.
     "--reorder-functions-by-name",
+    "--strip-producers",
+    "--strip-target-features",
     "--enable-bulk-memory",
     "--enable-nontrapping-float-to-int",
     "--enable-sign-ext",

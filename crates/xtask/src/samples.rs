@@ -33,7 +33,7 @@ whose text follows. The other drawings here are part of Scumble and under its li
 ";
 
 /// Fills `folder` with the drawings, the licence of those that are not ours, and `index.json`: a list of
-/// `{file, name, credit}` in the order to show.
+/// `{file, name, credit}` in the order to show, with `scribbles` (a file) where a drawing has some to begin with.
 pub(crate) fn collect(folder: &Path) -> Result<()> {
     fs::create_dir_all(folder)?;
     let mut entries = collect_own(folder)?;
@@ -41,27 +41,33 @@ pub(crate) fn collect(folder: &Path) -> Result<()> {
         let file = format!("{code}.svg");
         let drawing = root().join(OPENMOJI_BLACK).join(&file);
         fs::copy(&drawing, folder.join(&file)).with_context(|| drawing.display().to_string())?;
-        entries.push(entry(&file, name, OPENMOJI_CREDIT));
+        entries.push(entry(&file, name, OPENMOJI_CREDIT, ""));
     }
     let licence = fs::read_to_string(root().join("node_modules/openmoji/LICENSE.txt"))?;
     fs::write(folder.join("LICENSE-OPENMOJI.txt"), format!("{OPENMOJI_NOTICE}{licence}"))?;
     Ok(fs::write(folder.join("index.json"), format!("[\n{}\n]\n", entries.join(",\n")))?)
 }
 
-/// Our own: `web/samples/two-words.svg` is shown as "Two words".
+/// Our own: `web/samples/two-words.svg`, coloured by `two-words.json` if there is one, is shown as "Two words".
 fn collect_own(folder: &Path) -> Result<Vec<String>> {
     let mut entries = Vec::new();
-    for drawing in crate::dist::files_in(&root().join("web/samples"))? {
-        let stem = drawing.file_stem().unwrap_or_default().to_string_lossy().replace('-', " ");
-        let file = drawing.file_name().unwrap_or_default();
-        fs::copy(&drawing, folder.join(file))?;
-        entries.push(entry(&file.to_string_lossy(), &capitalised(&stem), "Scumble"));
+    for path in crate::dist::files_in(&root().join("web/samples"))? {
+        let file = path.file_name().unwrap_or_default().to_string_lossy();
+        fs::copy(&path, folder.join(&*file))?;
+        if let Some(stem) = file.strip_suffix(".svg") {
+            let scribbles = if path.with_extension("json").exists() {
+                format!(r#", "scribbles": "{stem}.json""#)
+            } else {
+                String::new()
+            };
+            entries.push(entry(&file, &capitalised(&stem.replace('-', " ")), "Scumble", &scribbles));
+        }
     }
     Ok(entries)
 }
 
-fn entry(file: &str, name: &str, credit: &str) -> String {
-    format!(r#"  {{"file": "{file}", "name": "{name}", "credit": "{credit}"}}"#)
+fn entry(file: &str, name: &str, credit: &str, more: &str) -> String {
+    format!(r#"  {{"file": "{file}", "name": "{name}", "credit": "{credit}"{more}}}"#)
 }
 
 fn capitalised(words: &str) -> String {

@@ -9,6 +9,7 @@ use scumble_solve::grid::{CutLinks, GridPicture, GridSolver, JeschkeSolver};
 use scumble_solve::{Pixmap, paint_grid};
 
 use crate::options::{ColorOptions, Solver};
+use crate::render;
 use crate::stages::{self, Opened, PAPER};
 
 /// A step of the grid solver that changes no value by more than this is the last: a quarter of a level.
@@ -22,12 +23,13 @@ const JESCHKE_STEPS: usize = 8;
 /// # Errors
 /// When there is no GPU that can do it.
 pub(super) fn paint(opened: &Opened, boundary: &Boundary, options: &ColorOptions) -> anyhow::Result<Pixmap> {
-    let view = stages::page_view(&opened.import.drawing, options.size_px);
+    let (drawing, look) = (&opened.import.drawing, &options.look);
+    let view = stages::page_view(drawing, look.size_px);
     let links = CutLinks::new(opened.picture.map(), boundary, &view);
     let pixels = solve(&links, options.solver)?;
     let picture = GridPicture::new(opened.picture.map(), &view, options.settings.blend, pixels);
-    let paper = (!options.transparent).then_some(PAPER);
-    Ok(paint_grid(&picture, &super::shapes(opened, options), &view, paper))
+    let shapes = render::shapes(drawing, &opened.picture, look);
+    Ok(paint_grid(&picture, &shapes, &view, (!look.transparent).then_some(PAPER)))
 }
 
 fn solve(links: &CutLinks, solver: Solver) -> anyhow::Result<Vec<[f32; 4]>> {

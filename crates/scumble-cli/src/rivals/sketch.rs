@@ -80,11 +80,11 @@ fn pixels(from: f64, to: f64, count: usize) -> std::ops::Range<usize> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use scumble_core::Srgb8;
+    use scumble_core::{ScribbleKind, Srgb8};
 
     fn scribble(width_du: f64, points: &[(f64, f64)]) -> Scribble {
         let points = points.iter().map(|&p| p.into()).collect();
-        Scribble { color: Srgb8([0; 3]).into(), width_du, points }
+        Scribble { color: Srgb8([0; 3]).into(), kind: ScribbleKind::Fill, width_du, points }
     }
 
     #[test]

@@ -125,6 +125,8 @@ fn calls_that_make_no_sense_are_refused() {
         (&["--gap-closing", "2"], "from 0 to 1"),
         (&["--gap-closing", "NaN"], "from 0 to 1"),
         (&["--single", "--sheet", "s.png"], "--single makes no pictures"),
+        (&["--single", "--spread"], "--single takes sparse scribbles"),
+        (&["--single", "--kind", "dense"], "--single takes sparse scribbles"),
         (&["--sheet", "no/s.png"], "no/s.png cannot be written"),
         (&["more"], "2 arguments"),
     ] {

@@ -7,3 +7,5 @@ mod color;
 mod corpus;
 mod eval;
 mod folder;
+mod samples;
+mod share;

@@ -1,5 +1,5 @@
-//! What lies behind the gaps: with spreading, places that no scribble reaches take the colour that comes to them
-//! through gaps on the cheapest way.
+//! What lies behind the gaps: places that no scribble reaches take the colour that comes to them through those gaps
+//! that are open to it, on the cheapest way.
 //!
 //! The flood behind the gaps goes on with the flood before them. Where a place gets wet by a scribble of its own, no
 //! way leads through it any more: what had come that way is dried, and flooded anew from around it.
@@ -47,7 +47,7 @@ impl Beyond {
             }
         }
         let is_before = &self.is_before;
-        self.flood.run_where(map, &ways.costs, ranks, |next, _| !is_before[next]);
+        self.flood.run_where(map, &ways.costs, ranks, |next, h| ways.is_open[h.index()] && !is_before[next]);
         for (label, &beyond) in labels.iter_mut().zip(&self.flood.labels).filter(|(label, _)| **label == NONE)
         {
             *label = beyond;
@@ -60,7 +60,7 @@ impl Beyond {
         let from = h.triangle();
         let flood = if self.is_before[from] { before } else { &self.flood };
         let (cost, label) = (flood.costs[from], flood.labels[from]);
-        if label != NONE && !self.is_before[to] {
+        if label != NONE && ways.is_open[h.index()] && !self.is_before[to] {
             self.flood.reach(to, cost + ways.costs[h.index()], label, ranks);
         }
     }

@@ -8,20 +8,26 @@ use crate::planar_map::PlanarMap;
 use crate::small_map::SmallMap;
 use crate::stroke::Stroke;
 
-/// A scribble holds its place like a passage that is this many times as wide as its distance from the drawn lines: the
-/// widest that could pass there. With less, the scribble furthest from all lines takes a room for itself (1.5 is better
-/// on drawings whose lights and shadows no line marks); with more, a hand that leaves its region takes another.
-const HOLD: f64 = 2.0;
+/// A scribble holds its place like a passage that is this many times as wide as its distance from the drawn lines. With
+/// less, the scribble furthest from all lines takes a room for itself (which is better on drawings whose lights and
+/// shadows no line marks); with more, a hand that leaves its region takes another.
+const HOLD: f64 = 3.0;
 
-/// What lies around a sample within this many times its distance from the drawn lines is at hand: more than 1, so that
-/// the nearest line is, and a careful dab near a line has its say.
-const AT_HAND: f64 = 2.0;
+/// What lies around a sample within this many times its distance from the drawn lines is at hand, and [`BESIDE_DU`]
+/// more: the nearest line is, so that a careful dab near a line has its say. Where two meet, the one that was drawn in
+/// the open has that much of a start. With 1 every dab would keep its place; more takes from a dab what lies between it
+/// and another in the open, and parts a room better on the quality set.
+const AT_HAND: f64 = 1.5;
 
-/// More than any sample has at hand, in du.
-const AT_HAND_LIMIT_DU: f64 = 2.0 * OPEN_DU;
+/// At hand around any sample, in du: about a triangle of the refined mesh.
+const BESIDE_DU: f64 = 12.0;
+
+/// More than any start, in du.
+const LONGEST_START_DU: f64 = AT_HAND * OPEN_DU;
 
 /// A room counts as meant once the scribble has as many samples there as this part of those in the room where it has
-/// most so far: less is a hand that slipped.
+/// most so far: less is a hand that slipped. So the first room always does, and no claim is ever given up while the
+/// scribble grows.
 const MEANT: f64 = 0.25;
 
 /// The samples of a scribble so far.
@@ -49,15 +55,15 @@ pub(super) struct Seed {
 
 impl Seed {
     fn new(triangle: usize, distance_du: f64) -> Self {
-        let at_hand_du = AT_HAND * distance_du.clamp(0.0, OPEN_DU);
-        let at_hand = length(AT_HAND_LIMIT_DU - at_hand_du);
+        let start_du = AT_HAND * distance_du.clamp(0.0, OPEN_DU);
+        let at_hand = length(LONGEST_START_DU - start_du);
         Self { triangle, cost: cost(0.0, HOLD * distance_du), at_hand }
     }
 }
 
 /// What a seed's claim and the way from there may come to for a place to be at hand.
 pub(super) fn at_hand_limit() -> Cost {
-    length(AT_HAND_LIMIT_DU)
+    length(LONGEST_START_DU + BESIDE_DU)
 }
 
 /// The samples in one room.

@@ -118,23 +118,36 @@ impl Areas {
             if self.borders[region as usize].get(&other) != Some(&length) {
                 continue;
             }
-            self.joined_to[region as usize] = other;
-            let moved = std::mem::take(&mut self.borders[region as usize]);
-            for (next, length) in moved {
-                self.borders[next as usize].remove(&region);
-                if next != other {
-                    self.add_border(other, next, length);
-                    let length = self.borders[other as usize][&next];
-                    let pairs = [(other, next), (next, other)].into_iter();
-                    queue.extend(pairs.filter(|(from, _)| *from < region_count).map(|(a, b)| (length, a, b)));
-                }
-            }
+            let count = |area: u32| self.borders[area as usize].len();
+            let may_move = other < region_count && count(other) < count(region);
+            let (from, to) = if may_move { (other, region) } else { (region, other) };
+            let changed = self.join(from, to);
+            let pairs =
+                changed.into_iter().flat_map(|(next, length)| [(length, to, next), (length, next, to)]);
+            queue.extend(pairs.filter(|(_, from, _)| *from < region_count));
         }
     }
 
-    fn find(&self, mut area: u32) -> u32 {
+    /// Joins an area to a neighbour, which takes its borders; gives those that this made longer.
+    fn join(&mut self, from: u32, to: u32) -> Vec<(u32, u64)> {
+        self.joined_to[from as usize] = to;
+        let mut moved = std::mem::take(&mut self.borders[from as usize]);
+        moved.remove(&to);
+        self.borders[to as usize].remove(&from);
+        for (&next, length) in &mut moved {
+            self.borders[next as usize].remove(&from);
+            self.add_border(to, next, *length);
+            *length = self.borders[to as usize][&next];
+        }
+        moved.into_iter().collect()
+    }
+
+    /// The area that an area was joined to, halving the way to it for the next time.
+    fn find(&mut self, mut area: u32) -> u32 {
         while self.joined_to[area as usize] != area {
-            area = self.joined_to[area as usize];
+            let next = self.joined_to[area as usize];
+            self.joined_to[area as usize] = self.joined_to[next as usize];
+            area = next;
         }
         area
     }

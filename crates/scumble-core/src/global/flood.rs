@@ -5,6 +5,7 @@ use std::collections::BinaryHeap;
 
 use kurbo::Point;
 
+use super::pockets;
 use crate::clearance::OPEN_DU;
 use crate::planar_map::PlanarMap;
 use crate::triangulation::{HalfEdge, Triangulation};
@@ -21,12 +22,15 @@ const LEAST_WIDTH_DU: f64 = 2.0;
 /// Label of a triangle that no scribble reaches.
 pub(super) const NONE: u32 = u32::MAX;
 
+/// Each step costs as if it were this much longer, in du: what is left for a way that has no length.
+const STEP_DU: f64 = 1.0;
+
 /// What it costs to go some way through a passage, both in du.
 pub(super) fn cost(length_du: f64, width_du: f64) -> Cost {
     let narrowness = OPEN_DU / width_du.clamp(LEAST_WIDTH_DU, OPEN_DU);
     let squared = narrowness * narrowness;
     let fourth = squared * squared;
-    ((1.0 + length_du) * fourth * fourth) as Cost
+    ((STEP_DU + length_du) * fourth * fourth) as Cost
 }
 
 /// A length as a cost.
@@ -45,14 +49,20 @@ pub(super) struct Ways {
     pub(super) rooms: Vec<u32>,
     /// The half-edges that lead through a gap.
     pub(super) gaps: Vec<HalfEdge>,
+    /// Per half-edge whether what has stopped at a gap may go on there.
+    pub(super) is_open: Vec<bool>,
 }
 
 impl Ways {
-    pub(super) fn new(map: &PlanarMap) -> Self {
+    /// With `spread`, colours go on through all gaps, else only into [pockets](super::pockets).
+    pub(super) fn new(map: &PlanarMap, spread: bool) -> Self {
         let mesh = map.refined();
         let gaps = mesh.half_edges().filter(|&h| mesh.gap(h).is_some()).collect();
         let none = vec![0; 3 * mesh.triangle_count()];
-        let mut ways = Self { costs: none.clone(), lengths: none, rooms: mesh.rooms().0, gaps };
+        let (rooms, room_count) = mesh.rooms();
+        let is_open =
+            if spread { vec![true; none.len()] } else { pockets::open_ways(map, &rooms, room_count) };
+        let mut ways = Self { costs: none.clone(), lengths: none, rooms, gaps, is_open };
         let mut base = 0;
         for t in 0..mesh.triangle_count() {
             base = map.triangulation().locate(centroid(mesh, t), base).unwrap_or(base);

@@ -19,7 +19,7 @@ impl Shown {
     }
 
     /// Labels of sides from those of the triangles that they bound. A gap is closed where two labels meet at any of
-    /// its parts, which `gaps` lists.
+    /// its parts, which `gaps` lists; a wide one only where a label ends.
     pub(super) fn show(&mut self, map: &PlanarMap, gaps: &[HalfEdge], of_triangles: &[u32]) -> &Labels {
         let mesh = map.refined();
         for (triangle, &label) in of_triangles.iter().enumerate() {
@@ -32,8 +32,9 @@ impl Shown {
         self.labels.closed_gaps.fill(false);
         for &h in gaps {
             if let (Some(gap), Some(twin)) = (mesh.gap(h), mesh.passage(h)) {
-                let differ = of_triangles[h.triangle()] != of_triangles[twin.triangle()];
-                self.labels.closed_gaps[gap as usize] |= differ;
+                let [a, b] = [h, twin].map(|h| of_triangles[h.triangle()]);
+                let is_end = a == NONE || b == NONE || !map.gaps()[gap as usize].is_wide;
+                self.labels.closed_gaps[gap as usize] |= a != b && is_end;
             }
         }
         &self.labels

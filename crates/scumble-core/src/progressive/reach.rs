@@ -114,7 +114,7 @@ impl Reach {
             self.influence.extend(sightings.map(|sighting| (sighting.side, sighting.evidence())));
         }
         sort::sort_copies_by_key(&mut self.influence, |(side, _)| side.0.into());
-        if !around.outline.rooms.is_one() {
+        if around.outline.rooms.have_gaps() {
             self.find_gaps(around, survey);
         }
     }

@@ -50,8 +50,8 @@ impl Rooms {
         (0..).zip(&self.of_gap).filter_map(|(gap, rooms)| Some((gap, kind(rooms)?))).collect()
     }
 
-    /// Whether there is no gap at all.
-    pub(super) fn is_one(&self) -> bool {
-        self.of_gap.is_empty()
+    /// Whether there are any to ask for.
+    pub(super) fn have_gaps(&self) -> bool {
+        !self.of_gap.is_empty()
     }
 }

@@ -16,18 +16,28 @@ const NONE: u32 = u32::MAX;
 /// The triangles of one region and their unknowns, counted from 0 in each region.
 #[derive(Debug)]
 pub(super) struct Dofs {
-    /// Triangles of the mesh, in ascending order.
+    /// Triangles of the mesh: in ascending order or, where they are refined, the one that each is a part of.
     pub(super) triangles: Vec<u32>,
     /// The unknowns of each of them, at corners 0, 1, 2 and in the middle of edges 01, 12, 20.
     pub(super) of_triangle: Vec<[u32; 6]>,
-    /// The sides of curves that bound the region, and the unknowns at their start, middle and end.
-    pub(super) sides: Vec<(SideId, [u32; 3])>,
+    /// The sides of curves that bound the region.
+    pub(super) sides: Vec<Side>,
     /// The gaps that it has a part in, open or closed, in ascending order.
     pub(super) gaps: Vec<u32>,
     /// Number of unknowns at corners; they are numbered first.
     pub(super) corner_count: usize,
     /// Number of unknowns.
     pub(super) count: usize,
+}
+
+/// A side of a curve, or a part of one.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Side {
+    pub(super) id: SideId,
+    /// Where the part starts and ends, from 0 at the start of the side to 1.
+    pub(super) part: [f64; 2],
+    /// The unknowns at its start, middle and end.
+    pub(super) dofs: [u32; 3],
 }
 
 /// Numbers the unknowns of all regions of a set of triangles, which is made of whole regions and ascends.
@@ -41,7 +51,7 @@ pub(super) fn number(barriers: Barriers<'_>, triangles: &[u32]) -> Vec<Dofs> {
 impl Dofs {
     /// Renumbers the unknowns: what was `i` becomes `rank[i]`; corners no longer come first.
     pub(super) fn renumber(&mut self, rank: &[u32]) {
-        let of_sides = self.sides.iter_mut().flat_map(|(_, dofs)| dofs);
+        let of_sides = self.sides.iter_mut().flat_map(|side| &mut side.dofs);
         for dof in self.of_triangle.iter_mut().flatten().chain(of_sides) {
             *dof = rank[*dof as usize];
         }
@@ -91,9 +101,16 @@ impl Numbers<'_> {
         }
     }
 
-    fn sides(&mut self, triangles: &[u32]) -> Vec<(SideId, [u32; 3])> {
-        let sides = half_edges(triangles).filter_map(|h| self.barriers.mesh.side(h).map(|side| (side, h)));
-        sides.map(|(side, h)| (side, [*self.corner(h), *self.middle(h), *self.corner(h.next())])).collect()
+    fn sides(&mut self, triangles: &[u32]) -> Vec<Side> {
+        let sides = half_edges(triangles).filter_map(|h| self.barriers.mesh.side(h).map(|id| (id, h)));
+        let whole = [0.0, 1.0];
+        sides
+            .map(|(id, h)| Side {
+                id,
+                part: whole,
+                dofs: [*self.corner(h), *self.middle(h), *self.corner(h.next())],
+            })
+            .collect()
     }
 
     fn corner(&mut self, h: HalfEdge) -> &mut u32 {

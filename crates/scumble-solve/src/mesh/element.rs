@@ -1,4 +1,4 @@
-//! The quadratic element for Laplace's equation on a straight triangle.
+//! The quadratic element for Laplace's equation, and for what sources add to it, on a straight triangle.
 //!
 //! Its stiffness matrix depends on the three cotangents alone. With `w` half the cotangent of the angle opposite
 //! an edge, two ends of the edge are coupled by `w / 3`, an end and the middle by `−4 w / 3`, and the middles of
@@ -39,6 +39,44 @@ pub(super) fn couplings(weights: [f64; 3]) -> [(usize, usize, f64); 12] {
     couplings
 }
 
+/// A matrix for the six unknowns of a triangle, by row and column.
+pub(super) type Matrix = [[f64; 6]; 6];
+
+/// Points of a rule that is exact up to the fifth degree (J. Radon, 1948): barycentric coordinates, and the part of the
+/// area that each stands for. Two of the coordinates are equal.
+fn quadrature() -> [([f64; 3], f64); 7] {
+    let root = 15_f64.sqrt();
+    let triple = |s: f64| {
+        let (a, weight) = ((6.0 + s * root) / 21.0, (155.0 + s * root) / 1200.0);
+        let b = 1.0 - 2.0 * a;
+        [([b, a, a], weight), ([a, b, a], weight), ([a, a, b], weight)]
+    };
+    let ([a, b, c], [d, e, f]) = (triple(1.0), triple(-1.0));
+    [([1.0 / 3.0; 3], 9.0 / 40.0), a, b, c, d, e, f]
+}
+
+/// The integral of products of two of the six functions, times a factor that depends on the place.
+pub(super) fn mass(corners: [Point; 3], factor: &dyn Fn(Point) -> f64) -> Matrix {
+    let [a, b, c] = corners.map(Point::to_vec2);
+    let area = 0.5 * (b - a).cross(c - a);
+    let mut mass = [[0.0; 6]; 6];
+    for (weights, part) in quadrature() {
+        let [u, v, w] = weights;
+        let scale = part * area * factor((u * a + v * b + w * c).to_point());
+        let shape = shape(weights);
+        for (row, at_row) in mass.iter_mut().zip(shape) {
+            row.iter_mut().zip(shape).for_each(|(entry, at_column)| *entry += scale * at_row * at_column);
+        }
+    }
+    mass
+}
+
+/// The six functions at a place: each is one at its own node and zero at the others.
+fn shape([u, v, w]: [f64; 3]) -> [f64; 6] {
+    let corner = |t: f64| t * (2.0 * t - 1.0);
+    [corner(u), corner(v), corner(w), 4.0 * u * v, 4.0 * v * w, 4.0 * w * u]
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -69,6 +107,24 @@ mod tests {
         ] {
             assert!((energy(corners, f) - exact).abs() < 1e-12, "{} {exact}", energy(corners, f));
         }
+    }
+
+    #[test]
+    fn products_of_quadratics_are_integrated_exactly() {
+        let corners = [Point::new(0.0, 0.0), Point::new(2.0, 0.0), Point::new(0.0, 1.0)];
+        let nodes = [(0.0, 0.0), (2.0, 0.0), (0.0, 1.0), (1.0, 0.0), (1.0, 0.5), (0.0, 0.5)].map(Point::from);
+        let integral = |f: fn(Point) -> f64, factor: f64| {
+            let (mass, values) = (mass(corners, &|_| factor), nodes.map(f));
+            let rows = mass
+                .iter()
+                .zip(values)
+                .map(|(row, v)| v * row.iter().zip(values).map(|(m, w)| m * w).sum::<f64>());
+            rows.sum::<f64>()
+        };
+        assert!((integral(|_| 1.0, 3.0) - 3.0).abs() < 1e-14);
+        assert!((integral(|p| p.x, 1.0) - 2.0 / 3.0).abs() < 1e-14);
+        assert!((integral(|p| p.x * p.x, 1.0) - 32.0 / 30.0).abs() < 1e-14);
+        assert!((integral(|p| p.x * p.y, 1.0) - 4.0 / 90.0).abs() < 1e-14);
     }
 
     #[test]

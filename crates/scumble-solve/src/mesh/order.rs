@@ -9,30 +9,31 @@ use faer::dyn_stack::{MemBuffer, MemStack};
 use faer::sparse::SymbolicSparseColMatRef;
 use faer::sparse::linalg::amd;
 
-use scumble_core::sort;
-
 use super::SolveError;
 use super::dofs::Dofs;
 
 /// The place of each unknown in the order of elimination.
 pub(super) fn elimination_rank(dofs: &Dofs) -> Result<Vec<u32>, SolveError> {
     let corner_rank = corner_rank(dofs)?;
-    let mut keys: Vec<_> = (0..dofs.count as u32).map(|dof| (u64::MAX, dof)).collect();
-    for (key, &rank) in keys.iter_mut().zip(&corner_rank) {
-        key.0 = sort::pair([rank, u32::MAX]);
-    }
+    let mut group_of = corner_rank.clone();
+    group_of.resize(dofs.count, 0);
     for dofs in &dofs.of_triangle {
         for i in 0..3 {
             let ends = [dofs[i], dofs[(i + 1) % 3]].map(|corner| corner_rank[corner as usize]);
-            keys[dofs[3 + i] as usize].0 = sort::pair([ends[0].min(ends[1]), ends[0].max(ends[1])]);
+            group_of[dofs[3 + i] as usize] = ends[0].min(ends[1]);
         }
     }
-    sort::sort(&mut keys);
-    let mut rank = vec![0; dofs.count];
-    for (place, (_, dof)) in (0..).zip(keys) {
-        rank[dof as usize] = place;
+    let mut ends = vec![0; dofs.corner_count];
+    group_of.iter().for_each(|&group| ends[group as usize] += 1);
+    for group in 1..dofs.corner_count {
+        ends[group] += ends[group - 1];
     }
-    Ok(rank)
+    // From the end of each group on: corners come first among the unknowns, so they are last in their groups.
+    let place = |&group: &u32| {
+        ends[group as usize] -= 1;
+        ends[group as usize]
+    };
+    Ok(group_of.iter().map(place).collect())
 }
 
 /// The place of each corner in an order of the corners alone.

@@ -1,25 +1,26 @@
 //! One region: its coloured sides, its system, and the values of its unknowns.
 
-use scumble_core::{BlendColor, HalfEdge, SideColors, Triangulation};
+use std::mem;
+
+use scumble_core::{BlendColor, HalfEdge, SideColors, SideId, SoftSource, Triangulation};
 
 use super::SolveError;
 use super::barriers::Barriers;
-use super::dofs::Dofs;
-use super::order::elimination_rank;
-use super::system::System;
+use super::dofs::{Dofs, Side};
+use super::elements::Elements;
 use crate::field::FieldTriangle;
 
 /// A region and what is known about it so far.
 #[derive(Debug)]
 pub(super) struct Region {
-    dofs: Dofs,
-    /// Whether the unknowns are in the order of elimination.
-    is_ordered: bool,
+    base: Elements,
+    /// Where sources shade it: them, and the elements that they need.
+    shaded: Option<(Vec<SoftSource>, Elements)>,
     /// The colours of its sides, as of the last look at them.
     given: Vec<Option<[BlendColor; 3]>>,
+    /// Whether no side is coloured, as of the same look.
+    is_paper: bool,
     coloring: Coloring,
-    /// The last system, and which sides were coloured then; `None` also where it does not fit into memory.
-    system: Option<(Vec<bool>, System)>,
     /// The colour of each unknown, where the region is neither paper nor flat.
     values: Vec<[f32; 4]>,
     is_solved: bool,
@@ -28,7 +29,7 @@ pub(super) struct Region {
 /// How much there is to solve.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Coloring {
-    /// No side has a colour, or all are clear.
+    /// Nothing gives it a colour, or all is clear.
     Paper,
     /// All given colours are the same.
     Flat(BlendColor),
@@ -38,74 +39,94 @@ enum Coloring {
 
 impl Region {
     pub(super) fn new(dofs: Dofs) -> Self {
-        let given = vec![None; dofs.sides.len()];
         Self {
-            dofs,
-            is_ordered: false,
-            given,
+            given: vec![None; dofs.sides.len()],
+            is_paper: true,
+            base: Elements::new(dofs),
+            shaded: None,
             coloring: Coloring::Paper,
-            system: None,
             values: Vec::new(),
             is_solved: false,
         }
     }
 
-    /// Its triangles, in ascending order; one at least.
+    /// Its triangles in the mesh, in ascending order; one at least.
     pub(super) fn triangles(&self) -> &[u32] {
-        &self.dofs.triangles
+        &self.base.dofs.triangles
     }
 
     /// Whether it has a part in one of the gaps that are marked.
     pub(super) fn touches(&self, is_marked: &[bool]) -> bool {
-        self.dofs.gaps.iter().any(|&gap| is_marked.get(gap as usize).copied().unwrap_or(false))
+        self.base.dofs.gaps.iter().any(|&gap| is_marked.get(gap as usize).copied().unwrap_or(false))
     }
 
     pub(super) fn unknown_count(&self) -> usize {
-        self.dofs.count
+        self.elements().dofs.count
     }
 
     #[cfg(test)]
     pub(super) fn is_factored(&self) -> bool {
-        self.system.as_ref().is_some_and(|(_, system)| system.is_factored())
+        self.elements().system().is_some_and(super::system::System::is_factored)
     }
 
-    /// Takes in the colours; sets up the system if it is needed and the set of coloured sides is another one.
-    pub(super) fn analyse(&mut self, mesh: &Triangulation, colors: &SideColors) {
-        let sides = self.dofs.sides.iter();
-        let given: Vec<_> = sides.map(|(side, _)| colors.get(side.index()).copied().flatten()).collect();
+    fn elements(&self) -> &Elements {
+        self.shaded.as_ref().map_or(&self.base, |(_, elements)| elements)
+    }
+
+    fn sources(&self) -> &[SoftSource] {
+        self.shaded.as_ref().map_or(&[], |(sources, _)| sources)
+    }
+
+    /// Takes in the colours and the sources that shade it; sets up the system if it is needed and is not that of
+    /// the last time.
+    pub(super) fn analyse(&mut self, mesh: &Triangulation, colors: &SideColors, sources: Vec<SoftSource>) {
+        let is_paper = given(&self.base.dofs.sides, colors).iter().all(Option::is_none);
+        self.shade(mesh, sources, is_paper);
+        let given = given(&self.elements().dofs.sides, colors);
         if given != self.given {
             self.given = given;
-            self.coloring = coloring(&self.given);
             self.is_solved = false;
         }
-        let is_colored = || self.given.iter().map(Option::is_some);
-        if self.coloring == Coloring::Blended
-            && self.system.as_ref().is_none_or(|(sides, _)| !is_colored().eq(sides.iter().copied()))
-        {
-            let sides = is_colored().collect();
-            self.system = self.new_system(mesh).ok().map(|system| (sides, system));
+        if !self.is_solved {
+            self.coloring = coloring(self.colors());
+        }
+        if self.coloring == Coloring::Blended {
+            let is_colored: Vec<_> = self.given.iter().map(Option::is_some).collect();
+            let elements = self.shaded.as_mut().map_or(&mut self.base, |(_, elements)| elements);
+            elements.analyse(mesh, &is_colored);
+        }
+    }
+
+    fn shade(&mut self, mesh: &Triangulation, sources: Vec<SoftSource>, is_paper: bool) {
+        let was_paper = mem::replace(&mut self.is_paper, is_paper);
+        let is_same = is_paper == was_paper || sources.is_empty();
+        if self.sources() == sources && is_same {
+            return;
+        }
+        self.is_solved = false;
+        match &mut self.shaded {
+            Some((known, _)) if are_recolored(known, &sources) && is_same => *known = sources,
+            _ if sources.is_empty() => self.shaded = None,
+            _ => {
+                let elements = Elements::shaded(mesh, &self.base.dofs, &sources, is_paper);
+                self.shaded = Some((sources, elements));
+            }
         }
     }
 
     /// Factors the system if one is needed and not factored yet.
     pub(super) fn factor(&mut self) -> Result<(), SolveError> {
-        match (self.coloring, &mut self.system) {
-            (Coloring::Blended, Some((_, system))) => system.factor(),
-            (Coloring::Blended, None) => Err(SolveError::TooLarge),
-            _ => Ok(()),
-        }
+        let elements = self.shaded.as_mut().map_or(&mut self.base, |(_, elements)| elements);
+        if self.coloring == Coloring::Blended { elements.factor() } else { Ok(()) }
     }
 
     /// Computes the values if the colours changed, and says whether they did. The system is factored.
-    ///
-    /// A channel of one value is not solved for: in opaque regions the opacity costs nothing.
     pub(super) fn solve(&mut self) -> bool {
         let changed = !self.is_solved;
-        if let (true, Coloring::Blended, Some((_, system))) = (changed, self.coloring, &self.system) {
+        if let (true, Coloring::Blended, Some(system)) = (changed, self.coloring, self.elements().system()) {
             let mut values = self.fixed_values();
             let [least, most] = self.range();
-            let channels: Vec<_> = (0..4).filter(|&i| least[i] != most[i]).collect();
-            system.solve(&mut values, &channels);
+            system.solve(&mut values, &mut self.elements().loads(self.sources()));
             let clamp = |value: BlendColor| [0, 1, 2, 3].map(|i| value[i].max(least[i]).min(most[i]) as f32);
             self.values = values.into_iter().map(clamp).collect();
         }
@@ -115,62 +136,87 @@ impl Region {
 
     /// Adds the triangles of a coloured region.
     pub(super) fn emit(&self, barriers: Barriers<'_>, triangles: &mut Vec<FieldTriangle>) {
-        let color = |dof: u32| self.values[dof as usize];
+        if self.coloring == Coloring::Paper {
+            return;
+        }
         let colors = |dofs: &[u32; 6]| match self.coloring {
             Coloring::Flat(color) => [color.map(|c| c as f32); 6],
-            _ => dofs.map(color),
+            _ => dofs.map(|dof| self.values[dof as usize]),
         };
-        if self.coloring != Coloring::Paper {
-            let pairs = self.dofs.triangles.iter().zip(&self.dofs.of_triangle);
-            triangles.extend(pairs.map(|(&t, dofs)| field_triangle(barriers, t as usize, colors(dofs))));
-        }
-    }
-
-    fn new_system(&mut self, mesh: &Triangulation) -> Result<System, SolveError> {
-        if !self.is_ordered {
-            self.dofs.renumber(&elimination_rank(&self.dofs)?);
-            self.is_ordered = true;
-        }
-        System::new(mesh, &self.dofs, &self.fixed())
+        let elements = self.elements();
+        let dofs = &elements.dofs;
+        triangles.extend(dofs.triangles.iter().zip(&dofs.of_triangle).enumerate().map(
+            |(i, (&t, of_triangle))| FieldTriangle {
+                corners: elements.corners(barriers.mesh, i).map(|p| [p.x as f32, p.y as f32]),
+                colors: colors(of_triangle),
+                side_edges: elements.side_edges(i).unwrap_or_else(|| side_edges(barriers, t as usize)),
+            },
+        ));
     }
 
     /// The unknowns of the coloured sides, with their colours.
     fn conditions(&self) -> impl Iterator<Item = (usize, BlendColor)> {
-        let sides = self.dofs.sides.iter().zip(&self.given);
-        sides.flat_map(|((_, dofs), given)| {
-            given.iter().flat_map(|colors| dofs.iter().map(|&dof| dof as usize).zip(*colors))
+        let sides = self.elements().dofs.sides.iter().zip(&self.given);
+        sides.flat_map(|(side, given)| {
+            given.iter().flat_map(|colors| side.dofs.iter().map(|&dof| dof as usize).zip(*colors))
         })
-    }
-
-    fn fixed(&self) -> Vec<bool> {
-        let mut fixed = vec![false; self.dofs.count];
-        self.conditions().for_each(|(dof, _)| fixed[dof] = true);
-        fixed
     }
 
     /// The values of the fixed unknowns: the mean, where two sides meet with different colours.
     fn fixed_values(&self) -> Vec<BlendColor> {
-        let mut values = vec![None; self.dofs.count];
+        let mut values = vec![None; self.elements().dofs.count];
         for (dof, color) in self.conditions() {
             values[dof] = Some(values[dof].map_or(color, |other| mean(other, color)));
         }
         values.into_iter().map(Option::unwrap_or_default).collect()
     }
 
+    /// The colours that are given: by sides, by sources, and by the paper where these are on it.
+    fn colors(&self) -> impl Iterator<Item = BlendColor> {
+        let paper = (self.is_paper && self.shaded.is_some()).then_some([0.0; 4]);
+        let sources = self.sources().iter().map(|source| source.color);
+        self.given.iter().flatten().flatten().copied().chain(sources).chain(paper)
+    }
+
     /// The least and the greatest value given, channel by channel.
     fn range(&self) -> [BlendColor; 2] {
         let start = [[f64::INFINITY; 4], [f64::NEG_INFINITY; 4]];
-        self.conditions().fold(start, |[least, most], (_, color)| {
+        self.colors().fold(start, |[least, most], color| {
             [[0, 1, 2, 3].map(|i| color[i].min(least[i])), [0, 1, 2, 3].map(|i| color[i].max(most[i]))]
         })
     }
 }
 
-fn coloring(given: &[Option<[BlendColor; 3]>]) -> Coloring {
-    let mut colors = given.iter().flatten().flatten();
+fn given(sides: &[Side], colors: &SideColors) -> Vec<Option<[BlendColor; 3]>> {
+    let color = |id: SideId| colors.get(id.index()).copied().flatten();
+    sides.iter().map(|side| color(side.id).map(|colors| colors_of_part(colors, side.part))).collect()
+}
+
+/// The colours at the start, the middle and the end of a part of a side.
+fn colors_of_part(colors: [BlendColor; 3], part: [f64; 2]) -> [BlendColor; 3] {
+    if part == [0.0, 1.0] {
+        return colors;
+    }
+    [part[0], 0.5 * (part[0] + part[1]), part[1]].map(|t| {
+        let weights = [(1.0 - t) * (1.0 - 2.0 * t), 4.0 * t * (1.0 - t), t * (2.0 * t - 1.0)];
+        [0, 1, 2, 3]
+            .map(|i| weights[0] * colors[0][i] + weights[1] * colors[1][i] + weights[2] * colors[2][i])
+    })
+}
+
+/// Whether sources differ in nothing but their colours.
+fn are_recolored(before: &[SoftSource], after: &[SoftSource]) -> bool {
+    before.len() == after.len()
+        && before.iter().zip(after).all(|(before, after)| {
+            let key = |source: &SoftSource| (source.radius_du, source.weight, source.crosses);
+            key(before) == key(after) && before.points == after.points
+        })
+}
+
+fn coloring(mut colors: impl Iterator<Item = BlendColor>) -> Coloring {
     match colors.next() {
         None => Coloring::Paper,
-        Some(&first) if colors.all(|&color| color == first) => {
+        Some(first) if colors.all(|color| color == first) => {
             if first == [0.0; 4] {
                 Coloring::Paper
             } else {
@@ -185,11 +231,7 @@ fn mean(a: BlendColor, b: BlendColor) -> BlendColor {
     [0, 1, 2, 3].map(|i| 0.5 * (a[i] + b[i]))
 }
 
-fn field_triangle(barriers: Barriers<'_>, t: usize, colors: [[f32; 4]; 6]) -> FieldTriangle {
-    let side_bit = |i: usize| u32::from(barriers.is_barrier(HalfEdge::of(t, i))) << i;
-    FieldTriangle {
-        corners: barriers.mesh.corners(t).map(|p| [p.x as f32, p.y as f32]),
-        colors,
-        side_edges: (0..3).map(side_bit).sum(),
-    }
+/// The edges of a triangle of the mesh that bound its region.
+fn side_edges(barriers: Barriers<'_>, t: usize) -> u32 {
+    (0..3).map(|i| u32::from(barriers.is_barrier(HalfEdge::of(t, i))) << i).sum()
 }

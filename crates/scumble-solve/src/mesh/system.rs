@@ -1,93 +1,106 @@
-//! The linear system of one region for one set of coloured sides: sparse Cholesky, one right-hand side a channel.
+//! The linear system of one region for one set of coloured sides.
 //!
 //! Unknowns on coloured sides are fixed and leave the system; what couples them to the others goes to the right-
-//! hand side. The rest keeps the region's order of elimination, so the matrix needs no permutation.
+//! hand side. The rest keeps the region's order of elimination.
 
-use faer::dyn_stack::{MemBuffer, MemStack};
-use faer::linalg::cholesky::llt::factor::LltRegularization;
-use faer::sparse::linalg::cholesky::simplicial::{self, SimplicialLltRef, SymbolicSimplicialCholesky};
-use faer::sparse::{SparseColMatRef, SymbolicSparseColMatRef};
-use faer::{Conj, MatMut, Par};
-use scumble_core::{BlendColor, Triangulation};
+use kurbo::Point;
+use scumble_core::BlendColor;
 
 use super::SolveError;
-use super::dofs::Dofs;
-use super::element;
+use super::cholesky::Factor;
+use super::element::{self, Matrix};
+use super::fronts::{Fronts, NONE};
 
-/// Row of an unknown that is fixed.
-const FIXED: u32 = u32::MAX;
-
-/// Where a part of the region hangs on the rest by triangles without area alone, the last pivot of that part is zero
-/// but for rounding. Pivots up to this are taken as one, so that the part gets some value within the range.
-const LEAST_PIVOT: f64 = 1e-12;
-
-/// Largest number of entries of a factor: what signed 32-bit indices reach.
-const MAX_ENTRIES: u64 = i32::MAX as u64;
+/// What one element adds to the matrix.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Element<'a> {
+    pub(super) corners: [Point; 3],
+    /// Its unknowns at corners 0, 1, 2 and in the middle of edges 01, 12, 20.
+    pub(super) dofs: [u32; 6],
+    /// What sources add.
+    pub(super) mass: Option<&'a Matrix>,
+}
 
 /// A system, analysed; and factored once its factor is asked for.
 #[derive(Debug)]
 pub(super) struct System {
-    /// The row of each unknown of the region, or [`FIXED`].
+    /// The row of each unknown of the region, or [`NONE`] where it is fixed.
     row_of: Vec<u32>,
-    matrix: Upper,
     /// A row, a fixed unknown, and the entry between them.
     couplings: Vec<(u32, u32, f64)>,
-    symbolic: SymbolicSimplicialCholesky<u32>,
-    /// Values of the factor; empty until it is computed.
-    factor: Vec<f64>,
+    fronts: Fronts,
+    /// The rows of each element and its matrix; none once they are factored.
+    rows: Vec<[u32; 6]>,
+    matrices: Vec<Matrix>,
+    factor: Option<Factor>,
 }
 
 impl System {
     /// Sets up the matrix and finds the pattern of its factor.
-    pub(super) fn new(mesh: &Triangulation, dofs: &Dofs, fixed: &[bool]) -> Result<Self, SolveError> {
+    pub(super) fn new<'a>(elements: &mut dyn Iterator<Item = Element<'a>>, fixed: &[bool]) -> Self {
         let row_of = rows(fixed);
-        let size = fixed.iter().filter(|&&fixed| !fixed).count();
-        let (matrix, couplings) = assemble(mesh, dofs, &row_of, size);
-        let symbolic = matrix.analyse()?;
-        Ok(Self { row_of, matrix, couplings, symbolic, factor: Vec::new() })
+        let count = elements.size_hint().0;
+        let (mut rows, mut matrices) = (Vec::with_capacity(count), Vec::with_capacity(count));
+        let mut couplings = Vec::new();
+        let mut is_corner = vec![false; fixed.len()];
+        for element in elements {
+            element.dofs[..3].iter().for_each(|&corner| is_corner[corner as usize] = true);
+            let matrix = matrix(&element);
+            let of_element = element.dofs.map(|dof| row_of[dof as usize]);
+            couple(&element.dofs, &of_element, &matrix, &mut couplings);
+            rows.push(of_element);
+            matrices.push(matrix);
+        }
+        let fronts = Fronts::new(&rows, &group_ends(&row_of, &is_corner));
+        Self { row_of, couplings, fronts, rows, matrices, factor: None }
     }
 
     #[cfg(test)]
     pub(super) fn is_factored(&self) -> bool {
-        !self.factor.is_empty()
+        self.factor.is_some()
     }
 
     /// Computes the factor if that is not done yet.
     pub(super) fn factor(&mut self) -> Result<(), SolveError> {
-        if self.factor.is_empty() {
-            self.factor = self.matrix.factor(&self.symbolic)?;
+        if self.factor.is_none() {
+            self.factor = Some(Factor::new(&self.fronts, &self.rows, &self.matrices)?);
+            (self.rows, self.matrices) = (Vec::new(), Vec::new());
         }
         Ok(())
     }
 
-    /// Computes some channels of the free values of a factored system from the fixed ones.
-    pub(super) fn solve(&self, values: &mut [BlendColor], channels: &[usize]) {
-        let size = self.matrix.size();
-        let mut columns = vec![0.0; channels.len() * size];
+    /// Computes the free values of a factored system from the fixed ones and from loads on unknowns.
+    pub(super) fn solve(
+        &self,
+        values: &mut [BlendColor],
+        loads: &mut dyn Iterator<Item = (u32, BlendColor)>,
+    ) {
+        let Some(factor) = &self.factor else { return };
+        let mut sums = vec![[0.0; 4]; self.fronts.row_count()];
         for &(row, fixed, entry) in &self.couplings {
-            for (i, &channel) in channels.iter().enumerate() {
-                columns[i * size + row as usize] -= entry * values[fixed as usize][channel];
+            add(&mut sums[row as usize], -entry, values[fixed as usize]);
+        }
+        for (dof, load) in loads {
+            if let Some(sum) = sums.get_mut(self.row_of[dof as usize] as usize) {
+                add(sum, 1.0, load);
             }
         }
-        SimplicialLltRef::new(&self.symbolic, &self.factor).solve_in_place_with_conj(
-            Conj::No,
-            MatMut::from_column_major_slice_mut(&mut columns, size, channels.len()),
-            Par::Seq,
-            MemStack::new(&mut []),
-        );
-        for (value, &row) in values.iter_mut().zip(&self.row_of).filter(|(_, row)| **row != FIXED) {
-            for (i, &channel) in channels.iter().enumerate() {
-                value[channel] = columns[i * size + row as usize];
-            }
+        factor.solve(&self.fronts, &mut sums);
+        for (value, &row) in values.iter_mut().zip(&self.row_of).filter(|(_, row)| **row != NONE) {
+            *value = sums[row as usize];
         }
     }
+}
+
+fn add(sum: &mut BlendColor, factor: f64, color: BlendColor) {
+    sum.iter_mut().zip(color).for_each(|(sum, value)| *sum += factor * value);
 }
 
 fn rows(fixed: &[bool]) -> Vec<u32> {
     let mut next = 0;
     let row = |&fixed: &bool| {
         if fixed {
-            return FIXED;
+            return NONE;
         }
         next += 1;
         next - 1
@@ -95,100 +108,34 @@ fn rows(fixed: &[bool]) -> Vec<u32> {
     fixed.iter().map(row).collect()
 }
 
-/// The upper triangle of a symmetric matrix, column by column. Rows are in no order, and entries of the same row
-/// and column add up: the simplicial routines scatter a column before they use it.
-#[derive(Debug)]
-struct Upper {
-    column_starts: Vec<u32>,
-    rows: Vec<u32>,
-    entries: Vec<f64>,
+/// Where the rows of a corner and of the edges before it end.
+fn group_ends(row_of: &[u32], is_corner: &[bool]) -> Vec<u32> {
+    let (mut ends, mut end) = (Vec::new(), 0);
+    for (row, is_corner) in row_of.iter().zip(is_corner) {
+        end += u32::from(*row != NONE);
+        if *is_corner && *ends.last().unwrap_or(&0) != end {
+            ends.push(end);
+        }
+    }
+    ends
 }
 
-impl Upper {
-    /// Puts triplets of row, column, entry into columns.
-    fn new(size: usize, triplets: &[(u32, u32, f64)]) -> Self {
-        let mut column_starts = vec![0; size + 1];
-        for &(_, column, _) in triplets {
-            column_starts[column as usize + 1] += 1;
-        }
-        for column in 0..size {
-            column_starts[column + 1] += column_starts[column];
-        }
-        let mut next = column_starts.clone();
-        let (mut rows, mut entries) = (vec![0; triplets.len()], vec![0.0; triplets.len()]);
-        for &(row, column, entry) in triplets {
-            let place = &mut next[column as usize];
-            (rows[*place as usize], entries[*place as usize]) = (row, entry);
-            *place += 1;
-        }
-        Self { column_starts, rows, entries }
+fn matrix(element: &Element<'_>) -> Matrix {
+    let mut matrix = element.mass.copied().unwrap_or_default();
+    let weights = element::weights(element.corners);
+    (0..6).zip(element::diagonal(weights)).for_each(|(i, entry)| matrix[i][i] += entry);
+    for (i, j, entry) in element::couplings(weights) {
+        matrix[i][j] += entry;
+        matrix[j][i] += entry;
     }
-
-    fn size(&self) -> usize {
-        self.column_starts.len() - 1
-    }
-
-    fn pattern(&self) -> SymbolicSparseColMatRef<'_, u32> {
-        let size = self.size();
-        SymbolicSparseColMatRef::new_unsorted_checked(size, size, &self.column_starts, None, &self.rows)
-    }
-
-    fn analyse(&self) -> Result<SymbolicSimplicialCholesky<u32>, SolveError> {
-        let size = self.size();
-        let scratch = simplicial::prefactorize_symbolic_cholesky_scratch::<u32>(size, self.rows.len())
-            .or(simplicial::factorize_simplicial_symbolic_cholesky_scratch::<u32>(size));
-        let mut memory = MemBuffer::try_new(scratch).map_err(|_| SolveError::TooLarge)?;
-        let stack = MemStack::new(&mut memory);
-        let (mut tree, mut counts) = (vec![0; size], vec![0; size]);
-        let tree = simplicial::prefactorize_symbolic_cholesky(&mut tree, &mut counts, self.pattern(), stack);
-        if counts.iter().map(|&count| u64::from(count)).sum::<u64>() > MAX_ENTRIES {
-            return Err(SolveError::TooLarge);
-        }
-        simplicial::factorize_simplicial_symbolic_cholesky(self.pattern(), tree, &counts, stack)
-            .map_err(|_| SolveError::TooLarge)
-    }
-
-    fn factor(&self, symbolic: &SymbolicSimplicialCholesky<u32>) -> Result<Vec<f64>, SolveError> {
-        let scratch = simplicial::factorize_simplicial_numeric_llt_scratch::<u32, f64>(self.size());
-        let mut memory = MemBuffer::try_new(scratch).map_err(|_| SolveError::TooLarge)?;
-        let mut factor = Vec::new();
-        factor.try_reserve_exact(symbolic.len_val()).map_err(|_| SolveError::TooLarge)?;
-        factor.resize(symbolic.len_val(), 0.0);
-        simplicial::factorize_simplicial_numeric_llt(
-            &mut factor,
-            SparseColMatRef::new(self.pattern(), &self.entries),
-            LltRegularization {
-                dynamic_regularization_delta: 1.0,
-                dynamic_regularization_epsilon: LEAST_PIVOT,
-            },
-            symbolic,
-            MemStack::new(&mut memory),
-        )
-        .map_err(|_| SolveError::NotPositive)?;
-        Ok(factor)
-    }
+    matrix
 }
 
-/// The matrix of the free unknowns, and the entries between them and the fixed ones.
-fn assemble(mesh: &Triangulation, dofs: &Dofs, row_of: &[u32], size: usize) -> (Upper, Vec<(u32, u32, f64)>) {
-    let mut diagonal = vec![0.0; size];
-    let (mut triplets, mut to_fixed) = (Vec::with_capacity(12 * dofs.triangles.len()), Vec::new());
-    for (&t, dofs) in dofs.triangles.iter().zip(&dofs.of_triangle) {
-        let weights = element::weights(mesh.corners(t as usize));
-        let rows = dofs.map(|dof| row_of[dof as usize]);
-        for (row, entry) in rows.into_iter().zip(element::diagonal(weights)).filter(|(row, _)| *row != FIXED)
-        {
-            diagonal[row as usize] += entry;
-        }
-        for (i, j, entry) in element::couplings(weights) {
-            match (rows[i], rows[j]) {
-                (FIXED, FIXED) => {}
-                (FIXED, row) => to_fixed.push((row, dofs[i], entry)),
-                (row, FIXED) => to_fixed.push((row, dofs[j], entry)),
-                (a, b) => triplets.push((a.min(b), a.max(b), entry)),
-            }
+/// Collects the entries between free and fixed unknowns of an element.
+fn couple(dofs: &[u32; 6], rows: &[u32; 6], matrix: &Matrix, couplings: &mut Vec<(u32, u32, f64)>) {
+    for (&row, entries) in rows.iter().zip(matrix).filter(|(row, _)| **row != NONE) {
+        for ((&dof, _), &entry) in dofs.iter().zip(rows).zip(entries).filter(|((_, row), _)| **row == NONE) {
+            couplings.push((row, dof, entry));
         }
     }
-    triplets.extend((0..).zip(diagonal).map(|(row, entry)| (row, row, entry)));
-    (Upper::new(size, &triplets), to_fixed)
 }

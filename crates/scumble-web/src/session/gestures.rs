@@ -1,17 +1,42 @@
 //! What the pen does on the canvas: it scribbles, or erases scribbles.
 
-use kurbo::{Line, Point, Rect};
-use scumble_core::Scribble;
+use kurbo::{Affine, Line, Point, Rect, Vec2};
+use scumble_core::{Paint, Scribble, ScribbleKind, Srgb8};
+use scumble_solve::{Scene, View, paint};
 
 use super::Session;
+use crate::brush::{Brush, Ink};
 use crate::command::{Phase, Tool};
 use crate::effect::Effect;
+use crate::painting::PAPER;
 
 /// The eraser reaches this far, in CSS pixels.
 const ERASER_REACH_CSS: f64 = 5.0;
 
 /// A pen that stays this close to where it came down has clicked, not dragged, in CSS pixels.
 const CLICK_CSS: f64 = 4.0;
+
+/// Pixels of a du where the colour of a place is looked up.
+const CLOSE: f64 = 64.0;
+
+/// What a stroke is drawn with, from its beginning to its end.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Stroke {
+    brush: Brush,
+    /// The greatest pressure so far, in `0..=1`.
+    pressed: f64,
+}
+
+impl Stroke {
+    fn press(&mut self, samples: &[f32]) {
+        let pressures = samples.chunks_exact(3).map(|sample| f64::from(sample[2]));
+        self.pressed = pressures.fold(self.pressed, f64::max).min(1.0);
+    }
+
+    fn width_and_kind(&self) -> (f64, ScribbleKind) {
+        self.brush.pressed(self.pressed)
+    }
+}
 
 /// An eraser on its way.
 #[derive(Debug)]
@@ -25,9 +50,14 @@ pub(super) struct Eraser {
 impl Session {
     /// Takes one batch of pointer samples: x and y in CSS pixels from the canvas' corner, and pressure, in turn.
     ///
-    /// Samples that are not finite are left out. Pressure changes nothing: a scribble has one width.
+    /// Samples that are not finite are left out. Pressure is within `0..=1`, and 1 for what has none. A scribble has
+    /// one width and one strength: the greatest pressure counts.
     pub fn pointer(&mut self, phase: Phase, samples: &[f32]) {
         let points = self.points_du(samples);
+        if phase == Phase::Down {
+            self.stroke = Stroke { brush: self.brush, pressed: 0.0 };
+        }
+        self.stroke.press(samples);
         match (phase, self.tool) {
             (Phase::Down, Tool::Scribble) => self.begin_scribble(&points),
             (Phase::Down, Tool::Erase) | (Phase::Erase, _) => self.begin_erasing(&points),
@@ -45,7 +75,7 @@ impl Session {
 
     fn carry_on(&mut self, points: &[Point]) {
         if self.sheet.editor.is_scribbling() {
-            self.sheet.editor.extend_scribble(points);
+            self.extend_scribble(points);
             self.scribbles_changed();
         } else {
             self.erase_along(points);
@@ -71,15 +101,35 @@ impl Session {
     }
 
     fn begin_scribble(&mut self, points: &[Point]) {
-        if !points.is_empty() {
-            let points = points.to_vec();
-            self.sheet.editor.begin_scribble(Scribble { color: self.color, width_du: self.brush_du, points });
-            self.scribbles_changed();
-        }
+        let Some(&first) = points.first() else { return };
+        let color = match self.brush.ink() {
+            Ink::Paint(color) => color,
+            Ink::Tone(tone) => Paint::Color(tone.step(self.color_under(first))),
+        };
+        let (width_du, kind) = self.stroke.width_and_kind();
+        self.sheet.editor.begin_scribble(Scribble { color, kind, width_du, points: points.to_vec() });
+        self.scribbles_changed();
+    }
+
+    /// The colour of the picture at a place in du, under lines and scribbles.
+    fn color_under(&mut self, place: Point) -> Srgb8 {
+        self.refresh_field();
+        let middle_px = Vec2::new(0.5, 0.5);
+        let px_from_du =
+            Affine::translate(middle_px) * Affine::scale(CLOSE) * Affine::translate(-place.to_vec2());
+        let scene = Scene { paper: Some(PAPER), field: &self.field, shapes: &[] };
+        let pixel = paint(&scene, &View { px_from_du, width_px: 1, height_px: 1 });
+        pixel.rgba.first_chunk().map_or(PAPER, |&rgb| Srgb8(rgb))
+    }
+
+    fn extend_scribble(&mut self, points: &[Point]) {
+        let (width_du, kind) = self.stroke.width_and_kind();
+        self.sheet.editor.extend_scribble(points);
+        self.sheet.editor.press_scribble(width_du, kind);
     }
 
     fn end_scribble(&mut self, points: &[Point]) {
-        self.sheet.editor.extend_scribble(points);
+        self.extend_scribble(points);
         if !self.is_on_page() {
             return self.drop_scribble();
         }

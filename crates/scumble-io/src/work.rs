@@ -1,0 +1,136 @@
+//! What a file or a link keeps of somebody's work: the source of a picture, and nothing that can be derived from it.
+
+use kurbo::Rect;
+use scumble_core::drawing::LONGER_SIDE_DU;
+use scumble_core::{Document, Drawing, Paint, Scribble, Settings};
+
+/// Longest way of all scribbles together, in longer sides of the page: an hour and more of scribbling.
+pub(crate) const MAX_PAGES: u32 = 5000;
+
+/// A document, and what belongs to it without being part of the picture's lines and scribbles.
+#[derive(Clone, Debug)]
+pub struct Work {
+    /// Lines, scribbles and settings.
+    pub document: Document,
+    /// The file name of the sample that the lines are, unchanged. A link names it in place of the lines: what was read
+    /// from one has a page without curves, until the sample's drawing is put there.
+    pub sample: Option<String>,
+    /// The swatches of its palette.
+    pub palette: Vec<Paint>,
+    /// The colours that were set by hand.
+    pub color_points: Vec<ColorPoint>,
+    /// What a newer version wrote and this one does not know.
+    pub unknown: Unknown,
+}
+
+/// A colour that was set by hand at a place along one side of a curve.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ColorPoint {
+    /// Index of the curve.
+    pub curve: u32,
+    /// Whether it is to the left of the curve's direction, where y points down.
+    pub is_left: bool,
+    /// Way along the curve from its start, in du.
+    pub at_du: f64,
+    /// The colour, or nothing.
+    pub color: Paint,
+}
+
+/// Fields that this version does not know, kept as they were written for a version that does.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Unknown {
+    /// The minor version that wrote them.
+    pub(crate) minor: u32,
+    /// For each kind of item the fields of the items that have some, in order: the item's index, and its fields as
+    /// JSON, separated by commas.
+    pub(crate) fields: [Vec<(u32, String)>; Item::KINDS],
+}
+
+/// Kinds of items that may have fields. There is one work with one set of settings, of index 0.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Item {
+    Work,
+    Settings,
+    Curve,
+    Fill,
+    Scribble,
+    ColorPoint,
+}
+
+impl Item {
+    pub(crate) const KINDS: usize = 6;
+}
+
+impl Work {
+    /// A document alone.
+    pub fn new(document: Document) -> Self {
+        Self {
+            document,
+            sample: None,
+            palette: Vec::new(),
+            color_points: Vec::new(),
+            unknown: Unknown::default(),
+        }
+    }
+
+    /// Work without anything on a page of no account, to be filled by a reader.
+    pub(crate) fn blank() -> Self {
+        Self::new(Document::new(Drawing::new(Rect::new(0.0, 0.0, 1.0, 1.0))))
+    }
+
+    /// The same work with its scribbles and settings edited. Fields of a scribble that are not known go where its way
+    /// goes: they stay with it when it is recoloured or moved in the order.
+    pub fn edited(&self, scribbles: Vec<Scribble>, settings: Settings) -> Self {
+        let mut work = self.clone();
+        work.unknown.follow(&self.document.scribbles, &scribbles);
+        (work.document.scribbles, work.document.settings) = (scribbles, settings);
+        work
+    }
+}
+
+/// Whether scribbles are longer than a reader follows.
+pub(crate) fn are_too_long(scribbles: &[Scribble]) -> bool {
+    let length_du = |scribble: &Scribble| -> f64 {
+        scribble.points.windows(2).map(|ends| (ends[1] - ends[0]).hypot()).sum()
+    };
+    scribbles.iter().map(length_du).sum::<f64>() > f64::from(MAX_PAGES) * LONGER_SIDE_DU
+}
+
+/// Whether a name is a plain file name, which can lead nowhere but into the folder of samples.
+pub(crate) fn is_sample_name(name: &str) -> bool {
+    let is_plain = |b: u8| b.is_ascii_alphanumeric() || matches!(b, b'-' | b'_' | b'.');
+    (1..=64).contains(&name.len()) && !name.starts_with('.') && name.bytes().all(is_plain)
+}
+
+impl Unknown {
+    /// The unknown fields of an item, or nothing.
+    pub(crate) fn of(&self, item: Item, index: usize) -> &str {
+        let fields = &self.fields[item as usize];
+        let place = fields.binary_search_by_key(&index, |(index, _)| *index as usize);
+        place.map_or("", |place| &fields[place].1)
+    }
+
+    /// Keeps one more field of an item; items come in order.
+    pub(crate) fn keep(&mut self, item: Item, index: usize, field: &str) {
+        let fields = &mut self.fields[item as usize];
+        match fields.last_mut() {
+            Some((last, text)) if *last as usize == index => {
+                text.push(',');
+                text.push_str(field);
+            }
+            _ => fields.push((index as u32, field.to_owned())),
+        }
+    }
+
+    fn follow(&mut self, before: &[Scribble], after: &[Scribble]) {
+        let fields = std::mem::take(&mut self.fields[Item::Scribble as usize]);
+        for (index, scribble) in after.iter().enumerate() {
+            let is_its_own = |(index, _): &&(u32, String)| {
+                before.get(*index as usize).is_some_and(|before| before.points == scribble.points)
+            };
+            if let Some((_, text)) = fields.iter().find(is_its_own) {
+                self.keep(Item::Scribble, index, text);
+            }
+        }
+    }
+}

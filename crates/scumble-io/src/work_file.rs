@@ -1,0 +1,108 @@
+//! Work as a `.scumble` file: readable JSON, one line for each curve and scribble. `docs/format.md` tells what it says.
+//!
+//! Lengths are in du with three digits after the point. Fields that are not known are kept as they are.
+
+use std::borrow::Cow;
+
+use scumble_core::Document;
+
+use crate::MAX_FILE_BYTES;
+use crate::error::FileError;
+use crate::json::{Fault, Json};
+use crate::work::{MAX_PAGES, Work, are_too_long};
+use read::Reader;
+
+mod items;
+mod names;
+mod read;
+mod write;
+
+/// The version that is written. A file of a higher first number is refused.
+const VERSION: [u32; 2] = [1, 0];
+
+/// Steps of numbers in one, and of page coordinates.
+const PER_UNIT: u64 = 1000;
+const PAGE_PER_UNIT: u64 = 1_000_000_000;
+
+/// Most curves.
+const MAX_CURVES: usize = 100_000;
+
+/// The file that keeps some work.
+///
+/// # Errors
+/// When it could not be read again.
+pub fn write_file(work: &Work) -> Result<Vec<u8>, FileError> {
+    let Document { drawing, scribbles, .. } = &work.document;
+    if drawing.curves.len() > MAX_CURVES {
+        return Err(FileError::TooManyCurves);
+    }
+    if are_too_long(scribbles) {
+        return Err(FileError::TooLong { limit_pages: MAX_PAGES });
+    }
+    let text = write::written(work);
+    if text.len() > MAX_FILE_BYTES { Err(FileError::TooLarge) } else { Ok(text.into_bytes()) }
+}
+
+/// Reads the work that a file keeps.
+///
+/// # Errors
+/// When the bytes are no such file, or damaged, or of a newer version, or beyond the limits.
+pub fn read_file(bytes: &[u8]) -> Result<Work, FileError> {
+    if bytes.trim_ascii().is_empty() {
+        return Err(FileError::Empty);
+    }
+    if bytes.len() > MAX_FILE_BYTES {
+        return Err(FileError::TooLarge);
+    }
+    let text = str::from_utf8(bytes).map_err(|_| FileError::NotText)?;
+    let text = text.strip_prefix('\u{feff}').unwrap_or(text);
+    let damaged = |fault: Fault| {
+        if fault.expected == items::NO_MORE_CURVES {
+            return FileError::TooManyCurves;
+        }
+        let before = text.get(..fault.at).unwrap_or(text);
+        FileError::Damaged { line: 1 + before.matches('\n').count(), expected: fault.expected }
+    };
+    let minor = minor_version(text, damaged)?;
+    let work = Reader::read(text, minor).map_err(damaged)?;
+    if are_too_long(&work.document.scribbles) {
+        Err(FileError::TooLong { limit_pages: MAX_PAGES })
+    } else {
+        Ok(work)
+    }
+}
+
+/// The minor version of a file whose version can be read.
+fn minor_version(text: &str, damaged: impl Fn(Fault) -> FileError) -> Result<u32, FileError> {
+    let mut json = Json::new(text);
+    let [mut format, mut version] = [const { Cow::Borrowed("") }; 2];
+    let read = json.members(&mut |json, member| {
+        match &*member.name {
+            "format" => format = json.string()?,
+            "version" => version = json.string()?,
+            _ => json.skip()?,
+        }
+        Ok(())
+    });
+    if format != "scumble" {
+        return Err(FileError::NotWork);
+    }
+    let (major, minor) = version.split_once('.').unwrap_or((&version, "0"));
+    match (major.parse::<u32>(), minor.parse()) {
+        (Ok(1), Ok(minor)) => read.and_then(|()| json.end()).map(|()| minor).map_err(damaged),
+        (Ok(2..), _) => Err(FileError::Newer(version.chars().take(16).collect())),
+        _ => Err(FileError::NotWork),
+    }
+}
+
+/// Whether a text is one or more members of an object, and nothing else.
+pub(crate) fn are_members(text: &str) -> bool {
+    let text = ["{", text, "}"].concat();
+    let mut json = Json::new(&text);
+    let mut count = 0;
+    let read = json.members(&mut |json, _| {
+        count += 1;
+        json.skip()
+    });
+    read.and_then(|()| json.end()).is_ok() && count > 0
+}

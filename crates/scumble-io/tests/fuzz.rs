@@ -1,0 +1,177 @@
+//! Readers of foreign bytes, given damaged ones: no panic, no hang, and what is read can be kept and read again.
+//!
+//! `FUZZ_RUNS=10000000 cargo test --release -p scumble-io --test fuzz` goes on for longer. The seeds are the fixtures and
+//! the sample drawings; a run is told by its number, so that a finding can be had again with `FUZZ_FROM`.
+
+#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
+
+#[path = "made/dice.rs"]
+mod dice;
+
+use std::fs;
+use std::path::Path;
+
+use dice::Dice;
+use scumble_core::Document;
+use scumble_io::{Work, import_svg, read_file, read_link, read_scribbles, write_file, write_link};
+
+/// Runs of one target, and the number of the first one.
+fn runs(default: u64) -> std::ops::Range<u64> {
+    let number = |name| std::env::var(name).ok().and_then(|text: String| text.parse().ok());
+    let from = number("FUZZ_FROM").unwrap_or(0);
+    from..from + number("FUZZ_RUNS").unwrap_or(default)
+}
+
+fn seeds(folder: &str, ending: &str) -> Vec<Vec<u8>> {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join(folder);
+    let mut paths: Vec<_> = fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path()).collect();
+    paths.retain(|path| path.to_string_lossy().ends_with(ending));
+    paths.sort();
+    paths.iter().map(|path| fs::read(path).unwrap()).collect()
+}
+
+/// What parsers may stumble over.
+const WORDS: [&[u8]; 14] = [
+    b"[",
+    b"{",
+    b"\"",
+    b"\\u",
+    b"-",
+    b"1e308",
+    b"0.",
+    b"<",
+    b"</g>",
+    b"<use href=\"#a\"/>",
+    b"&#0;",
+    b"NaN",
+    b"\xff",
+    b"Z",
+];
+
+/// A seed with a few bytes changed, cut, doubled, or from another seed.
+fn damaged(seeds: &[Vec<u8>], dice: &mut Dice) -> Vec<u8> {
+    let mut bytes = seeds[dice.below(seeds.len())].clone();
+    for _ in 0..1 + dice.below(6) {
+        let at = dice.below(bytes.len());
+        let most = 1 << dice.below(10);
+        let end = bytes.len().min(at + dice.below(most));
+        match dice.below(7) {
+            0 => bytes[at] ^= 1 << dice.below(8),
+            1 => bytes[at] = dice.below(256) as u8,
+            2 => drop(bytes.drain(at..end)),
+            3 => drop(bytes.splice(at..at, WORDS[dice.below(WORDS.len())].iter().copied())),
+            4 => bytes.extend_from_within(at..end),
+            5 => drop(
+                bytes.splice(at..end, seeds[dice.below(seeds.len())].iter().copied().take(at).skip(at / 2)),
+            ),
+            _ => bytes[at..end].reverse(),
+        }
+        if bytes.is_empty() {
+            bytes.push(0);
+        }
+    }
+    bytes
+}
+
+/// What was read can be kept, and is the same when it is read again.
+fn check(work: &Work, run: u64) {
+    if let Ok(file) = write_file(work) {
+        let again = read_file(&file).unwrap_or_else(|error| panic!("run {run}: {error}"));
+        assert!(write_file(&again).as_deref() == Ok(&file), "run {run}");
+    }
+    if let Ok(link) = write_link(work) {
+        let again = read_link(&link.fragment).unwrap_or_else(|error| panic!("run {run}: {error}"));
+        assert!(write_link(&again).is_ok_and(|again| again.fragment == link.fragment), "run {run}");
+    }
+}
+
+const DIGITS: &[u8; 64] = b"ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789-_";
+
+/// The bytes of a link that stand for the work, without their checksum.
+fn unpacked(link: &str) -> Vec<u8> {
+    let digits =
+        link["#1.".len()..].bytes().map(|digit| DIGITS.iter().position(|known| *known == digit).unwrap());
+    let bits: Vec<_> = digits.flat_map(|digit| (0..6).rev().map(move |bit| digit >> bit & 1)).collect();
+    let bytes: Vec<_> =
+        bits.chunks_exact(8).map(|bits| bits.iter().fold(0, |byte, bit| byte << 1 | *bit as u8)).collect();
+    bytes[..bytes.len() - 4].to_vec()
+}
+
+/// A link with a checksum that is right, as somebody hostile would make it.
+fn packed(bytes: &[u8]) -> String {
+    let mut rest = !0_u32;
+    for byte in bytes {
+        rest ^= u32::from(*byte);
+        (0..8).for_each(|_| rest = (rest >> 1) ^ (0xedb8_8320 * (rest & 1)));
+    }
+    let all = [bytes, &(!rest).to_be_bytes()].concat();
+    let mut bits: Vec<_> =
+        all.iter().flat_map(|byte| (0..8).rev().map(move |bit| usize::from(byte >> bit & 1))).collect();
+    bits.resize(bits.len().next_multiple_of(6), 0);
+    let digit = |bits: &[usize]| char::from(DIGITS[bits.iter().fold(0, |digit, bit| digit << 1 | bit)]);
+    ["#1.", &bits.chunks(6).map(digit).collect::<String>()].concat()
+}
+
+fn links() -> Vec<String> {
+    let links = include_str!("fixtures/v1.0/links.txt").lines();
+    links.map(|line| line.split_once(' ').unwrap().1.to_owned()).collect()
+}
+
+#[test]
+fn hostile_links() {
+    let seeds: Vec<_> = links().iter().map(|link| unpacked(link)).collect();
+    assert_eq!(packed(&seeds[0]), links()[0]);
+    let mut read = 0;
+    for run in runs(2000) {
+        let mut dice = Dice(run + 1);
+        if let Ok(work) = read_link(&packed(&damaged(&seeds, &mut dice))) {
+            read += 1;
+            check(&work, run);
+        }
+    }
+    assert!(read > 0, "the checksum was right, and some of them are work");
+}
+
+#[test]
+fn damaged_links() {
+    let seeds: Vec<_> = links().into_iter().map(String::into_bytes).collect();
+    for run in runs(20_000) {
+        let link = damaged(&seeds, &mut Dice(run + 1));
+        let link = String::from_utf8_lossy(&link);
+        let is_whole = links().iter().any(|whole| link.trim().ends_with(&**whole));
+        assert!(read_link(&link).is_err() || is_whole, "run {run}: {link}");
+    }
+}
+
+#[test]
+fn files() {
+    let seeds = seeds("tests/fixtures/v1.0", ".scumble");
+    for run in runs(2000) {
+        if let Ok(work) = read_file(&damaged(&seeds, &mut Dice(run + 1))) {
+            check(&work, run);
+        }
+    }
+}
+
+#[test]
+fn svg_drawings() {
+    let seeds = [seeds("../../web/samples", ".svg"), seeds("../../tests/e2e/drawings", ".svg")].concat();
+    for run in runs(500) {
+        if let Ok(import) = import_svg(&damaged(&seeds, &mut Dice(run + 1))) {
+            check(&Work::new(Document::new(import.drawing)), run);
+        }
+    }
+}
+
+#[test]
+fn scribbles() {
+    let seeds = [
+        br##"{"scribbles":[{"color":"#e6194b","width":1.5,"points":[[38,50],[46,54]]},{"color":"none","width":2,"points":[[9,9]]}]}"##.to_vec(),
+    ];
+    let drawing = scumble_core::Drawing::new(kurbo::Rect::new(0.0, 0.0, 64.0, 64.0));
+    for run in runs(5000) {
+        if let Ok(read) = read_scribbles(&damaged(&seeds, &mut Dice(run + 1)), &drawing) {
+            check(&Work::new(Document { scribbles: read.scribbles, ..Document::new(drawing.clone()) }), run);
+        }
+    }
+}

@@ -1,0 +1,209 @@
+//! Links: how long they are, and what becomes of those that are none, damaged, hostile or of another version.
+
+#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
+
+mod made;
+
+use std::path::Path;
+use std::{fs, iter};
+
+use kurbo::{Affine, BezPath, Point, Rect};
+use scumble_core::{Curve, Document, Drawing, Paint, Scribble};
+use scumble_io::{LinkError, MAX_LINK, Work, import_svg, read_link, read_scribbles, write_file, write_link};
+
+const LINKS: &str = include_str!("fixtures/v1.0/links.txt");
+
+fn links() -> impl Iterator<Item = &'static str> {
+    LINKS.lines().map(|line| line.split_once(' ').unwrap().1)
+}
+
+fn root() -> &'static Path {
+    Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../.."))
+}
+
+fn length(work: &Work) -> usize {
+    write_link(work).unwrap().fragment.len()
+}
+
+fn page() -> Drawing {
+    Drawing::new(Rect::new(0.0, 0.0, 72.0, 72.0))
+}
+
+#[test]
+fn sixty_scribbles_on_a_sample_take_at_most_4500_characters() {
+    for seed in 1..6 {
+        let scribbles = made::session(seed, 60);
+        let points: usize = scribbles.iter().map(|scribble| scribble.points.len()).sum();
+        assert!(points > 3000, "{points} points");
+        let mut work = Work::new(Document { scribbles, ..Document::new(page()) });
+        work.sample = Some("1F98B.svg".into());
+        let length = length(&work);
+        assert!(length <= 4500, "{length} characters for {points} points");
+    }
+}
+
+/// Our samples, again and again in the cells of a grid.
+#[test]
+fn a_drawing_of_1900_segments_takes_at_most_10700_characters() {
+    let samples = ["goldfish", "teapot-with-flowers"].map(|name| {
+        let svg = fs::read(root().join(format!("web/samples/{name}.svg"))).unwrap();
+        import_svg(&svg).unwrap().drawing.curves
+    });
+    let mut drawing = page();
+    for cell in 0..12 {
+        let at = Affine::translate((f64::from(cell % 4) * 256.0, f64::from(cell / 4) * 256.0));
+        for Curve { path, line } in &samples[cell as usize % 2] {
+            drawing.curves.push(Curve { path: at * Affine::scale(0.25) * path, line: line.clone() });
+        }
+    }
+    let segments: usize = drawing.curves.iter().map(|curve| curve.path.segments().count()).sum();
+    let length = length(&Work::new(Document::new(drawing)));
+    assert!(segments >= 1900 && length <= 10_700, "{length} characters for {segments} segments");
+}
+
+#[test]
+fn the_median_drawing_of_the_quality_set_takes_at_most_1200_characters() {
+    let set = root().join("../shared/quality/dev");
+    let Ok(entries) = fs::read_dir(&set) else {
+        println!("skipped: {} is not there", set.display());
+        return;
+    };
+    let folders = entries.map(|entry| entry.unwrap().path()).filter(|path| path.is_dir());
+    let mut lengths: Vec<_> = folders
+        .map(|folder| {
+            let drawing = import_svg(&fs::read(folder.join("drawing.svg")).unwrap()).unwrap().drawing;
+            let scribbles =
+                read_scribbles(&fs::read(folder.join("dense.json")).unwrap(), &drawing).unwrap().scribbles;
+            length(&Work::new(Document { scribbles, ..Document::new(drawing) }))
+        })
+        .collect();
+    lengths.sort();
+    assert!(lengths[lengths.len() / 2] <= 1200, "{lengths:?}");
+}
+
+#[test]
+fn a_link_is_found_behind_any_address() {
+    let link = links().next().unwrap();
+    let expected = write_file(&read_link(link).unwrap());
+    for before in ["https://example.org/scumble/", "  file:///a.html?b=c.d"] {
+        assert_eq!(write_file(&read_link(&format!("{before}{link}\n")).unwrap()), expected);
+    }
+}
+
+#[test]
+fn every_changed_character_is_an_error() {
+    for link in links() {
+        for at in 0..link.len() {
+            for other in ["A", "Z", "a", "0", "9", "-", "_", "#", ".", "=", " ", "%", "é"] {
+                let changed = [&link[..at], other, &link[at + 1..]].concat();
+                // White space around a link is none of it.
+                if changed != link && changed.trim() != link {
+                    read_link(&changed).expect_err(&changed);
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn every_cut_is_an_error() {
+    for link in links() {
+        for at in 0..link.len() {
+            read_link(&link[..at]).expect_err("cut at its end");
+            read_link(&link[at + 1..]).expect_err("cut at its start");
+            read_link(&[&link[..at], &link[at + 1..]].concat()).expect_err("cut in the middle");
+        }
+    }
+}
+
+#[test]
+fn what_is_no_link_says_what_to_do() {
+    let link = links().next().unwrap();
+    let error = |text: &str| read_link(text).unwrap_err();
+    for text in ["", "#", "#1", "1.AAAA", "https://example.org/", "#one.AAAA", "#.AAAA", "#-1.AAAA"] {
+        assert_eq!(error(text), LinkError::NoLink, "{text}");
+    }
+    for text in ["#1.", "#1.AAAA", "#01.AAAA", "#0.AAAA", "#1.AAAAAAAAAAAAAAA"] {
+        assert_eq!(error(text), LinkError::Damaged, "{text}");
+    }
+    for version in ["2", "10", "99999999999999"] {
+        assert_eq!(error(&link.replacen("#1", &format!("#{version}"), 1)), LinkError::Newer);
+    }
+    assert_eq!(error(&format!("#1.{}", "A".repeat(MAX_LINK))), LinkError::TooLong);
+    for error in
+        [LinkError::NoLink, LinkError::Damaged, LinkError::Newer, LinkError::TooLong, LinkError::TooLarge]
+    {
+        assert!(error.to_string().contains(';') || error.to_string().contains(": "), "{error}");
+    }
+}
+
+#[test]
+fn work_that_could_not_be_read_again_gets_no_link() {
+    let refused = |document| assert_eq!(write_link(&Work::new(document)).unwrap_err(), LinkError::TooLarge);
+    let line = BezPath::from_vec(vec![
+        kurbo::PathEl::MoveTo(Point::new(1.0, 2.0)),
+        kurbo::PathEl::LineTo(Point::new(3.0, 4.0)),
+    ]);
+    // Nothing tells these apart, so that they take hardly any characters; but memory.
+    let curves = vec![Curve { path: line, line: None }; 20_000];
+    refused(Document::new(Drawing { curves, ..page() }));
+    let still = |count| Scribble {
+        color: Paint::Clear,
+        kind: Default::default(),
+        width_du: 1.0,
+        points: vec![Point::ZERO; count],
+    };
+    refused(Document { scribbles: vec![still(300_000)], ..Document::new(page()) });
+    assert!(
+        write_link(&Work::new(Document { scribbles: vec![still(100_000)], ..Document::new(page()) })).is_ok()
+    );
+    let ends = [Point::ZERO, Point::new(1024.0, 1024.0)];
+    let points: Vec<_> = iter::repeat_n(ends, 5000).flatten().collect();
+    let endless = Scribble { color: Paint::Clear, kind: Default::default(), width_du: 1.0, points };
+    refused(Document { scribbles: vec![endless], ..Document::new(page()) });
+    let scattered = made::session(1, 2000);
+    refused(Document { scribbles: scattered, ..Document::new(page()) });
+}
+
+#[test]
+fn a_sample_is_named_in_place_of_its_lines() {
+    let svg = fs::read(root().join("web/samples/goldfish.svg")).unwrap();
+    let mut work = Work::new(Document::new(import_svg(&svg).unwrap().drawing));
+    let whole = length(&work);
+    work.sample = Some("goldfish.svg".into());
+    assert!(length(&work) < whole / 10);
+    let read = read_link(&write_link(&work).unwrap().fragment).unwrap();
+    assert_eq!(read.sample.as_deref(), Some("goldfish.svg"));
+    assert!(read.document.drawing.curves.is_empty());
+    assert_eq!(read.document.drawing.page, work.document.drawing.page);
+    for hostile in ["", "../x.svg", "a/b.svg", ".svg", "a b", "é.svg"] {
+        work.sample = Some(hostile.into());
+        assert!(write_link(&work).is_err(), "{hostile}");
+    }
+}
+
+#[test]
+fn numbers_that_are_none_do_no_harm() {
+    let odd = [f64::NAN, f64::INFINITY, -1e300, 1e300, -0.0];
+    for x in odd {
+        let mut drawing = page();
+        let mut path = BezPath::new();
+        path.move_to((x, 1.0));
+        path.curve_to((1.0, x), (x, x), (x, 3.0));
+        drawing.curves.push(Curve { path, line: None });
+        let scribbles = vec![Scribble {
+            color: Paint::Clear,
+            kind: Default::default(),
+            width_du: x,
+            points: vec![Point::new(x, 1.0)],
+        }];
+        let work = Work::new(Document { scribbles, ..Document::new(drawing) });
+        if let Ok(link) = write_link(&work) {
+            let read = read_link(&link.fragment).unwrap();
+            assert_eq!(write_link(&read).unwrap().fragment, link.fragment);
+        }
+        if let Ok(file) = write_file(&work) {
+            scumble_io::read_file(&file).unwrap();
+        }
+    }
+}

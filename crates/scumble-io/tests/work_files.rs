@@ -1,0 +1,194 @@
+//! `.scumble` files: what they say, what they keep, and what becomes of those that are none.
+
+#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
+
+use kurbo::{Point, Rect};
+use scumble_core::{Blend, EngineKind, Paint, Settings, Srgb8};
+use scumble_io::{FileError, Work, read_file, read_link, write_file, write_link};
+
+/// A file with some members beside what it must have.
+fn file(members: &str) -> String {
+    format!(r#"{{"format": "scumble", "version": "1.0", "canvas": [10, 20, 64, 32]{members}}}"#)
+}
+
+fn read(members: &str) -> Result<Work, FileError> {
+    read_file(file(members).as_bytes())
+}
+
+fn text(work: &Work) -> String {
+    String::from_utf8(write_file(work).unwrap()).unwrap()
+}
+
+#[test]
+fn the_least_file_is_an_empty_page() {
+    let work = read("").unwrap();
+    assert_eq!(work.document.drawing.page, Rect::new(10.0, 20.0, 74.0, 52.0));
+    assert_eq!(work.document.settings, Settings::default());
+    assert!(work.document.drawing.curves.is_empty() && work.document.scribbles.is_empty());
+}
+
+#[test]
+fn what_is_not_said_is_as_in_svg() {
+    let work = read(r#", "curves": [{"path": "M 1 2 L 3 4", "width": 2}, {"path": "M1 2"}]"#);
+    assert!(matches!(work, Err(FileError::Damaged { .. })), "a path without segments");
+    let work =
+        read(r#", "curves": [{"path": "M 1 2 L 3 4", "width": 2}, {"path": "M 1 2 L 3 4 Z"}]"#).unwrap();
+    let [first, second] = &*work.document.drawing.curves else { panic!() };
+    let line = first.line.as_ref().unwrap();
+    let stroke = (line.stroke.width, line.stroke.miter_limit, line.stroke.start_cap, line.stroke.join);
+    assert_eq!(stroke, (2.0, 4.0, kurbo::Cap::Butt, kurbo::Join::Miter));
+    assert_eq!((line.color.0, second.line.is_none()), ([0, 0, 0, 255], true));
+}
+
+#[test]
+fn settings_and_scribbles_are_read() {
+    let work = read(
+        r##", "settings": {"blend": "srgb", "engine": "progressive", "gap_closing": 7, "spread": true},
+        "palette": ["#ff0000", "none"], "color_points": [{"curve": 3, "side": "left", "at": 1.5, "color": "#010203"}],
+        "scribbles": [{"color": "none", "width": 2, "points": [[1, 2.5], [-3e2, 4]]}]"##,
+    )
+    .unwrap();
+    let expected =
+        Settings { blend: Blend::Srgb, engine: EngineKind::Progressive, gap_closing: 1.0, spread: true };
+    assert_eq!(work.document.settings, expected);
+    assert_eq!(work.palette, [Srgb8([255, 0, 0]).into(), Paint::Clear]);
+    assert_eq!(work.document.scribbles[0].points, [Point::new(1.0, 2.5), Point::new(-300.0, 4.0)]);
+    assert_eq!((work.color_points[0].curve, work.color_points[0].is_left), (3, true));
+}
+
+/// What a later version of the same first number might write.
+const NEWER: &str = r##"{"format": "scumble", "version": "1.4", "canvas": [0, 0, 9, 9], "title": "A \"fish\" ☺ \ud83d\ude00",
+    "settings": {"spread": true, "paper": {"color": "#fff", "grain": [1, 2.50, -1e-400, null, true]}},
+    "curves": [{"path": "M 1 2 L 3 4", "layer": 2}],
+    "fills": [{"path": "M 1 2 L 3 4 L 5 6 Z", "pattern": "dots"}],
+    "scribbles": [{"color": "#ff0000", "width": 1, "points": [[1, 2]]},
+        {"color": "#00ff00", "width": 1, "points": [[3, 4]], "mood": "glow", "id": "b"},
+        {"color": "#0000ff", "width": 1, "points": [[5, 6]], "id": "c"}],
+    "color_points": [{"curve": 0, "side": "right", "at": 1, "color": "none", "pinned": false}],
+    "layers": []}"##;
+
+const UNKNOWN: [&str; 9] = [
+    r#""title": "A \"fish\" ☺ \ud83d\ude00""#,
+    r##""paper": {"color": "#fff", "grain": [1, 2.50, -1e-400, null, true]}"##,
+    r#""layer": 2"#,
+    r#""pattern": "dots""#,
+    r#""mood": "glow","id": "b""#,
+    r#""id": "c""#,
+    r#""pinned": false"#,
+    r#""layers": []"#,
+    r#""version": "1.4""#,
+];
+
+#[test]
+fn fields_of_a_newer_minor_version_are_kept() {
+    let work = read_file(NEWER.as_bytes()).unwrap();
+    for text in [text(&work), text(&read_link(&write_link(&work).unwrap().fragment).unwrap())] {
+        for field in UNKNOWN {
+            assert_eq!(text.matches(field).count(), 1, "{field} in {text}");
+        }
+        assert_eq!(text, self::text(&read_file(text.as_bytes()).unwrap()));
+    }
+}
+
+#[test]
+fn unknown_fields_of_a_scribble_go_where_it_goes() {
+    let work = read_file(NEWER.as_bytes()).unwrap();
+    let [_, second, third] = <[_; 3]>::try_from(work.document.scribbles.clone()).unwrap();
+    let recolored = scumble_core::Scribble { color: Paint::Clear, ..second };
+    let edited = work.edited(vec![third, recolored], work.document.settings);
+    let text = text(&edited);
+    let of_third = r##"{"color": "#0000ff", "width": 1, "points": [[5,6]], "id": "c"}"##;
+    let of_second = r#"{"color": "none", "width": 1, "points": [[3,4]], "mood": "glow","id": "b"}"#;
+    assert!(text.contains(of_third) && text.contains(of_second), "{text}");
+}
+
+#[test]
+fn a_newer_major_version_is_refused_whatever_it_says() {
+    for version in ["2.0", "3", "17.5"] {
+        let file =
+            format!(r#"{{"canvas": {{"a": 1}}, "curves": 7, "version": "{version}", "format": "scumble"}}"#);
+        let error = read_file(file.as_bytes()).unwrap_err();
+        assert_eq!(error, FileError::Newer(version.into()));
+        assert!(error.to_string().contains("update Scumble"), "{error}");
+    }
+}
+
+#[test]
+fn what_is_no_such_file_is_refused() {
+    assert_eq!(read_file(b" \n").unwrap_err(), FileError::Empty);
+    assert_eq!(read_file(&[0xff, 0xfe, 0]).unwrap_err(), FileError::NotText);
+    assert_eq!(read_file(&vec![b' '; 20_000_000]).unwrap_err(), FileError::Empty);
+    assert_eq!(read_file(&vec![b'x'; 20_000_001]).unwrap_err(), FileError::TooLarge);
+    for text in
+        ["<svg/>", "{}", "[]", "7", r#"{"scribbles": []}"#, r#"{"format": "scumble", "version": "0.9"}"#]
+    {
+        assert_eq!(read_file(text.as_bytes()).unwrap_err(), FileError::NotWork, "{text}");
+    }
+}
+
+#[test]
+fn damage_is_told_with_its_line() {
+    for (members, expected) in [
+        (",\n\n\"curves\": [{\"path\": \"M 1 2 l 3 4\"}]", "a path of M, L, C and Z"),
+        (",\n\n\"curves\": [{\"path\": \"M 1 2 L 3 NaN\"}]", "a path of M, L, C and Z"),
+        (",\n\n\"curves\": [{\"path\": \"M 1 2 L 3 2e9\"}]", "a path of M, L, C and Z"),
+        (",\n\n\"curves\": [{\"path\": \"M 1 2 L 3 4 M 5 6 L 7 8\"}]", "one path"),
+        (",\n\n\"curves\": [{\"width\": 1}]", "a path in the curve"),
+        (",\n\n\"scribbles\": [{\"color\": \"#ff0000\", \"width\": 0, \"points\": [[1, 2]]}]", "above zero"),
+        (",\n\n\"scribbles\": [{\"color\": \"red\", \"width\": 1, \"points\": [[1, 2]]}]", "a colour"),
+        (
+            ",\n\n\"scribbles\": [{\"color\": \"#ff0000\", \"width\": 1, \"points\": [[1, 2, 3]]}]",
+            "fewer numbers",
+        ),
+        (",\n\n\"scribbles\": [{\"color\": \"#ff0000\", \"width\": 1, \"points\": [[1]]}]", "more numbers"),
+        (",\n\n\"scribbles\": [{\"color\": \"#ff0000\", \"width\": 1, \"points\": []}]", "points"),
+        (",\n\n\"scribbles\": [{\"color\": \"#ff0000\", \"width\": 1, \"points\": [[1, 1e10]]}]", "between"),
+        (",\n\n\"settings\": {\"engine\": \"quantum\"}", "that this version knows"),
+        (",\n\n\"settings\": {\"spread\": 1}", "true or false"),
+        (",\n\n\"sample\": \"../../secret\"", "plain file name"),
+        (",\n\n\"extra\": {\"a\": 01}", "a number"),
+        (",\n\n\"extra\": [1 2]", "a comma"),
+        (",\n\n\"extra\": \"\\q\"", "a known escape"),
+        (",\n\n\"extra\": \"\\ud800\"", "hexadecimal"),
+    ] {
+        let error = read(members).expect_err(members);
+        let text = error.to_string();
+        assert!(text.contains("line 3 ") && text.contains(expected), "{members}: {text}");
+    }
+    assert!(matches!(
+        read_file(file("").replace("[10, 20, 64, 32]", "[0, 0, 0, 1]").as_bytes()),
+        Err(FileError::Damaged { .. })
+    ));
+    assert!(matches!(
+        read_file(br#"{"format": "scumble", "version": "1.0"}"#),
+        Err(FileError::Damaged { .. })
+    ));
+}
+
+#[test]
+fn every_cut_of_a_file_is_an_error() {
+    let whole = text(&read_file(NEWER.as_bytes()).unwrap());
+    let whole = whole.trim_end();
+    for at in (0..whole.len()).filter(|at| whole.is_char_boundary(*at)) {
+        read_file(&whole.as_bytes()[..at]).expect_err("cut");
+    }
+}
+
+#[test]
+fn limits_hold() {
+    assert!(read(&format!(", \"deep\": {}{}", "[".repeat(90), "]".repeat(90))).is_ok());
+    let error = read(&format!(", \"deep\": {}", "[".repeat(1_000_000))).unwrap_err();
+    assert!(error.to_string().contains("less nesting"), "{error}");
+    let curves = |count| {
+        format!(
+            ", \"curves\": [{}{{\"path\": \"M 1 2 L 3 4\"}}]",
+            r#"{"path": "M 1 2 L 3 4"},"#.repeat(count)
+        )
+    };
+    assert_eq!(read(&curves(99_999)).unwrap().document.drawing.curves.len(), 100_000);
+    assert_eq!(read(&curves(100_000)).unwrap_err(), FileError::TooManyCurves);
+    let zigzag = "[0, 0], [1024, 1024],".repeat(2000);
+    let scribbles =
+        format!(", \"scribbles\": [{{\"color\": \"none\", \"width\": 1, \"points\": [{zigzag} [0, 0]]}}]");
+    assert!(matches!(read(&scribbles), Err(FileError::TooLong { .. })));
+}

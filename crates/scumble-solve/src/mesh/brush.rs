@@ -1,0 +1,136 @@
+//! The soft brush of a source: how strong it is at a place.
+
+use kurbo::{Point, Rect};
+use scumble_core::SoftSource;
+
+/// Segments that share a box.
+const CHUNK: usize = 8;
+
+/// A source whose stroke can be asked for distances.
+#[derive(Debug)]
+pub(super) struct Brush {
+    /// The ends of the segments of the stroke; those of a dab are one point.
+    segments: Vec<[Point; 2]>,
+    /// The box of every [`CHUNK`] segments.
+    boxes: Vec<Rect>,
+    /// The box of all of them.
+    bounds: Rect,
+    pub(super) radius_du: f64,
+    pub(super) weight: f64,
+}
+
+impl Brush {
+    pub(super) fn new(source: &SoftSource) -> Self {
+        let dab = source.points.iter().take(2 - source.points.len().min(2)).map(|&p| [p, p]);
+        let segments: Vec<_> = source.points.windows(2).map(|w| [w[0], w[1]]).chain(dab).collect();
+        let boxes: Vec<_> = segments.chunks(CHUNK).map(|chunk| bounds(chunk.as_flattened())).collect();
+        let radius_du = source.radius_du;
+        let bounds = bounds(segments.as_flattened());
+        Self { segments, boxes, bounds, radius_du, weight: source.weight }
+    }
+
+    /// What no point within its radius lies outside of.
+    pub(super) fn bounds(&self) -> Rect {
+        self.bounds.inflate(self.radius_du, self.radius_du)
+    }
+
+    /// The distance of a point from the stroke, in du, where it is less than so much; that much elsewhere.
+    pub(super) fn distance_du(&self, p: Point, most_du: f64) -> f64 {
+        let mut least_sq = most_du * most_du;
+        if distance_sq_to_rect(p, self.bounds) >= least_sq {
+            return most_du;
+        }
+        for (rect, chunk) in self.boxes.iter().zip(self.segments.chunks(CHUNK)) {
+            if distance_sq_to_rect(p, *rect) < least_sq {
+                least_sq = chunk.iter().map(|&segment| distance_sq(p, segment)).fold(least_sq, f64::min);
+            }
+        }
+        least_sq.sqrt()
+    }
+
+    /// The segments that are nearest to some point within a distance of a place, and within the radius of it; none
+    /// where the brush does not reach.
+    pub(super) fn near(&self, p: Point, spread_du: f64, near: &mut Vec<[Point; 2]>) {
+        near.clear();
+        let most_du = self.radius_du + spread_du;
+        let least_du = self.distance_du(p, most_du);
+        if least_du >= most_du {
+            return;
+        }
+        let reach_sq = (least_du + 2.0 * spread_du).min(most_du).powi(2);
+        for (rect, chunk) in self.boxes.iter().zip(self.segments.chunks(CHUNK)) {
+            if distance_sq_to_rect(p, *rect) <= reach_sq {
+                near.extend(chunk.iter().filter(|&&segment| distance_sq(p, segment) <= reach_sq));
+            }
+        }
+    }
+
+    /// The factor of `u − c` in the equation at a point to which no other segments are nearest than some of these,
+    /// in 1/du².
+    pub(super) fn strength(&self, p: Point, near: &[[Point; 2]]) -> f64 {
+        let least_sq = near.iter().map(|&segment| distance_sq(p, segment)).fold(f64::INFINITY, f64::min);
+        self.strength_at(least_sq)
+    }
+
+    /// The same at a distance from the stroke of which this is the square.
+    pub(super) fn strength_at(&self, distance_sq: f64) -> f64 {
+        let radius_sq = self.radius_du * self.radius_du;
+        let inside = (1.0 - distance_sq / radius_sq).max(0.0);
+        self.weight / radius_sq * inside * inside
+    }
+}
+
+fn bounds(points: &[Point]) -> Rect {
+    let first = points.first().copied().unwrap_or_default();
+    points.iter().fold(Rect::from_points(first, first), |bounds, p| bounds.union_pt(*p))
+}
+
+fn distance_sq_to_rect(p: Point, rect: Rect) -> f64 {
+    let out = |x: f64, from: f64, to: f64| (from - x).max(x - to).max(0.0);
+    let (x, y) = (out(p.x, rect.x0, rect.x1), out(p.y, rect.y0, rect.y1));
+    x * x + y * y
+}
+
+fn distance_sq(p: Point, [a, b]: [Point; 2]) -> f64 {
+    let (along, to) = (b - a, p - a);
+    let length_sq = along.hypot2();
+    let t = if length_sq > 0.0 { (to.dot(along) / length_sq).clamp(0.0, 1.0) } else { 0.0 };
+    (to - along * t).hypot2()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn brush(points: &[(f64, f64)]) -> Brush {
+        let points = points.iter().map(|&p| p.into()).collect();
+        Brush::new(&SoftSource { points, radius_du: 10.0, weight: 8.0, color: [1.0; 4], crosses: false })
+    }
+
+    #[test]
+    fn it_is_strongest_in_the_middle_and_ends_at_its_radius() {
+        for (points, place) in [(vec![(5.0, 5.0)], (5.0, 5.0)), (vec![(0.0, 0.0), (40.0, 0.0)], (20.0, 0.0))]
+        {
+            let brush = brush(&points);
+            let strength = |away: f64| {
+                let p = Point::new(place.0, place.1 + away);
+                let mut near = Vec::new();
+                brush.near(p, 3.0, &mut near);
+                brush.strength(p, &near)
+            };
+            assert_eq!([0.0, 5.0, 10.0, 11.0].map(strength), [0.08, 0.08 * 0.5625, 0.0, 0.0]);
+        }
+    }
+
+    #[test]
+    fn distances_are_those_to_the_nearest_segment() {
+        let way: Vec<_> = (0..100).map(|i| (f64::from(i), 30.0 * (f64::from(i) * 0.2).sin())).collect();
+        let brush = brush(&way);
+        for p in (0..200).map(|i| Point::new(f64::from(i) - 40.0, f64::from(i * 37 % 90) - 45.0)) {
+            let all =
+                brush.segments.iter().map(|&segment| distance_sq(p, segment)).fold(f64::INFINITY, f64::min);
+            assert_eq!(brush.distance_du(p, 1e9), all.sqrt());
+            assert_eq!(brush.distance_du(p, 7.0), all.sqrt().min(7.0));
+        }
+    }
+}

@@ -1,0 +1,194 @@
+//! Which unknowns a sparse factor eliminates together, and what each elimination touches.
+//!
+//! The multifrontal method (I. Duff, J. Reid, *The multifrontal solution of indefinite sparse symmetric linear
+//! equations*, 1983): a *front* is a small dense matrix of a few successive unknowns, its *pivots*, and of its
+//! *boundary*, the later ones that those are coupled to. What the elimination of the pivots leaves on the boundary is
+//! added to the parent, the front that eliminates the first of these.
+
+use std::mem;
+use std::ops::Range;
+
+use scumble_core::sort;
+
+/// Row of an unknown that is fixed, and end of a list of fronts.
+pub(super) const NONE: u32 = u32::MAX;
+
+/// A front takes in a child where no more than one of so many entries is a zero then: fewer and larger fronts are faster,
+/// though they have more entries.
+const ENTRIES_PER_ZERO: usize = 6;
+
+/// The fronts of a factor, children before parents.
+#[derive(Debug)]
+pub(super) struct Fronts {
+    pub(super) list: Vec<Front>,
+    boundaries: Vec<u32>,
+    elements: Vec<u32>,
+}
+
+/// One of them.
+#[derive(Clone, Debug)]
+pub(super) struct Front {
+    /// The rows that it eliminates.
+    pub(super) pivots: Range<u32>,
+    /// The row that its parent eliminates first of its boundary, or [`NONE`].
+    parent_row: u32,
+    boundary: Range<usize>,
+    elements: Range<usize>,
+    /// How many entries of it are zeros that elimination by smaller fronts would leave out.
+    zeros: usize,
+    /// Its first child and its next sibling, or [`NONE`].
+    pub(super) child: u32,
+    pub(super) sibling: u32,
+}
+
+impl Front {
+    /// Number of its rows.
+    pub(super) fn size(&self) -> usize {
+        self.pivots.len() + self.boundary.len()
+    }
+
+    /// Number of entries that it has in the factor.
+    pub(super) fn entry_count(&self) -> usize {
+        let [all, boundary] = [self.size(), self.boundary.len()].map(|size| size * (size + 1) / 2);
+        all - boundary
+    }
+
+    /// Itself with a child that comes right before it, where that makes few zeros.
+    fn with(&self, child: &Self) -> Option<Self> {
+        if !self.pivots.contains(&child.parent_row) {
+            return None;
+        }
+        let more_zeros = child.pivots.len() * (self.size() - child.boundary.len());
+        let merged = Self {
+            pivots: child.pivots.start..self.pivots.end,
+            elements: child.elements.start..self.elements.end,
+            zeros: self.zeros + child.zeros + more_zeros,
+            ..self.clone()
+        };
+        Some(merged).filter(|merged| merged.zeros * ENTRIES_PER_ZERO <= merged.entry_count())
+    }
+}
+
+impl Fronts {
+    /// The fronts of elements with so many rows each, or [`NONE`]. Rows that end before each of some ascending numbers
+    /// are pivots of one front; the last of these is the number of rows.
+    pub(super) fn new(rows: &[[u32; 6]], ends: &[u32]) -> Self {
+        let group_of = group_of(ends);
+        let (starts, elements) = by_group(rows, &group_of, ends.len());
+        let mut fronts = Self { list: Vec::with_capacity(ends.len()), boundaries: Vec::new(), elements };
+        let (mut child_of, mut keys) = (vec![NONE; ends.len()], Vec::new());
+        for (group, &end) in ends.iter().enumerate() {
+            let elements = starts[group] as usize..starts[group + 1] as usize;
+            keys.clear();
+            for &element in &fronts.elements[elements.clone()] {
+                push_from(end, &rows[element as usize], &mut keys);
+            }
+            let mut child = child_of[group];
+            while let Some(front) = fronts.list.get(child as usize) {
+                push_from(end, fronts.boundary(front), &mut keys);
+                child = front.sibling;
+            }
+            sort::sort(&mut keys);
+            keys.dedup();
+            let start = fronts.boundaries.len();
+            fronts.boundaries.extend(keys.iter().map(|&(row, _)| row as u32));
+            let parent_row = fronts.boundaries.get(start).copied().unwrap_or(NONE);
+            let parent =
+                group_of.get(parent_row as usize).and_then(|&group| child_of.get_mut(group as usize));
+            fronts.list.push(Front {
+                pivots: if group == 0 { 0 } else { ends[group - 1] }..end,
+                parent_row,
+                boundary: start..fronts.boundaries.len(),
+                elements,
+                zeros: 0,
+                child: NONE,
+                sibling: parent.map_or(NONE, |child| mem::replace(child, group as u32)),
+            });
+        }
+        fronts.merge();
+        fronts.link();
+        fronts
+    }
+
+    pub(super) fn boundary(&self, front: &Front) -> &[u32] {
+        &self.boundaries[front.boundary.clone()]
+    }
+
+    /// The elements of which the first row is a pivot.
+    pub(super) fn elements(&self, front: &Front) -> &[u32] {
+        &self.elements[front.elements.clone()]
+    }
+
+    /// Number of rows of all of them.
+    pub(super) fn row_count(&self) -> usize {
+        self.list.last().map_or(0, |front| front.pivots.end as usize)
+    }
+
+    /// Number of entries of the factor.
+    pub(super) fn entry_count(&self) -> u64 {
+        self.list.iter().map(|front| front.entry_count() as u64).sum()
+    }
+
+    /// Lets fronts take in their last children.
+    fn merge(&mut self) {
+        let mut merged: Vec<Front> = Vec::with_capacity(self.list.len());
+        for mut front in self.list.drain(..) {
+            while let Some(larger) = merged.last().and_then(|child| front.with(child)) {
+                front = larger;
+                merged.pop();
+            }
+            merged.push(front);
+        }
+        self.list = merged;
+    }
+
+    /// Finds the children of all fronts.
+    fn link(&mut self) {
+        let ends: Vec<_> = self.list.iter().map(|front| front.pivots.end).collect();
+        let group_of = group_of(&ends);
+        let mut child_of = vec![NONE; self.list.len()];
+        for (i, front) in self.list.iter_mut().enumerate() {
+            front.child = child_of[i];
+            let parent =
+                group_of.get(front.parent_row as usize).map(|&parent| &mut child_of[parent as usize]);
+            front.sibling = parent.map_or(NONE, |child| mem::replace(child, i as u32));
+        }
+    }
+}
+
+/// The group of each row.
+fn group_of(ends: &[u32]) -> Vec<u32> {
+    let mut group_of = Vec::with_capacity(ends.last().map_or(0, |&end| end as usize));
+    for (group, &end) in (0..).zip(ends) {
+        group_of.resize(end as usize, group);
+    }
+    group_of
+}
+
+/// The elements by the groups of their first rows: where each begins in a list, and the list.
+fn by_group(rows: &[[u32; 6]], group_of: &[u32], group_count: usize) -> (Vec<u32>, Vec<u32>) {
+    let groups: Vec<_> = rows.iter().map(|rows| group_of.get(first(rows) as usize).copied()).collect();
+    let mut starts = vec![0; group_count + 1];
+    groups.iter().flatten().for_each(|&group| starts[group as usize + 1] += 1);
+    for group in 0..group_count {
+        starts[group + 1] += starts[group];
+    }
+    let mut next = starts.clone();
+    let mut elements = vec![0; starts[group_count] as usize];
+    for (element, &group) in (0..).zip(&groups) {
+        if let Some(group) = group {
+            elements[next[group as usize] as usize] = element;
+            next[group as usize] += 1;
+        }
+    }
+    (starts, elements)
+}
+
+fn first(rows: &[u32; 6]) -> u32 {
+    rows.iter().copied().fold(NONE, u32::min)
+}
+
+/// Collects the rows from one on.
+fn push_from(end: u32, rows: &[u32], keys: &mut Vec<(u64, u32)>) {
+    keys.extend(rows.iter().filter(|&&row| row >= end && row != NONE).map(|&row| (row.into(), 0)));
+}

@@ -1,0 +1,96 @@
+//! A finer mesh of one region, where sources need it.
+//!
+//! Sizes pass gradually into each other, and triangles away from the sources stay as they are. Nodes are none of the
+//! source's: the mesh changes little where a stroke moves a little.
+
+use kurbo::Point;
+use scumble_core::Triangulation;
+
+use super::brush::Brush;
+use super::cells::Cells;
+use super::dofs::Dofs;
+
+/// Triangles of the finest mesh of a region beyond those of the region itself: more detail than that is left out.
+const MAX_FINER: usize = 60_000;
+
+/// Longest edge under a stroke, in radii.
+const LONGEST_EDGE: f64 = 0.55;
+
+/// Where the rim is, in radii: the source is all but nothing beyond.
+const RIM: f64 = 0.85;
+
+/// What the longest edge grows by beyond the rim, for each du of distance.
+const GROWTH: f64 = 2.0;
+
+/// Longest edge where a stroke runs over the side of a curve, in widths of the layer there, `√(1 / strength)`.
+const SIDE_EDGE: f64 = 0.75;
+
+/// What that grows by for each du of distance from the side.
+const SIDE_GROWTH: f64 = 0.7;
+
+/// The elements of a region, refined.
+#[derive(Debug)]
+pub(super) struct Refined {
+    pub(super) dofs: Dofs,
+    pub(super) shapes: Vec<Shape>,
+}
+
+/// Where an element is.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Shape {
+    pub(super) corners: [Point; 3],
+    /// Bit `i` is set where the edge from corner `i` to corner `i + 1` bounds the region.
+    pub(super) side_edges: u32,
+}
+
+/// Refines a region for sources.
+pub(super) fn refine(mesh: &Triangulation, dofs: &Dofs, brushes: &[Brush]) -> Refined {
+    let mut coarsening = 1.0;
+    loop {
+        let mut cells = Cells::new(mesh, dofs);
+        if cells.refine(brushes, coarsening) {
+            return cells.refined(dofs);
+        }
+        coarsening *= 1.5;
+    }
+}
+
+impl Cells {
+    /// Bisects all that is too large; `false` where that is too much.
+    fn refine(&mut self, brushes: &[Brush], coarsening: f64) -> bool {
+        let most = self.cells.len() + MAX_FINER;
+        for brush in brushes {
+            let mut i = 0;
+            while i < self.cells.len() {
+                while self.is_too_large(i, brush, coarsening) {
+                    if self.cells.len() >= most {
+                        return false;
+                    }
+                    self.bisect(i);
+                }
+                i += 1;
+            }
+        }
+        true
+    }
+
+    fn is_too_large(&self, i: usize, brush: &Brush, coarsening: f64) -> bool {
+        let corners = self.cells[i].corners.map(|corner| self.points[corner as usize]);
+        let [a, b, c] = corners.map(Point::to_vec2);
+        let longest_du =
+            [a - b, b - c, c - a].map(|edge| edge.hypot2()).into_iter().fold(0.0, f64::max).sqrt();
+        let [longest_du, most_du] = [longest_du / coarsening, LONGEST_EDGE * brush.radius_du];
+        // Beyond this distance from the stroke the edge is short enough.
+        let far_du = RIM * brush.radius_du + ((longest_du - most_du) / GROWTH).max(0.0);
+        let distance_du = brush.distance_du(((a + b + c) / 3.0).to_point(), far_du);
+        distance_du < far_du
+            && (longest_du > most_du || longest_du > self.side_edge_du(i, brush, distance_du))
+    }
+
+    /// Longest edge for the sake of the sides, under a stroke at a distance from its middle.
+    fn side_edge_du(&self, i: usize, brush: &Brush, distance_du: f64) -> f64 {
+        let side_du = self.cells[i].corners.map(|corner| self.side_du[corner as usize]);
+        let side_du = side_du.into_iter().fold(f64::INFINITY, f64::min);
+        SIDE_EDGE / brush.strength_at(distance_du * distance_du).sqrt() + SIDE_GROWTH * side_du
+    }
+}

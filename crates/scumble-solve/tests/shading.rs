@@ -1,0 +1,230 @@
+//! Shading scribbles in a picture: what they show, and what they do not depend on.
+
+use kurbo::{Affine, BezPath, Circle, Point, Rect, Shape, Vec2};
+use proptest::prelude::*;
+use scumble_core::{Blend, Curve, Document, Drawing, Paint, Scribble, ScribbleKind, Shading, Srgb8};
+use scumble_solve::{Field, FieldTriangle, Picture, Pixmap, Scene, View, paint};
+
+const YELLOW: Srgb8 = Srgb8([255, 230, 0]);
+const BLUE: Srgb8 = Srgb8([0, 0, 255]);
+
+/// Two circles that overlap: three regions, and the page around them.
+fn document(scribbles: Vec<Scribble>) -> Document {
+    let circles = [(400.0, 500.0), (640.0, 500.0)].map(|at| Circle::new(at, 220.0).to_path(1e-6));
+    let curves = circles.map(|path: BezPath| Curve { path, line: None }).to_vec();
+    let drawing = Drawing { curves, ..Drawing::new(Rect::new(0.0, 0.0, 1024.0, 1024.0)) };
+    Document { scribbles, ..Document::new(drawing) }
+}
+
+fn fill(color: Srgb8, at: (f64, f64)) -> Scribble {
+    let points = vec![Point::from(at), Point::new(at.0 + 10.0, at.1)];
+    Scribble { color: color.into(), kind: ScribbleKind::Fill, width_du: 8.0, points }
+}
+
+fn fills() -> Vec<Scribble> {
+    vec![fill(YELLOW, (280.0, 500.0)), fill(Srgb8([200, 30, 60]), (510.0, 500.0)), fill(BLUE, (740.0, 500.0))]
+}
+
+fn shade(color: Srgb8, strength: f64, width_du: f64, points: &[(f64, f64)]) -> Scribble {
+    let kind = ScribbleKind::Shade(Shading { strength, crosses: false });
+    Scribble {
+        color: color.into(),
+        kind,
+        width_du,
+        points: points.iter().copied().map(Point::from).collect(),
+    }
+}
+
+fn field(document: &Document) -> Field {
+    Picture::new(&document.drawing).expect("a map").update(document).expect("a field").clone()
+}
+
+fn pixels(field: &Field) -> Pixmap {
+    let view = View { px_from_du: Affine::IDENTITY, width_px: 1024, height_px: 1024 };
+    paint(&Scene { paper: Some(Srgb8([255; 3])), field, shapes: &[] }, &view)
+}
+
+fn color_at(pixels: &Pixmap, (x, y): (f64, f64)) -> [u8; 4] {
+    pixels.rgba.as_chunks().0[y as usize * pixels.width_px as usize + x as usize]
+}
+
+/// The largest difference between two colours, in levels.
+fn difference(a: [u8; 4], b: [u8; 4]) -> u8 {
+    a.into_iter().zip(b).map(|(a, b)| a.abs_diff(b)).fold(0, u8::max)
+}
+
+fn largest_difference(a: &Pixmap, b: &Pixmap) -> u8 {
+    a.rgba.iter().zip(&b.rgba).map(|(a, b)| a.abs_diff(*b)).fold(0, u8::max)
+}
+
+/// Values at points inside the triangle.
+fn values(triangle: &FieldTriangle) -> impl Iterator<Item = [f64; 4]> + '_ {
+    let steps = (0..=5).flat_map(|i| (0..=5 - i).map(move |j| (f64::from(i) / 5.0, f64::from(j) / 5.0)));
+    steps.map(|(u, v)| {
+        let w = 1.0 - u - v;
+        let corner = |t: f64| t * (2.0 * t - 1.0);
+        let shape = [corner(u), corner(v), corner(w), 4.0 * u * v, 4.0 * v * w, 4.0 * w * u];
+        [0, 1, 2, 3].map(|i| shape.iter().zip(triangle.colors).map(|(s, c)| s * f64::from(c[i])).sum())
+    })
+}
+
+#[test]
+fn at_full_strength_the_middle_of_a_stroke_has_its_colour() {
+    for (color, below) in [(BLUE, YELLOW), (YELLOW, BLUE), (Srgb8([255; 3]), Srgb8([0; 3]))] {
+        for width_du in [12.0, 48.0, 120.0] {
+            let way = [(300.0, 440.0), (330.0, 500.0), (300.0, 560.0)];
+            let strokes = [&way[..], &way[1..2]];
+            for points in strokes {
+                let scribbles = vec![fill(below, (280.0, 500.0)), shade(color, 1.0, width_du, points)];
+                let pixels = pixels(&field(&document(scribbles)));
+                let Srgb8([r, g, b]) = color;
+                for &point in points {
+                    let found = color_at(&pixels, point);
+                    assert!(difference(found, [r, g, b, 255]) <= 2, "{found:?} {color} {width_du} {point:?}");
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn without_strength_the_picture_is_as_without_the_stroke() {
+    let mut scribbles = fills();
+    let without = field(&document(scribbles.clone()));
+    scribbles.insert(1, shade(BLUE, 0.0, 60.0, &[(280.0, 480.0), (320.0, 500.0)]));
+    assert_eq!(field(&document(scribbles)), without);
+}
+
+#[test]
+fn a_stroke_stays_in_the_region_of_its_first_point_unless_it_crosses() {
+    let way = [(300.0, 500.0), (510.0, 500.0)];
+    let differs = |crosses: bool, at: (f64, f64)| {
+        let mut scribbles = fills();
+        let without = pixels(&field(&document(scribbles.clone())));
+        let mut stroke = shade(Srgb8([0, 255, 0]), 0.8, 40.0, &way);
+        stroke.kind = ScribbleKind::Shade(Shading { strength: 0.8, crosses });
+        scribbles.push(stroke);
+        let with = pixels(&field(&document(scribbles)));
+        difference(color_at(&with, at), color_at(&without, at)) > 8
+    };
+    assert_eq!(
+        [(330.0, 500.0), (500.0, 500.0), (740.0, 500.0)].map(|at| differs(false, at)),
+        [true, false, false]
+    );
+    assert_eq!(
+        [(330.0, 500.0), (500.0, 500.0), (740.0, 500.0)].map(|at| differs(true, at)),
+        [true, true, false]
+    );
+}
+
+#[test]
+fn a_small_move_makes_a_small_difference() {
+    let at = |way: &[(f64, f64)], width_du: f64, away_du: f64| {
+        let way: Vec<_> = way.iter().map(|&(x, y)| (x + away_du, y + 0.6 * away_du)).collect();
+        let scribbles =
+            vec![fill(Srgb8([255; 3]), (280.0, 500.0)), shade(Srgb8([0; 3]), 1.0, width_du, &way)];
+        pixels(&field(&document(scribbles)))
+    };
+    for (way, width_du) in [
+        (&[(300.0, 450.0), (330.0, 520.0), (290.0, 600.0)][..], 48.0),
+        (&[(310.0, 500.0)], 20.0),
+        (&[(250.0, 400.0), (400.0, 330.0)], 90.0),
+    ] {
+        for step in 0..8 {
+            let start_du = 0.7 * f64::from(step);
+            let moved = largest_difference(&at(way, width_du, start_du), &at(way, width_du, start_du + 0.01));
+            assert!(moved <= 1, "{moved} levels, {width_du} {start_du}");
+        }
+    }
+}
+
+fn any_shade() -> impl Strategy<Value = Scribble> {
+    let points = prop::collection::vec((150.0..900.0_f64, 250.0..750.0_f64), 1..4);
+    (any::<[u8; 3]>(), 0.05..=1.0_f64, 6.0..150.0_f64, points, any::<bool>()).prop_map(
+        |(rgb, strength, width_du, points, crosses)| Scribble {
+            kind: ScribbleKind::Shade(Shading { strength, crosses }),
+            ..shade(Srgb8(rgb), strength, width_du, &points)
+        },
+    )
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 24, failure_persistence: None, ..ProptestConfig::default() })]
+
+    #[test]
+    fn the_order_of_shades_makes_no_difference(shades in prop::collection::vec(any_shade(), 2..4)) {
+        let forth = [fills(), shades.clone()].concat();
+        let back: Vec<_> = shades.into_iter().rev().chain(fills()).collect();
+        prop_assert!(field(&document(forth)) == field(&document(back)));
+    }
+
+    #[test]
+    fn what_is_erased_moved_or_recoloured_leaves_no_trace(shades in prop::collection::vec(any_shade(), 1..4)) {
+        let mut document = document(fills());
+        let mut picture = Picture::new(&document.drawing).expect("a map");
+        let without = picture.update(&document).expect("a field").clone();
+        for shade in &shades {
+            document.scribbles.push(shade.clone());
+            let fresh = field(&document);
+            prop_assert!(picture.update(&document).expect("a field") == &fresh, "drawn");
+            document.scribbles[3].color = Paint::Color(BLUE);
+            let fresh = field(&document);
+            prop_assert!(picture.update(&document).expect("a field") == &fresh, "recoloured");
+        }
+        document.scribbles.truncate(3);
+        prop_assert!(picture.update(&document).expect("a field") == &without, "erased");
+    }
+
+    #[test]
+    fn no_value_leaves_the_range_of_the_colours(shades in prop::collection::vec(any_shade(), 1..4)) {
+        // One colour for the sides: where two meet in a point, the picture of the sides alone is rough.
+        let fill = fill(YELLOW, (280.0, 500.0));
+        let circle = Circle::new((500.0, 500.0), 250.0).to_path(1e-6);
+        let drawing = Drawing { curves: vec![Curve { path: circle, line: None }], ..document(vec![]).drawing };
+        let scribbles = [vec![fill], shades].concat();
+        let given: Vec<_> = scribbles.iter().map(|scribble| Blend::Oklab.from_paint(scribble.color)).collect();
+        for value in field(&Document { scribbles, ..Document::new(drawing) }).triangles.iter().flat_map(values) {
+            for i in 0..3 {
+                // Around the circle there is paper.
+                let channel = || given.iter().map(|color| color[i]).chain([0.0]);
+                let [least, most] = [channel().fold(0.0, f64::min), channel().fold(0.0, f64::max)];
+                let beyond = (least - value[i]).max(value[i] - most);
+                prop_assert!(beyond <= 1.0 / 255.0, "{} levels", beyond * 255.0);
+            }
+        }
+    }
+}
+
+#[test]
+fn a_shade_on_paper_fades_into_it() {
+    let shades = vec![shade(Srgb8([200, 0, 0]), 0.9, 60.0, &[(280.0, 500.0)])];
+    let pixels = pixels(&field(&document(shades)));
+    let paper = [255; 4];
+    assert!(difference(color_at(&pixels, (280.0, 500.0)), [200, 0, 0, 255]) <= 8);
+    assert_eq!(color_at(&pixels, (170.0, 500.0)), paper);
+    assert_eq!(color_at(&pixels, (740.0, 500.0)), paper);
+}
+
+#[test]
+fn where_nothing_has_a_colour_a_shade_stays_around_its_stroke() {
+    let bare = Drawing::new(Rect::new(0.0, 0.0, 1024.0, 1024.0));
+    for drawing in [bare, document(vec![]).drawing] {
+        for (strength, width_du) in [(0.2, 16.0), (0.6, 40.0), (1.0, 40.0), (1.0, 56.0)] {
+            let scribbles = vec![shade(Srgb8([200, 0, 0]), strength, width_du, &[(130.5, 130.5)])];
+            let pixels = pixels(&field(&Document { scribbles, ..Document::new(drawing.clone()) }));
+            let green = |along: Vec2, radii: f64| {
+                let p = Point::new(130.5, 130.5) + 0.5 * radii * width_du * along;
+                color_at(&pixels, p.into())[1]
+            };
+            let profile =
+                [0.0, 0.5, 1.0, 1.5, 2.0, 3.0, 4.0, 6.0, 10.0].map(|radii| green(Vec2::new(1.0, 0.0), radii));
+            assert!(profile.is_sorted() && profile[6] >= 235 && profile[8] >= 254, "{profile:?}");
+            assert!(strength < 1.0 || profile[0] <= 2, "{profile:?}");
+            for radii in [0.5, 1.0, 2.0, 3.0] {
+                let around = (0..8).map(|i| green(Vec2::from_angle(0.8 * f64::from(i)), radii));
+                let [least, most] = around.fold([255, 0], |[least, most], g| [g.min(least), g.max(most)]);
+                assert!(most - least <= 16, "{least} to {most} at {radii} radii of {width_du} du");
+            }
+        }
+    }
+}

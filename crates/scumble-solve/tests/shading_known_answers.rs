@@ -1,0 +1,121 @@
+//! Shading against solutions of its equation that are worked out along a radius or across a strip, to far below a level.
+//!
+//! Values run from 0 to 1; errors are in levels, of which there are 255.
+
+use kurbo::{BezPath, Circle, Line, Point, Rect, Shape, Vec2};
+use scumble_core::{Blend, Boundary, Curve, Drawing, PlanarMap, Sampling, SoftSource};
+use scumble_solve::{Field, FieldTriangle, MeshSolver};
+
+const CENTRE: Point = Point::new(510.37, 513.71);
+
+fn map(curves: impl IntoIterator<Item = BezPath>) -> PlanarMap {
+    let curves = curves.into_iter().map(|path| Curve { path, line: None }).collect();
+    let drawing = Drawing { curves, ..Drawing::new(Rect::new(0.0, 0.0, 1024.0, 1024.0)) };
+    PlanarMap::build(&drawing, &Sampling::default()).expect("a map")
+}
+
+/// All sides of curves are white, all sources black.
+fn solve(map: &PlanarMap, sources: &[SoftSource]) -> Field {
+    let white = |piece: &scumble_core::Piece| piece.curve.map(|_| [[1.0; 4]; 3]);
+    let sides = map.pieces().iter().flat_map(|piece| [white(piece); 2]).collect();
+    let boundary = Boundary { sides, sources: sources.to_vec(), ..Boundary::default() };
+    MeshSolver::new(map.refined().clone()).solve(&boundary, Blend::Srgb).expect("a field").clone()
+}
+
+fn source(points: &[Point], radius_du: f64, weight: f64) -> SoftSource {
+    SoftSource { points: points.to_vec(), radius_du, weight, color: [0.0, 0.0, 0.0, 1.0], crosses: false }
+}
+
+/// The value where a source lies between two white ends, from the middle outwards: around a dab (two dimensions) or
+/// across a stroke (one), `R` wide and with the ends at a distance, both in du. By Runge and Kutta's method.
+fn profile(dimensions: f64, radius_du: f64, end_du: f64, weight: f64) -> impl Fn(f64) -> f64 {
+    const STEPS: usize = 40_000;
+    let step = end_du / STEPS as f64;
+    let slope = |r: f64, [u, v]: [f64; 2]| {
+        let inside = (1.0 - (r / radius_du).powi(2)).max(0.0);
+        let bend = weight / radius_du.powi(2) * inside * inside * u;
+        [v, if r > 0.0 { bend - (dimensions - 1.0) * v / r } else { bend / dimensions }]
+    };
+    let ahead = |s: [f64; 2], k: [f64; 2], h: f64| [s[0] + h * k[0], s[1] + h * k[1]];
+    let mut states = vec![[1.0, 0.0]];
+    for i in 0..STEPS {
+        let (r, s) = (i as f64 * step, states[i]);
+        let k1 = slope(r, s);
+        let k2 = slope(r + 0.5 * step, ahead(s, k1, 0.5 * step));
+        let k3 = slope(r + 0.5 * step, ahead(s, k2, 0.5 * step));
+        let k4 = slope(r + step, ahead(s, k3, step));
+        states.push([0, 1].map(|c| s[c] + step / 6.0 * (k1[c] + 2.0 * k2[c] + 2.0 * k3[c] + k4[c])));
+    }
+    let most = states[STEPS][0];
+    move |r| {
+        let at = (r / step).clamp(0.0, STEPS as f64 - 1.0);
+        let (i, t) = (at as usize, at.fract());
+        ((1.0 - t) * states[i][0] + t * states[i + 1][0]) / most
+    }
+}
+
+/// Points of a triangle and the values there.
+fn samples(triangle: &FieldTriangle) -> impl Iterator<Item = (Point, f64)> + '_ {
+    let steps = (0..=6).flat_map(|i| (0..=6 - i).map(move |j| (f64::from(i) / 6.0, f64::from(j) / 6.0)));
+    steps.map(|(u, v)| {
+        let w = 1.0 - u - v;
+        let [a, b, c] = triangle.corners.map(|[x, y]| Vec2::new(x.into(), y.into()));
+        let shape = [
+            u * (2.0 * u - 1.0),
+            v * (2.0 * v - 1.0),
+            w * (2.0 * w - 1.0),
+            4.0 * u * v,
+            4.0 * v * w,
+            4.0 * w * u,
+        ];
+        let value = shape.iter().zip(triangle.colors).map(|(shape, color)| shape * f64::from(color[0])).sum();
+        ((u * a + v * b + w * c).to_point(), value)
+    })
+}
+
+/// The mean and the largest error, in levels.
+fn errors(field: &Field, exact: impl Fn(Point) -> Option<f64>) -> [f64; 2] {
+    let (mut sum, mut count, mut most) = (0.0, 0.0, 0.0);
+    for (p, value) in field.triangles.iter().flat_map(samples) {
+        if let Some(exact) = exact(p) {
+            let error = 255.0 * (value - exact).abs();
+            (sum, count, most) = (sum + error, count + 1.0, f64::max(most, error));
+        }
+    }
+    [sum / count, most]
+}
+
+/// Errors in the mean and at most, in levels.
+const BOUND: [f64; 2] = [0.2, 1.7];
+
+fn check(what: &str, [mean, most]: [f64; 2]) {
+    assert!(mean <= BOUND[0] && most <= BOUND[1], "{what}: {mean:.3} in the mean, {most:.3} at most");
+}
+
+#[test]
+fn a_dab_is_that_of_the_radial_equation() {
+    let map = map([Circle::new(CENTRE, 200.0).to_path(1e-6)]);
+    for radius_du in [2.0, 12.0, 60.0, 190.0, 400.0] {
+        for weight in [2.0, 8.0, 25.0, 80.0, 160.0] {
+            let field = solve(&map, &[source(&[CENTRE], radius_du, weight)]);
+            let exact = profile(2.0, radius_du, 200.0, weight);
+            let inside = |p: Point| Some(p.distance(CENTRE)).filter(|&r| r < 200.0).map(&exact);
+            check(&format!("radius {radius_du}, weight {weight}"), errors(&field, inside));
+        }
+    }
+}
+
+#[test]
+fn a_stroke_along_a_strip_is_that_of_the_equation_across() {
+    for (radius_du, half_du) in [(4.0, 40.0), (12.0, 40.0), (60.0, 70.0), (60.0, 30.0), (60.0, 10.0)] {
+        let line = |y: f64| Line::new((0.0, 512.0 + y), (1024.0, 512.0 + y)).to_path(1e-6);
+        let map = map([-half_du, half_du].map(line));
+        for weight in [2.0, 8.0, 25.0, 80.0, 160.0] {
+            let ends = [Point::new(-500.0, 512.0), Point::new(1500.0, 512.0)];
+            let field = solve(&map, &[source(&ends, radius_du, weight)]);
+            let exact = profile(1.0, radius_du, half_du, weight);
+            let inside = |p: Point| Some((p.y - 512.0).abs()).filter(|&y| y <= half_du).map(&exact);
+            check(&format!("radius {radius_du} of {half_du}, weight {weight}"), errors(&field, inside));
+        }
+    }
+}

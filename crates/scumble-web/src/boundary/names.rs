@@ -1,0 +1,77 @@
+//! The names by which the page knows what there is to choose from.
+
+use scumble_core::{Blend, EngineKind, Tone};
+
+use crate::brush::{Ink, Kind, Pressure};
+use crate::command::Tool;
+
+pub(super) fn tool_from_name(name: &str) -> Option<Tool> {
+    [Tool::Scribble, Tool::Erase].into_iter().find(|tool| tool_name(*tool) == name)
+}
+
+pub(super) fn tool_name(tool: Tool) -> &'static str {
+    match tool {
+        Tool::Scribble => "scribble",
+        Tool::Erase => "erase",
+    }
+}
+
+pub(super) fn kind_from_name(name: &str) -> Option<Kind> {
+    [Kind::Fill, Kind::Shade].into_iter().find(|kind| kind_name(*kind) == name)
+}
+
+pub(super) fn kind_name(kind: Kind) -> &'static str {
+    match kind {
+        Kind::Fill => "fill",
+        Kind::Shade => "shade",
+    }
+}
+
+pub(super) fn pressure_from_name(name: &str) -> Option<Pressure> {
+    [Pressure::Radius, Pressure::Strength].into_iter().find(|pressure| pressure_name(*pressure) == name)
+}
+
+pub(super) fn pressure_name(pressure: Pressure) -> &'static str {
+    match pressure {
+        Pressure::Radius => "radius",
+        Pressure::Strength => "strength",
+    }
+}
+
+/// A tone by its name, or a colour written as #rrggbb, or none.
+pub(super) fn ink_from_name(name: &str) -> Option<Ink> {
+    let tones = [Tone::Lighter, Tone::Darker, Tone::Warmer, Tone::Cooler];
+    let tone = tones.into_iter().find(|tone| tone_name(*tone) == name);
+    tone.map(Ink::Tone).or_else(|| name.parse().ok().map(Ink::Paint))
+}
+
+pub(super) fn tone_name(tone: Tone) -> &'static str {
+    match tone {
+        Tone::Lighter => "lighter",
+        Tone::Darker => "darker",
+        Tone::Warmer => "warmer",
+        Tone::Cooler => "cooler",
+    }
+}
+
+pub(super) fn engine_from_name(name: &str) -> Option<EngineKind> {
+    [EngineKind::Global, EngineKind::Progressive].into_iter().find(|engine| engine_name(*engine) == name)
+}
+
+pub(super) fn engine_name(engine: EngineKind) -> &'static str {
+    match engine {
+        EngineKind::Global => "global",
+        EngineKind::Progressive => "progressive",
+    }
+}
+
+pub(super) fn blend_from_name(name: &str) -> Option<Blend> {
+    [Blend::Oklab, Blend::Srgb].into_iter().find(|blend| blend_name(*blend) == name)
+}
+
+pub(super) fn blend_name(blend: Blend) -> &'static str {
+    match blend {
+        Blend::Oklab => "oklab",
+        Blend::Srgb => "srgb",
+    }
+}

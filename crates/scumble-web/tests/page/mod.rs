@@ -1,0 +1,78 @@
+//! A page without a browser: pen and controls in, pictures out.
+
+use kurbo::Point;
+use scumble_core::Srgb8;
+use scumble_solve::{Pixmap, paint};
+use scumble_web::command::{Command, Phase, ViewChange};
+use scumble_web::painting::{Changed, Painter, Painting};
+use scumble_web::session::Session;
+
+pub(crate) const DESK: Srgb8 = Srgb8([90, 91, 92]);
+
+/// A square of 480 du within a page of 1024 by 768 du.
+pub(crate) const SQUARE: &[u8] = br#"<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 1024 768">
+    <path d="M200 150H680V630H200Z" fill="none" stroke="black" stroke-width="8"/></svg>"#;
+
+/// A canvas that the painter on the CPU fills.
+#[derive(Default)]
+pub(crate) struct Canvas {
+    pub(crate) frames: Vec<Changed>,
+    pub(crate) shown: Option<Pixmap>,
+}
+
+impl Painter for Canvas {
+    fn paint(&mut self, painting: &Painting<'_>, changed: Changed) {
+        self.frames.push(changed);
+        self.shown = Some(paint(&painting.scene(), &painting.view));
+    }
+}
+
+/// A page of 1200 by 900 CSS pixels with a drawing open.
+pub(crate) struct Page {
+    pub(crate) session: Session,
+    pub(crate) canvas: Canvas,
+}
+
+impl Page {
+    pub(crate) fn open(svg: &[u8]) -> Self {
+        let mut page = Self { session: Session::new(DESK).expect("a blank page"), canvas: Canvas::default() };
+        page.view(ViewChange::Resize([1200, 900], 1.0));
+        page.session.command(Command::Open {
+            name: "square.svg".into(),
+            bytes: svg.to_vec(),
+            scribbles: vec![],
+        });
+        page.view(ViewChange::ZoomReset);
+        page
+    }
+
+    pub(crate) fn view(&mut self, change: ViewChange) {
+        self.session.command(Command::View(change));
+    }
+
+    /// A stroke of the pen through places in du, one batch of samples each.
+    pub(crate) fn stroke(&mut self, color: Srgb8, points_du: &[(f64, f64)]) {
+        self.session.command(Command::Color(color.into()));
+        for (i, &point) in points_du.iter().enumerate() {
+            self.pen(if i == 0 { Phase::Down } else { Phase::Move }, point);
+        }
+        self.session.pointer(Phase::Up, &[]);
+    }
+
+    pub(crate) fn pen(&mut self, phase: Phase, point_du: (f64, f64)) {
+        let Point { x, y } = self.session.css_from_du() * Point::from(point_du);
+        self.session.pointer(phase, &[x as f32, y as f32, 1.0]);
+    }
+
+    /// The colour on the canvas at a place in du, after a frame.
+    pub(crate) fn color_at(&mut self, point_du: (f64, f64)) -> Srgb8 {
+        self.session.frame(&mut self.canvas);
+        let place_px = self.session.css_from_du() * Point::from(point_du);
+        pixel(self.canvas.shown.as_ref().expect("a painting"), place_px)
+    }
+}
+
+pub(crate) fn pixel(picture: &Pixmap, place_px: Point) -> Srgb8 {
+    let i = 4 * (place_px.y as usize * picture.width_px as usize + place_px.x as usize);
+    Srgb8([picture.rgba[i], picture.rgba[i + 1], picture.rgba[i + 2]])
+}

@@ -1,0 +1,243 @@
+//! Scribbles that shade, as a person draws them: where they show, how strongly, in which colour.
+
+mod page;
+
+use scumble_core::{Paint, Scribble, ScribbleKind, Shading, Srgb8, Tone};
+use scumble_web::brush::{Ink, Kind, Mode, ModeChange, Pressure};
+use scumble_web::command::{Command, Phase, Tool};
+use scumble_web::effect::Effect;
+
+use page::{Page, SQUARE};
+
+const RED: Srgb8 = Srgb8([230, 25, 75]);
+const BLUE: Srgb8 = Srgb8([0, 90, 200]);
+const WHITE: Srgb8 = Srgb8([255; 3]);
+
+const MIDDLE: (f64, f64) = (440.0, 390.0);
+const CORNER: (f64, f64) = (215.0, 615.0);
+const OUTSIDE: (f64, f64) = (730.0, 390.0);
+
+/// A red square, scribbles hidden, a brush that shades at full strength.
+fn page() -> Page {
+    let mut page = Page::open(SQUARE);
+    page.session.command(Command::Scribbles(false));
+    page.stroke(RED, &[(260.0, 200.0), (300.0, 210.0)]);
+    set(&mut page, ModeChange::Kind(Kind::Shade));
+    set(&mut page, ModeChange::Strength(1.0));
+    page
+}
+
+fn set(page: &mut Page, change: ModeChange) {
+    page.session.command(Command::Mode(change));
+}
+
+fn last(page: &Page) -> &Scribble {
+    page.session.document().scribbles.last().expect("a scribble")
+}
+
+/// Red, green and blue are as close as nobody tells apart.
+fn assert_close(found: Srgb8, expected: Srgb8) {
+    assert!(found.0.iter().zip(expected.0).all(|(a, b)| a.abs_diff(b) <= 2), "{found}, not {expected}");
+}
+
+#[test]
+fn a_dab_colours_its_place_and_leaves_the_rim_of_the_region() {
+    let mut page = page();
+    page.stroke(BLUE, &[MIDDLE]);
+    assert_close(page.color_at(MIDDLE), BLUE);
+    assert_close(page.color_at(CORNER), RED);
+    page.session.command(Command::Undo);
+    assert_eq!(page.color_at(MIDDLE), RED);
+}
+
+#[test]
+fn the_picture_follows_the_pen_and_escape_takes_it_back() {
+    let mut page = page();
+    page.session.command(Command::Color(BLUE.into()));
+    page.pen(Phase::Down, (340.0, 390.0));
+    let before = page.color_at(MIDDLE);
+    page.pen(Phase::Move, MIDDLE);
+    assert_ne!(page.color_at(MIDDLE), before);
+    assert_close(page.color_at(MIDDLE), BLUE);
+    page.session.pointer(Phase::Cancel, &[]);
+    assert_eq!(page.color_at(MIDDLE), RED);
+}
+
+#[test]
+fn without_strength_nothing_changes_and_undo_brings_back_every_pixel() {
+    let mut page = page();
+    page.color_at(MIDDLE);
+    let before = page.canvas.shown.clone();
+    set(&mut page, ModeChange::Strength(0.0));
+    page.stroke(BLUE, &[MIDDLE]);
+    page.color_at(MIDDLE);
+    assert!(page.canvas.shown == before, "without strength");
+    set(&mut page, ModeChange::Strength(0.4));
+    page.stroke(BLUE, &[MIDDLE]);
+    page.color_at(MIDDLE);
+    assert!(page.canvas.shown != before);
+    page.session.command(Command::Undo);
+    page.color_at(MIDDLE);
+    assert!(page.canvas.shown == before, "undone");
+}
+
+#[test]
+fn of_a_scribble_that_shades_a_thin_spine_is_drawn_over_the_picture() {
+    let mut page = page();
+    page.session.command(Command::Scribbles(true));
+    set(&mut page, ModeChange::Strength(0.0));
+    page.stroke(BLUE, &[MIDDLE]);
+    assert_ne!(page.color_at(MIDDLE), RED);
+    assert_eq!(page.color_at((MIDDLE.0 + 8.0, MIDDLE.1)), RED);
+}
+
+#[test]
+fn a_stroke_stays_in_its_region_unless_it_crosses() {
+    for crosses in [false, true] {
+        let mut page = page();
+        set(&mut page, ModeChange::Crosses(crosses));
+        page.stroke(BLUE, &[MIDDLE, OUTSIDE]);
+        assert_eq!(page.color_at(OUTSIDE) != WHITE, crosses);
+    }
+}
+
+#[test]
+fn a_tone_is_a_step_from_what_is_under_the_first_point() {
+    let mut page = page();
+    for tone in [Tone::Lighter, Tone::Darker, Tone::Warmer, Tone::Cooler] {
+        page.session.command(Command::Color(Ink::Tone(tone)));
+        page.pen(Phase::Down, MIDDLE);
+        page.pen(Phase::Move, OUTSIDE);
+        page.session.pointer(Phase::Up, &[]);
+        assert_eq!(last(&page).color, Paint::Color(tone.step(RED)));
+        page.session.command(Command::Undo);
+    }
+    page.session.command(Command::Color(Ink::Tone(Tone::Darker)));
+    page.pen(Phase::Down, OUTSIDE);
+    assert_eq!(last(&page).color, Paint::Color(Tone::Darker.step(WHITE)), "on paper");
+}
+
+#[test]
+fn a_tone_is_taken_from_the_stroke_that_was_drawn_just_before() {
+    let mut page = page();
+    page.stroke(BLUE, &[MIDDLE]);
+    page.session.command(Command::Color(Ink::Tone(Tone::Lighter)));
+    page.pen(Phase::Down, MIDDLE);
+    let Paint::Color(color) = last(&page).color else { panic!("a colour") };
+    assert_close(color, Tone::Lighter.step(BLUE));
+}
+
+#[test]
+fn a_tone_goes_when_a_colour_or_the_same_tone_is_picked_and_does_not_fill() {
+    let mut page = page();
+    let tone = Ink::Tone(Tone::Warmer);
+    let told = |page: &mut Page, command: Command| {
+        page.session.take_effects();
+        page.session.command(command);
+        page.session.take_effects().into_iter().find_map(|effect| match effect {
+            Effect::Color(ink) => Some(ink),
+            _ => None,
+        })
+    };
+    assert_eq!(told(&mut page, Command::Color(tone)), Some(tone));
+    assert_eq!(told(&mut page, Command::Color(tone)), Some(RED.into()));
+    told(&mut page, Command::Color(tone));
+    assert_eq!(told(&mut page, Command::SwapColors), Some(RED.into()));
+    told(&mut page, Command::Color(tone));
+    assert_eq!(told(&mut page, Command::Mode(ModeChange::OtherKind)), Some(RED.into()));
+    assert_eq!(told(&mut page, Command::Mode(ModeChange::OtherKind)), Some(tone));
+    assert_eq!(told(&mut page, Command::Color(BLUE.into())), Some(BLUE.into()));
+}
+
+#[test]
+fn each_kind_has_a_size_of_its_own_and_is_for_scribbling() {
+    let mut page = Page::open(SQUARE);
+    page.session.command(Command::BrushSize(30.0));
+    page.session.command(Command::Tool(Tool::Erase));
+    page.session.take_effects();
+    set(&mut page, ModeChange::OtherKind);
+    let shade = Mode { kind: Kind::Shade, ..Mode::default() };
+    let told = page.session.take_effects();
+    assert_eq!(told, [Effect::Tool(Tool::Scribble), Effect::Mode(shade), Effect::BrushSize(64.0)]);
+    page.session.command(Command::BrushSize(1e9));
+    assert_eq!(page.session.take_effects(), [Effect::BrushSize(256.0)]);
+    set(&mut page, ModeChange::OtherKind);
+    assert_eq!(page.session.take_effects(), [Effect::Mode(Mode::default()), Effect::BrushSize(30.0)]);
+}
+
+/// Samples of a pen at a place of the canvas, with these pressures.
+fn samples(pressures: &[f32]) -> Vec<f32> {
+    pressures.iter().flat_map(|&pressure| [500.0, 400.0, pressure]).collect()
+}
+
+#[test]
+fn the_greatest_pressure_of_a_stroke_is_its_radius_or_its_strength() {
+    let press = |pressure: Pressure, pressures: &[f32]| {
+        let mut page = page();
+        set(&mut page, ModeChange::Strength(0.5));
+        set(&mut page, ModeChange::Pressure(pressure));
+        page.session.pointer(Phase::Down, &samples(&pressures[..1]));
+        page.session.pointer(Phase::Move, &samples(&pressures[1..]));
+        page.session.pointer(Phase::Up, &samples(&[0.0]));
+        let ScribbleKind::Shade(Shading { strength, .. }) = last(&page).kind else { panic!("a shade") };
+        (last(&page).width_du, strength)
+    };
+    assert_eq!(press(Pressure::Radius, &[0.25, 0.75, 0.5]), (48.0, 0.5));
+    assert_eq!(press(Pressure::Strength, &[0.25, 0.75, 0.5]), (64.0, 0.375));
+    assert_eq!(press(Pressure::Strength, &[f32::NAN, 9.0]), (64.0, 0.5));
+    let (width_du, _) = press(Pressure::Radius, &[0.0, 0.0]);
+    assert!(width_du > 0.0);
+}
+
+#[test]
+fn a_stroke_ends_as_it_began_whatever_is_set_meanwhile() {
+    let mut page = page();
+    page.pen(Phase::Down, MIDDLE);
+    let [before, after] = [(); 2].map(|()| {
+        set(&mut page, ModeChange::OtherKind);
+        page.session.command(Command::BrushLarger);
+        page.pen(Phase::Move, CORNER);
+        (last(&page).width_du, last(&page).kind)
+    });
+    assert_eq!(before, after);
+    assert_eq!(before, (64.0, ScribbleKind::Shade(Shading { strength: 1.0, crosses: false })));
+}
+
+#[test]
+fn pressure_changes_nothing_about_a_scribble_that_fills() {
+    let mut page = Page::open(SQUARE);
+    page.session.pointer(Phase::Down, &samples(&[0.1]));
+    page.session.pointer(Phase::Up, &[]);
+    assert_eq!((last(&page).width_du, last(&page).kind), (16.0, ScribbleKind::Fill));
+}
+
+#[test]
+fn strengths_of_any_kind_stay_within_their_range() {
+    let mut page = page();
+    for (given, kept) in [(7.0, 1.0), (-1.0, 0.0), (f64::NAN, 0.0), (f64::INFINITY, 1.0)] {
+        set(&mut page, ModeChange::Strength(given));
+        page.stroke(BLUE, &[MIDDLE]);
+        assert_eq!(last(&page).kind, ScribbleKind::Shade(Shading { strength: kept, crosses: false }));
+    }
+}
+
+#[test]
+fn a_drawing_opens_with_its_scribbles_and_nothing_to_undo() {
+    let mut page = Page::open(SQUARE);
+    let half = br#"<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 512 384"><path d="M100 75H340V315H100Z" stroke="black" fill="none"/></svg>"#;
+    let scribble = Scribble {
+        color: BLUE.into(),
+        kind: ScribbleKind::Fill,
+        width_du: 4.0,
+        points: vec![(200.0, 200.0).into(), (210.0, 200.0).into()],
+    };
+    let open = |scribbles| Command::Open { name: "half.svg".into(), bytes: half.to_vec(), scribbles };
+    page.session.command(open(vec![scribble]));
+    assert_eq!(last(&page).points, [(400.0, 400.0).into(), (420.0, 400.0).into()]);
+    assert_eq!(last(&page).width_du, 8.0);
+    assert_eq!(page.color_at(MIDDLE), BLUE);
+    page.session.command(open(vec![]));
+    page.session.take_effects();
+    page.session.command(Command::Undo);
+    assert_eq!(page.session.take_effects(), [], "nobody has worked on either");
+}
