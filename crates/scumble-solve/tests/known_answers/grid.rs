@@ -2,7 +2,8 @@
 //!
 //! Where a curve runs through the centre of a pixel it is taken to pass 0.02 px beside it. That, the lattice, and the
 //! chords of curves bound how small errors become; so the fall with the size of a pixel is looked at where they are
-//! larger. At the tips of curves errors fall with the root of the size of a pixel, beyond with that size itself.
+//! larger. At the tips of curves errors fall with the root of the size of a pixel, beyond with that size itself; with its fourth root and its root where
+//! one side of the tip has a colour and the other has none.
 
 use super::*;
 
@@ -69,6 +70,17 @@ fn tips_on_pixels() {
     coloured_slit(|problem| assert_grid_levels_at_tip(problem, CENTRE, 5.2, 1.0));
     barrier_slit(|problem| assert_grid_levels_at_tip(problem, CENTRE, 2.6, 0.5));
     half_plane_with_a_barrier(|problem, tip| assert_grid_levels_at_tip(problem, tip, 1.5, 0.3));
+}
+
+#[test]
+fn tip_with_one_coloured_side_on_pixels() {
+    half_coloured_slit(|problem| {
+        let is_beyond = |p: Point| p.distance(CENTRE) > 60.0;
+        assert_grid_level(problem, 34.0);
+        assert_level(problem.largest_grid_error(SIZE_PX, is_beyond), 11.0);
+        assert_grid_falls(problem, &[128, 256, 512], 0.9, |_| true);
+        assert_grid_falls(problem, &[128, 256, 512], 0.75, is_beyond);
+    });
 }
 
 #[test]

@@ -153,10 +153,11 @@ fn angle_beside(p: Point, beside: Point) -> f64 {
 }
 
 /// A disk cut from its centre to the left. The slope at the tip of the cut is infinite: the error falls slowly.
-fn slit(exact: impl Fn(f64, f64) -> f64, colored_slit: bool, check: impl Fn(&Problem<'_>)) {
+fn slit(exact: impl Fn(f64, f64) -> f64, is_colored: impl Fn(f64) -> bool, check: impl Fn(&Problem<'_>)) {
     let radius = 400.0;
     let exact = |p: Point, beside: Point| exact((polar(p).0 / radius).sqrt(), angle_beside(p, beside));
-    let colored = |curve: usize, beside: Point| polar(beside).0 < radius && (curve == 0 || colored_slit);
+    let colored =
+        |curve: usize, beside: Point| polar(beside).0 < radius && (curve == 0 || is_colored(polar(beside).1));
     check(&Problem {
         curves: vec![circle(CENTRE, radius), line(CENTRE.into(), centre_at(radius, PI).into())],
         side: &|curve, p, beside| colored(curve, beside).then(|| exact(p, beside)),
@@ -171,11 +172,16 @@ fn assert_levels_at_tip(problem: &Problem<'_>, tip: Point, at_levels: f64, beyon
 }
 
 fn coloured_slit(check: impl Fn(&Problem<'_>)) {
-    slit(|root, angle| root * (0.5 * angle).cos().max(0.0), true, check);
+    slit(|root, angle| root * (0.5 * angle).cos().max(0.0), |_| true, check);
 }
 
 fn barrier_slit(check: impl Fn(&Problem<'_>)) {
-    slit(|root, angle| 0.5 + 0.5 * root * (0.5 * angle).sin(), false, check);
+    slit(|root, angle| 0.5 + 0.5 * root * (0.5 * angle).sin(), |_| false, check);
+}
+
+/// The upper side of the cut has a colour, the lower one has none: the fourth root is the worst that two sides can make.
+fn half_coloured_slit(check: impl Fn(&Problem<'_>)) {
+    slit(|root, angle| root.sqrt() * (0.25 * (angle + PI)).sin(), |angle| angle < 0.0, check);
 }
 
 #[test]
@@ -186,6 +192,11 @@ fn tip_of_a_coloured_slit_is_the_real_part_of_a_root() {
 #[test]
 fn tip_of_a_barrier_is_the_imaginary_part_of_a_root() {
     barrier_slit(|problem| assert_levels_at_tip(problem, CENTRE, 4.0, 0.5));
+}
+
+#[test]
+fn tip_of_a_slit_with_one_coloured_side_is_the_imaginary_part_of_a_fourth_root() {
+    half_coloured_slit(|problem| assert_levels_at_tip(problem, CENTRE, 36.0, 8.5));
 }
 
 /// Flow along a wall, over a barrier of height h that stands on it: the real part of √(z² + h²).
