@@ -12,7 +12,7 @@ use std::path::Path;
 
 use anyhow::Context;
 use scumble_core::{Boundary, PlanarMap, Settings, SideId};
-use scumble_solve::grid::{CutLinks, GridSolver, JeschkeSolver};
+use scumble_solve::grid::{Constraints, GridSolver, JeschkeSolver, TOLERANCE};
 use scumble_solve::{Picture, View};
 
 use crate::set::{self, Kind};
@@ -22,9 +22,6 @@ use zones::Zone;
 
 /// Size of the pictures.
 const SIZE_PX: u32 = 1024;
-
-/// A step that changes no value by more than this is the last: a quarter of a level.
-const TOLERANCE: f32 = 0.25 / 255.0;
 
 /// Further steps, for the picture that the iteration tends to.
 const FURTHER_STEPS: usize = 8;
@@ -84,10 +81,10 @@ fn row(picture: &mut Picture, mut boundary: Boundary, view: &View, half: bool) -
         uncolor_half(picture.map(), &mut boundary);
     }
     let blend = Settings::default().blend;
-    let links = CutLinks::new(picture.map(), &boundary, view);
+    let constraints = Constraints::new(picture.map(), &boundary, view);
     let zones = zones::zones(picture.map(), &boundary, view);
     let mesh = levels(&centers::colors(picture.mesh().solve(&boundary, blend)?, view), blend);
-    let mut solver = GridSolver::new(&links);
+    let mut solver = GridSolver::new(&constraints);
     let steps = solver.solve(TOLERANCE);
     let grid = levels(solver.pixels(), blend);
     (0..FURTHER_STEPS).for_each(|_| solver.step());
@@ -98,12 +95,12 @@ fn row(picture: &mut Picture, mut boundary: Boundary, view: &View, half: bool) -
         iteration,
         away: Spread::of(&grid, &mesh, away),
         special: Spread::of(&grid, &mesh, |i| zones[i] == Zone::Special),
-        jeschke: JESCHKE_STEPS.map(|steps| Spread::of(&jeschke(&links, steps, blend), &mesh, away)),
+        jeschke: JESCHKE_STEPS.map(|steps| Spread::of(&jeschke(&constraints, steps, blend), &mesh, away)),
     })
 }
 
-fn jeschke(links: &CutLinks, steps: usize, blend: scumble_core::Blend) -> Vec<Levels> {
-    let mut solver = JeschkeSolver::new(links);
+fn jeschke(constraints: &Constraints, steps: usize, blend: scumble_core::Blend) -> Vec<Levels> {
+    let mut solver = JeschkeSolver::new(constraints);
     (0..steps).for_each(|_| solver.step());
     levels(solver.pixels(), blend)
 }

@@ -24,7 +24,7 @@ mod texels;
 #[cfg(test)]
 mod tests;
 
-use scumble_solve::grid::{CutLinks, Hierarchy, MAX_STEPS, Texel};
+use scumble_solve::grid::{Constraints, Hierarchy, MAX_STEPS, Texel};
 
 use crate::error::GpuError;
 use crate::gpu::Gpu;
@@ -49,8 +49,8 @@ impl GpuGridSolver {
     ///
     /// # Errors
     /// When the device cannot draw floats, or not so many.
-    pub fn new(gpu: &Gpu, cuts: &CutLinks) -> Result<Self, GridError> {
-        let hierarchy = Hierarchy::new(cuts);
+    pub fn new(gpu: &Gpu, constraints: &Constraints) -> Result<Self, GridError> {
+        let hierarchy = Hierarchy::new(constraints);
         check(gpu, &hierarchy)?;
         let kernels = Kernels::new(&gpu.device);
         let mut recorder = Recorder::new(gpu, &kernels);

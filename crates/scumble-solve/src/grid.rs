@@ -2,7 +2,10 @@
 //!
 //! | noun | file |
 //! |---|---|
-//! | where curves cut the links between pixels | `cut_links` |
+//! | all that is given | `constraints` |
+//! | where curves cut the links between pixels | `cut_links`, `wall` |
+//! | what shading scribbles do to pixels | `pulls`, `regions` |
+//! | pixels that their colour cannot reach | `unreached` |
 //! | numbers in rows and columns, as the GPU has them | `texture` |
 //! | a grid and how its unknowns hang together | `level`, `parts` |
 //! | what is computed from texel to texel | `kernels` |
@@ -16,6 +19,7 @@
 //! coarser grids are not those of Galerkin but have the same five points as the finest, one for each part of a cell.
 //! Everything is computed texel by texel in `f32`, as it is on the GPU.
 
+mod constraints;
 mod cut_links;
 mod hierarchy;
 mod jeschke;
@@ -23,16 +27,25 @@ pub mod kernels;
 mod level;
 mod parts;
 mod picture;
+mod pulls;
+mod regions;
 mod texture;
+mod unreached;
+mod wall;
 
-pub use cut_links::{Cut, CutLinks, Face, LEAST_FRACTION, Link};
+pub use constraints::Constraints;
+pub use cut_links::{Cut, Face, LEAST_FRACTION, Link};
 pub use hierarchy::{Hierarchy, STEPS};
 pub use jeschke::JeschkeSolver;
 pub use level::Level;
 pub use picture::GridPicture;
+pub use pulls::Pull;
 pub use texture::{Texel, Texture};
 
 use texture::{minus, plus};
+
+/// A step that changes no value by more than this may be the last: a twentieth of a level of 255.
+pub const TOLERANCE: f32 = 0.05 / 255.0;
 
 /// Steps after which a picture is taken as it is. Real drawings need up to 6; one of 10,000 pieces, half of whose sides
 /// have no colour, needs 9.
@@ -49,14 +62,14 @@ pub struct GridSolver {
     image: Texture,
     /// How far the last step went along the direction, by channel.
     length: Texel,
-    /// The last residual times its correction.
-    power: Texel,
+    /// The direction times its image.
+    curvature: Texel,
 }
 
 impl GridSolver {
     /// With a first picture.
-    pub fn new(cuts: &CutLinks) -> Self {
-        let mut hierarchy = Hierarchy::new(cuts);
+    pub fn new(constraints: &Constraints) -> Self {
+        let mut hierarchy = Hierarchy::new(constraints);
         let values = hierarchy.first_picture();
         let mut residual = Texture::new(values.width, values.height);
         residual.draw(|x, y| kernels::residual(&hierarchy.levels[0], &values, hierarchy.right(), x, y));
@@ -68,7 +81,7 @@ impl GridSolver {
             image: direction.clone(),
             direction,
             length: [0.0; 4],
-            power: [0.0; 4],
+            curvature: [0.0; 4],
         }
     }
 
@@ -89,18 +102,20 @@ impl GridSolver {
         changes.map(f32::abs).fold(0.0, f32::max)
     }
 
-    /// One step of conjugate gradients, by the formula of Polak and Ribière.
+    /// One step of conjugate gradients.
+    ///
+    /// Both the direction and how far to go along it are taken as they are, not by the shorter formulas that follow where
+    /// nothing is rounded: so no step makes it worse, also where the last one has left nothing but rounding errors.
     pub fn step(&mut self) {
         let corrected = self.hierarchy.precondition(&self.residual);
-        let turn = product(self.length, dot(&self.image, corrected));
-        let part = ratio(turn, self.power).map(|c| -c);
+        let part = ratio(dot(&self.image, corrected), self.curvature);
         for (direction, corrected) in self.direction.texels.iter_mut().zip(&corrected.texels) {
-            *direction = plus(*corrected, product(*direction, part));
+            *direction = minus(*corrected, product(*direction, part));
         }
-        self.power = dot(&self.residual, corrected);
         let (level, direction) = (&self.hierarchy.levels[0], &self.direction);
         self.image.draw(|x, y| kernels::multiply(level, direction, x, y));
-        self.length = ratio(self.power, dot(&self.direction, &self.image));
+        self.curvature = dot(&self.direction, &self.image);
+        self.length = ratio(dot(&self.residual, &self.direction), self.curvature);
         for i in 0..self.image.texels.len() {
             self.values.texels[i] =
                 plus(self.values.texels[i], product(self.direction.texels[i], self.length));

@@ -2,20 +2,26 @@
 //!
 //! | noun | file |
 //! |---|---|
+//! | what no colour passes | `barriers` |
+//! | the soft brush of a shading scribble | `brush` |
 //! | triangles with colours: the solved picture | [`field`] |
 //! | the grid solver, on pixels | [`grid`] |
 //! | lines, fills and scribbles as flat shapes | [`ink`] |
 //! | the mesh solver | [`mesh`] |
 //! | the painter on the CPU | [`mod@paint`] |
 //! | all that is derived from a document | [`picture`] |
+//! | which regions a shading scribble shades | `reach` |
 //! | what a painter paints | [`scene`] |
 
+mod barriers;
+mod brush;
 pub mod field;
 pub mod grid;
 pub mod ink;
 pub mod mesh;
 pub mod paint;
 pub mod picture;
+mod reach;
 pub mod scene;
 
 pub use field::{Field, FieldTriangle};

@@ -3,11 +3,11 @@
 use kurbo::{Point, Rect};
 use scumble_core::{SoftSource, Triangulation};
 
-use super::brush::Brush;
+use crate::brush::Brush;
 
 /// Where a source shows.
 #[derive(Debug)]
-pub(super) enum Reach {
+pub(crate) enum Reach {
     /// In the region of one triangle.
     Region(u32),
     /// Wherever its brush reaches.
@@ -17,7 +17,7 @@ pub(super) enum Reach {
 }
 
 impl Reach {
-    pub(super) fn new(mesh: &Triangulation, source: &SoftSource) -> Self {
+    pub(crate) fn new(mesh: &Triangulation, source: &SoftSource) -> Self {
         if source.crosses {
             return Self::Brush(Brush::new(source));
         }
@@ -29,7 +29,7 @@ impl Reach {
     }
 
     /// Whether it shades a region, of which these are the triangles in ascending order.
-    pub(super) fn meets(&self, mesh: &Triangulation, triangles: &[u32]) -> bool {
+    pub(crate) fn meets(&self, mesh: &Triangulation, triangles: &[u32]) -> bool {
         match self {
             Self::Nowhere => false,
             Self::Region(triangle) => triangles.binary_search(triangle).is_ok(),

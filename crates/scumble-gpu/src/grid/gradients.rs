@@ -34,8 +34,8 @@ pub(super) struct Gradients {
 struct Scalars {
     /// How far the last step went along the direction, by channel.
     length: wgpu::TextureView,
-    /// The last residual times its correction.
-    power: wgpu::TextureView,
+    /// The direction times its image.
+    curvature: wgpu::TextureView,
     /// A product that is used at once.
     product: wgpu::TextureView,
     /// How much of the last direction the next one takes away.
@@ -86,26 +86,25 @@ impl Gradients {
         Step { tape, measure: recorder.take(), values: self.values.now.clone() }
     }
 
-    /// The next direction, by the formula of Polak and Ribière.
+    /// The next direction.
     fn turn(&mut self, recorder: &mut Recorder<'_>) {
-        let Scalars { length, power, product, part, .. } = &self.scalars;
-        let finest = &self.levels.levels[0];
-        let (corrected, direction) = (&finest.values, &mut self.direction);
+        let Scalars { curvature, product, part, .. } = &self.scalars;
+        let (corrected, direction) = (&self.levels.levels[0].values, &mut self.direction);
         self.reduction.dot(recorder, [&self.image, corrected], product);
-        recorder.pass(Kernel::Ratio, &[product, power, length], part);
+        recorder.pass(Kernel::Ratio, &[product, curvature], part);
         recorder.pass(Kernel::Retreat, &[corrected, &direction.now, part], &direction.room);
         direction.swap();
-        self.reduction.dot(recorder, [&finest.right, corrected], power);
     }
 
     /// As far along the direction as is best.
     fn advance(&mut self, recorder: &mut Recorder<'_>) {
-        let Scalars { length, power, product, .. } = &self.scalars;
+        let Scalars { length, curvature, product, .. } = &self.scalars;
         let finest = &mut self.levels.levels[0];
         let direction = &self.direction.now;
         recorder.pass_on(&finest.matrix, Kernel::Multiply, &[direction], &self.image);
-        self.reduction.dot(recorder, [direction, &self.image], product);
-        recorder.pass(Kernel::Ratio, &[power, product, &self.levels.one], length);
+        self.reduction.dot(recorder, [direction, &self.image], curvature);
+        self.reduction.dot(recorder, [&finest.right, direction], product);
+        recorder.pass(Kernel::Ratio, &[product, curvature], length);
         recorder.pass(Kernel::Advance, &[&self.values.now, direction, length], &self.values.room);
         self.values.swap();
         recorder.pass(Kernel::Retreat, &[&finest.right, &self.image, length], &self.residual_room);
@@ -127,7 +126,7 @@ impl Pair {
 
 impl Scalars {
     fn new(gpu: &Gpu) -> Self {
-        let [length, power, product, part, largest, change] = [(); 6].map(|()| single(gpu, 0.0));
-        Self { length, power, product, part, largest, change }
+        let [length, curvature, product, part, largest, change] = [(); 6].map(|()| single(gpu, 0.0));
+        Self { length, curvature, product, part, largest, change }
     }
 }

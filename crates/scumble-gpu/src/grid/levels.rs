@@ -23,7 +23,7 @@ pub(crate) struct GpuLevels {
     pub(crate) levels: Vec<GpuLevel>,
     /// Parts of the way that steps go: the two of [`STEPS`].
     parts: [wgpu::TextureView; 2],
-    pub(super) one: wgpu::TextureView,
+    one: wgpu::TextureView,
     pub(super) zero: wgpu::TextureView,
 }
 

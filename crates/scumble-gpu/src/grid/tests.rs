@@ -3,7 +3,9 @@
 use kurbo::{Affine, BezPath, Circle, Rect, Shape, Vec2};
 use scumble_core::{Boundary, Curve, Drawing, PlanarMap, Sampling};
 use scumble_solve::View;
-use scumble_solve::grid::{CutLinks, GridSolver, Hierarchy, Level, STEPS, Texel, Texture, kernels as twin};
+use scumble_solve::grid::{
+    Constraints, GridSolver, Hierarchy, Level, STEPS, Texel, Texture, kernels as twin,
+};
 
 use super::kernels::{Kernel, Kernels};
 use super::levels::{GpuLevels, matrix};
@@ -23,7 +25,7 @@ fn gpu() -> Option<Gpu> {
 
 /// Circles that overlap, a barrier across them, and colours on every other side: links of all kinds, cells of several
 /// parts, and unknowns that nothing holds.
-fn cuts(width_px: u32, height_px: u32) -> CutLinks {
+fn constraints(width_px: u32, height_px: u32) -> Constraints {
     let mut barrier = BezPath::new();
     barrier.move_to((100.0, 130.0));
     barrier.curve_to((400.0, 900.0), (600.0, 100.0), (930.0, 700.0));
@@ -31,7 +33,7 @@ fn cuts(width_px: u32, height_px: u32) -> CutLinks {
     let circles = circles.map(|(x, y, radius)| Circle::new((x, y), radius).to_path(1e-3));
     let map = map(circles.into_iter().chain([barrier]));
     let boundary = boundary(&map, &[[0.2, 0.9], [0.7, 0.4], [0.1, 1.0]]);
-    CutLinks::new(&map, &boundary, &view(width_px, height_px))
+    Constraints::new(&map, &boundary, &view(width_px, height_px))
 }
 
 fn map(paths: impl Iterator<Item = BezPath>) -> PlanarMap {
@@ -125,7 +127,7 @@ const ROUNDING: f32 = 1e-6;
 #[test]
 fn kernels_within_a_level_draw_what_their_twins_compute() {
     let Some(bench) = Bench::new() else { return };
-    for (depth, level) in Hierarchy::new(&cuts(130, 97)).levels.iter().take(LEVELS).enumerate() {
+    for (depth, level) in Hierarchy::new(&constraints(130, 97)).levels.iter().take(LEVELS).enumerate() {
         let (values, right) = (noise_like(level, 1), noise_like(level, 2));
         let part = Texture { width: 1, height: 1, texels: vec![[STEPS[0]; 4]] };
         let check = |kernel, operands: &[&Texture], twin: &dyn Fn(i32, i32) -> Texel| {
@@ -143,7 +145,7 @@ fn kernels_within_a_level_draw_what_their_twins_compute() {
 #[test]
 fn kernels_between_levels_draw_what_their_twins_compute() {
     let Some(bench) = Bench::new() else { return };
-    for (depth, pair) in Hierarchy::new(&cuts(130, 97)).levels[..=LEVELS].windows(2).enumerate() {
+    for (depth, pair) in Hierarchy::new(&constraints(130, 97)).levels[..=LEVELS].windows(2).enumerate() {
         let [fine, coarse] = pair else { unreachable!("windows of two") };
         let (values, below) = (noise_like(fine, 1), noise_like(coarse, 2));
         let check = |kernel, operands: &[&Texture], like, twin: &dyn Fn(i32, i32) -> Texel| {
@@ -184,7 +186,7 @@ fn reductions_take_every_texel_once() {
 #[test]
 fn a_cycle_draws_what_the_one_on_the_cpu_computes() {
     let Some(Bench { gpu, kernels }) = Bench::new() else { return };
-    let mut hierarchy = Hierarchy::new(&cuts(130, 97));
+    let mut hierarchy = Hierarchy::new(&constraints(130, 97));
     let right = noise_like(&hierarchy.levels[0], 5);
     let mut levels = GpuLevels::new(&gpu, &kernels, &hierarchy);
     levels.levels[0].right = uploaded(&gpu, &right);
@@ -200,10 +202,10 @@ fn farthest(a: &[Texel], b: &[Texel]) -> f32 {
 }
 
 /// Solves on both, to a step that changes nothing by more than a tolerance, and compares.
-fn assert_same_picture(gpu: &Gpu, cuts: &CutLinks, tolerance: f32) {
-    let size = [cuts.width_px, cuts.height_px];
-    let mut on_cpu = GridSolver::new(cuts);
-    let mut on_gpu = GpuGridSolver::new(gpu, cuts).expect("a solver");
+fn assert_same_picture(gpu: &Gpu, constraints: &Constraints, tolerance: f32) {
+    let size = [constraints.width_px, constraints.height_px];
+    let mut on_cpu = GridSolver::new(constraints);
+    let mut on_gpu = GpuGridSolver::new(gpu, constraints).expect("a solver");
     let pixels = |solver: &GpuGridSolver| pollster::block_on(solver.pixels()).expect("the pixels come back");
     let start = farthest(&pixels(&on_gpu), on_cpu.pixels());
     assert!(start <= TENTH, "{size:?}: {start} at first");
@@ -218,7 +220,7 @@ fn assert_same_picture(gpu: &Gpu, cuts: &CutLinks, tolerance: f32) {
 fn pictures_are_those_of_the_cpu() {
     let Some(gpu) = gpu() else { return };
     for (width_px, height_px) in [(256, 256), (130, 97), (5, 200), (1, 1)] {
-        assert_same_picture(&gpu, &cuts(width_px, height_px), TENTH);
+        assert_same_picture(&gpu, &constraints(width_px, height_px), TENTH);
     }
 }
 
@@ -234,13 +236,19 @@ fn a_spiral_of_barriers_is_that_of_the_cpu() {
     let ends = [10.0, 500.0].map(|radius| Circle::new((512.0, 512.0), radius).to_path(1e-3));
     let map = map(ends.into_iter().chain([spiral]));
     let colors = boundary(&map, &[[0.2, 0.9], [0.7, 0.4]]);
-    assert_same_picture(&gpu, &CutLinks::new(&map, &colors, &view(192, 192)), 0.01 * TENTH);
+    assert_same_picture(&gpu, &Constraints::new(&map, &colors, &view(192, 192)), 0.01 * TENTH);
 }
 
 #[test]
 fn a_picture_that_no_texture_holds_is_refused() {
     let Some(gpu) = gpu() else { return };
     let most_px = gpu.device.limits().max_texture_dimension_2d;
-    let cuts = CutLinks { width_px: most_px + 1, height_px: 1, cuts: Vec::new(), faces: Vec::new() };
-    assert_eq!(GpuGridSolver::new(&gpu, &cuts).err(), Some(GridError::TooLarge { most_px }));
+    let constraints = Constraints {
+        width_px: most_px + 1,
+        height_px: 1,
+        cuts: Vec::new(),
+        faces: Vec::new(),
+        pulls: Vec::new(),
+    };
+    assert_eq!(GpuGridSolver::new(&gpu, &constraints).err(), Some(GridError::TooLarge { most_px }));
 }

@@ -1,14 +1,13 @@
-//! Where curves cut the links between neighbouring pixels: what the grid solver knows of a drawing.
+//! Where curves cut the links between neighbouring pixels.
 //!
 //! A curve owns no pixels. Each link that it crosses is cut, and each of the two pixels remembers how far it is to the
 //! curve and the colour of the side that it faces (F. Gibou et al., *A second-order-accurate symmetric discretization
-//! of the Poisson equation on irregular domains*, 2002). All decisions of what lies on which side are exact, so that
-//! the cuts along a curve never leave a way through.
+//! of the Poisson equation on irregular domains*, 2002).
 
-use kurbo::{Point, Vec2};
-use robust::{Coord, orient2d};
-use scumble_core::{BlendColor, Boundary, PlanarMap, SideId, sort};
+use kurbo::Vec2;
+use scumble_core::{Boundary, PlanarMap, sort};
 
+use super::wall::{Place, Segment, Wall, walls};
 use crate::scene::View;
 
 /// The neighbour that a link of a pixel leads to.
@@ -44,19 +43,6 @@ pub const LEAST_FRACTION: f32 = 0.02;
 /// Steps in which fractions are compared: wider than what they are rounded by, narrower than what two curves are apart.
 const FRACTION_STEPS: f64 = (1 << 20) as f64;
 
-/// All cut links of a picture, by pixel and link, at most one for each link of a pixel.
-#[derive(Clone, Debug, PartialEq)]
-pub struct CutLinks {
-    /// Picture size.
-    pub width_px: u32,
-    /// Picture size.
-    pub height_px: u32,
-    /// In ascending order.
-    pub cuts: Vec<Cut>,
-    /// The links whose faces walls make narrower or wider, by pixel; some of them are cut.
-    pub faces: Vec<Face>,
-}
-
 /// The face between two pixels, through which colour passes along their link, where it is not just 1 px wide: beside a
 /// side without colour it ends there, whichever pixel that is in.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -69,39 +55,18 @@ pub struct Face {
     pub width: f32,
 }
 
-/// A straight piece of something that no colour crosses, in px, pixel centres having whole coordinates.
-struct Wall {
-    ends: [Point; 2],
-    /// The colours of the left and the right side at its start, middle and end.
-    sides: [Option<[BlendColor; 3]>; 2],
-}
-
-impl CutLinks {
-    /// The links that the curves of a map and its closed gaps cut in what a view shows.
-    pub fn new(map: &PlanarMap, boundary: &Boundary, view: &View) -> Self {
-        let mut crossings = Crossings::new(view);
-        let [mut eastern, mut southern] = [(); 2].map(|()| Crossings::new(view));
-        for wall in walls(map, boundary, view) {
-            crossings.cut_rows(&wall);
-            crossings.cut_columns(&wall);
-            eastern.cut_columns(&wall.moved(Vec2::new(-0.5, 0.0)));
-            southern.cut_rows(&wall.moved(Vec2::new(0.0, -0.5)));
-        }
-        let mut faces = faces(&eastern.nearest(), Link::East);
-        faces.extend(self::faces(&southern.nearest(), Link::South));
-        Self { width_px: view.width_px, height_px: view.height_px, cuts: crossings.nearest(), faces }
+/// The links that the curves of a map and its closed gaps cut in what a view shows, and the faces beside them.
+pub(super) fn cut_links(map: &PlanarMap, boundary: &Boundary, view: &View) -> (Vec<Cut>, Vec<Face>) {
+    let [mut crossings, mut eastern, mut southern] = [(); 3].map(|()| Crossings::new(view));
+    for wall in walls(map, boundary, view) {
+        crossings.cut_rows(&wall, wall.segment);
+        crossings.cut_columns(&wall, wall.segment);
+        eastern.cut_columns(&wall, wall.segment.moved(Vec2::new(-0.5, 0.0)));
+        southern.cut_rows(&wall, wall.segment.moved(Vec2::new(0.0, -0.5)));
     }
-
-    /// Whether a link leads to another pixel of the picture.
-    pub(super) fn leads_within(&self, cut: &Cut) -> bool {
-        let [column, row] = [cut.pixel % self.width_px, cut.pixel / self.width_px];
-        match cut.link {
-            Link::East => column + 1 < self.width_px,
-            Link::South => row + 1 < self.height_px,
-            Link::West => column > 0,
-            Link::North => row > 0,
-        }
-    }
+    let mut faces = faces(&eastern.nearest(), Link::East);
+    faces.extend(self::faces(&southern.nearest(), Link::South));
+    (crossings.nearest(), faces)
 }
 
 /// A crossing of a link, and how much nearer it would be if the curve moved as points on rows and columns are taken to.
@@ -147,31 +112,27 @@ impl Crossings {
         cuts
     }
 
-    /// Cuts the links that run along rows. A point on a row lies above it.
-    fn cut_rows(&mut self, wall: &Wall) {
-        let [a, b] = wall.ends;
-        let is_down = b.y > a.y;
-        for row in whole_numbers(a.y.min(b.y).ceil(), a.y.max(b.y).ceil(), self.height_px) {
-            let t = (row as f64 - a.y) / (b.y - a.y);
-            let x = a.x + t * (b.x - a.x);
-            let west = last_where(x, |column| wall.has_on_left(column, row) == is_down);
-            let (fraction, nearing) = (x - west as f64, (a.x - b.x) / (b.y - a.y));
-            self.push([west, row], Link::East, [fraction, nearing], wall.color(is_down, t));
-            self.push([west + 1, row], Link::West, [1.0 - fraction, -nearing], wall.color(!is_down, t));
+    /// Cuts the links along rows that a wall crosses, which is here.
+    fn cut_rows(&mut self, wall: &Wall, segment: Segment) {
+        let [a, b] = segment.0;
+        let is_down = segment.is_down();
+        for row in segment.rows(self.height_px) {
+            let Place { t, before, fraction } = segment.on_row(row);
+            let nearing = (a.x - b.x) / (b.y - a.y);
+            self.push([before, row], Link::East, [fraction, nearing], wall.color(is_down, t));
+            self.push([before + 1, row], Link::West, [1.0 - fraction, -nearing], wall.color(!is_down, t));
         }
     }
 
-    /// Cuts the links that run along columns. A point on a column lies to the right of it.
-    fn cut_columns(&mut self, wall: &Wall) {
-        let [a, b] = wall.ends;
-        let is_back = b.x < a.x;
-        for column in whole_numbers(a.x.min(b.x).floor() + 1.0, a.x.max(b.x).floor() + 1.0, self.width_px) {
-            let t = (column as f64 - a.x) / (b.x - a.x);
-            let y = a.y + t * (b.y - a.y);
-            let north = last_where(y, |row| wall.has_on_left(column, row) == is_back);
-            let (fraction, nearing) = (y - north as f64, (b.y - a.y) / (b.x - a.x));
-            self.push([column, north], Link::South, [fraction, nearing], wall.color(is_back, t));
-            self.push([column, north + 1], Link::North, [1.0 - fraction, -nearing], wall.color(!is_back, t));
+    /// Cuts the links along columns that a wall crosses, which is here.
+    fn cut_columns(&mut self, wall: &Wall, segment: Segment) {
+        let [a, b] = segment.0;
+        let is_back = segment.is_back();
+        for column in segment.columns(self.width_px) {
+            let Place { t, before, fraction } = segment.on_column(column);
+            let nearing = (b.y - a.y) / (b.x - a.x);
+            self.push([column, before], Link::South, [fraction, nearing], wall.color(is_back, t));
+            self.push([column, before + 1], Link::North, [1.0 - fraction, -nearing], wall.color(!is_back, t));
         }
     }
 
@@ -190,68 +151,4 @@ impl Cut {
         let steps = (f64::from(self.fraction) * FRACTION_STEPS).round();
         u64::from(self.pixel) << 34 | (self.link as u64) << 32 | steps as u64
     }
-}
-
-impl Wall {
-    fn moved(&self, by: Vec2) -> Self {
-        Self { ends: self.ends.map(|p| p + by), ..*self }
-    }
-
-    /// Whether the centre of a pixel lies to the left of the line through the wall. A centre on the line does not: the
-    /// line is taken to be moved by next to nothing in x, and by next to nothing of that in −y.
-    fn has_on_left(&self, column: i64, row: i64) -> bool {
-        let [a, b] = self.ends;
-        let turn = orient2d(coord(a), coord(b), Coord { x: column as f64, y: row as f64 });
-        let along = b - a;
-        let sign = if turn != 0.0 {
-            turn
-        } else if along.y != 0.0 {
-            along.y
-        } else {
-            along.x
-        };
-        sign > 0.0
-    }
-
-    /// The colour of its left or right side, `t` of the way from its start to its end.
-    fn color(&self, is_left: bool, t: f64) -> Option<[f32; 4]> {
-        let [left, right] = self.sides;
-        let colors = if is_left { left } else { right }?;
-        let weights = [(1.0 - t) * (1.0 - 2.0 * t), 4.0 * t * (1.0 - t), t * (2.0 * t - 1.0)];
-        Some([0, 1, 2, 3].map(|c| (0..3).map(|i| weights[i] * colors[i][c]).sum::<f64>() as f32))
-    }
-}
-
-/// The pieces of a map and its closed gaps, in the pixels of a view.
-fn walls<'a>(
-    map: &'a PlanarMap,
-    boundary: &'a Boundary,
-    view: &View,
-) -> impl Iterator<Item = Wall> + use<'a> {
-    let px_from_du = view.px_from_du.then_translate(Vec2::new(-0.5, -0.5));
-    let ends =
-        move |nodes: [u32; 2]| nodes.map(|node| px_from_du * map.triangulation().points()[node as usize]);
-    let color = |side: SideId| boundary.sides.get(side.index()).copied().flatten();
-    let piece = move |(i, piece): (usize, &scumble_core::Piece)| {
-        let right = color(SideId::of(i, true)).map(|[start, middle, end]| [end, middle, start]);
-        Wall { ends: ends(piece.nodes), sides: [color(SideId::of(i, false)), right] }
-    };
-    let closed = map.gaps().iter().zip(&boundary.closed_gaps).filter(|(_, closed)| **closed);
-    let gaps = closed.map(move |(gap, _)| Wall { ends: ends(gap.nodes), sides: [None; 2] });
-    map.pieces().iter().enumerate().map(piece).chain(gaps)
-}
-
-fn coord(p: Point) -> Coord<f64> {
-    Coord { x: p.x, y: p.y }
-}
-
-/// The whole numbers of a half-open range that count a picture's rows or columns.
-fn whole_numbers(first: f64, end: f64, count: u32) -> std::ops::Range<i64> {
-    first.max(0.0) as i64..end.min(f64::from(count)) as i64
-}
-
-/// The last whole number for which something holds that holds up to `near`, give or take a rounding.
-fn last_where(near: f64, holds: impl Fn(i64) -> bool) -> i64 {
-    let first = near.floor() as i64 - 1;
-    (first + 1..=first + 2).rev().find(|&i| holds(i)).unwrap_or(first)
 }

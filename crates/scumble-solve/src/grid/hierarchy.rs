@@ -1,6 +1,6 @@
 //! Levels from pixels to a single cell, and the ways through them: cycles, and the start from the coarsest.
 
-use super::cut_links::CutLinks;
+use super::constraints::Constraints;
 use super::kernels;
 use super::level::Level;
 use super::texture::Texture;
@@ -23,9 +23,9 @@ pub struct Hierarchy {
 }
 
 impl Hierarchy {
-    /// For what curves cut.
-    pub fn new(cuts: &CutLinks) -> Self {
-        let (finest, right) = Level::finest(cuts);
+    /// For what is given.
+    pub fn new(constraints: &Constraints) -> Self {
+        let (finest, right) = Level::finest(constraints);
         let (mut levels, mut given) = (vec![finest], vec![right]);
         while let (Some(level), Some(right)) = (levels.last_mut(), given.last())
             && level.columns.max(level.rows) > 1

@@ -1,12 +1,13 @@
 //! The solver of S. Jeschke, D. Cline, P. Wonka, *A GPU Laplacian solver for diffusion curves and Poisson image
 //! editing* (2009): a pixel becomes the mean of four on the largest circle around it that touches no curve.
 //!
-//! It is there to compare with: it is what the paper on scribbles renders with. Pixels with a cut link are the curve:
+//! It is there to compare with: it is what the paper on scribbles renders with. It knows no shading. Pixels with a cut link are the curve:
 //! those that a side gives a colour keep it, those beside a side without colour take the mean of their neighbours. The
 //! circles come from a jump flood (G. Rong, T.-S. Tan, 2006), as does the first picture: the nearest given colour at each
 //! pixel, save in regions that have none.
 
-use super::cut_links::{Cut, CutLinks};
+use super::constraints::Constraints;
+use super::cut_links::Cut;
 use super::level::Level;
 use super::texture::{Texel, Texture, plus, times};
 
@@ -23,11 +24,11 @@ pub struct JeschkeSolver {
 
 impl JeschkeSolver {
     /// With the nearest given colour at each pixel.
-    pub fn new(cuts: &CutLinks) -> Self {
-        let (level, right) = Level::finest(cuts);
-        let nearest = nearest_of(cuts, |cut| cut.color.is_some() || cuts.leads_within(cut));
-        let nearest_given = nearest_of(cuts, |cut| cut.color.is_some());
-        let is_reached = reached(&level);
+    pub fn new(constraints: &Constraints) -> Self {
+        let (level, right) = Level::finest(&Constraints { pulls: Vec::new(), ..constraints.clone() });
+        let nearest = nearest_of(constraints, |cut| cut.color.is_some() || constraints.leads_within(cut));
+        let nearest_given = nearest_of(constraints, |cut| cut.color.is_some());
+        let is_reached = level.reached();
         let mut values = right.clone();
         values.draw(|x, y| {
             let [column, row, ..] = nearest_given.load(x, y).map(|c| c as i32);
@@ -52,37 +53,21 @@ impl JeschkeSolver {
 }
 
 /// Column and row of the pixel nearest to each among those with cuts that count; −1 where there is none.
-fn nearest_of(cuts: &CutLinks, counts: impl Fn(&Cut) -> bool) -> Texture {
-    let mut nearest = Texture::new(cuts.width_px as usize, cuts.height_px as usize);
+fn nearest_of(constraints: &Constraints, counts: impl Fn(&Cut) -> bool) -> Texture {
+    let mut nearest = Texture::new(constraints.width_px as usize, constraints.height_px as usize);
     nearest.draw(|_, _| [-1.0; 4]);
-    for cut in cuts.cuts.iter().filter(|cut| counts(cut)) {
-        let [column, row] = [cut.pixel % cuts.width_px, cut.pixel / cuts.width_px].map(|c| c as f32);
+    for cut in constraints.cuts.iter().filter(|cut| counts(cut)) {
+        let [column, row] =
+            [cut.pixel % constraints.width_px, cut.pixel / constraints.width_px].map(|c| c as f32);
         nearest.texels[cut.pixel as usize] = [column, row, 0.0, 0.0];
     }
-    let mut reach = cuts.width_px.max(cuts.height_px).next_power_of_two() as i32 / 2;
+    let mut reach = constraints.width_px.max(constraints.height_px).next_power_of_two() as i32 / 2;
     while reach > 0 {
         let before = nearest.clone();
         nearest.draw(|x, y| jump(&before, reach, x, y));
         reach /= 2;
     }
     nearest
-}
-
-/// Whether each pixel hangs together with one of a given colour.
-fn reached(level: &Level) -> Vec<bool> {
-    let mut is_reached: Vec<_> = level.holds.texels.iter().map(|[hold, ..]| *hold > 0.0).collect();
-    let mut open: Vec<_> = (0..is_reached.len()).filter(|&i| is_reached[i]).collect();
-    while let Some(i) = open.pop() {
-        let (x, y) = ((i % level.columns) as i32, (i / level.columns) as i32);
-        level.for_each_link(x, y, |_, nx, ny| {
-            let other = ny as usize * level.columns + nx as usize;
-            if !is_reached[other] {
-                is_reached[other] = true;
-                open.push(other);
-            }
-        });
-    }
-    is_reached
 }
 
 /// One pass of the jump flood.

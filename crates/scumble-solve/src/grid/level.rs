@@ -8,9 +8,10 @@
 //! Slot `s` of all cells lies in columns `s · columns ..` of the textures, so that slots that are hardly used lie
 //! together.
 
-use super::cut_links::{CutLinks, Link};
+use super::constraints::Constraints;
+use super::cut_links::Link;
 use super::parts;
-use super::texture::{Texel, Texture, plus};
+use super::texture::{Texel, Texture, plus, times};
 
 /// Slots of a cell of the level next to the pixels, and of all others.
 pub(super) const SLOTS: [usize; 2] = [2, 4];
@@ -37,31 +38,54 @@ pub struct Level {
 
 impl Level {
     /// The finest level, and the right side of its equations.
-    pub(super) fn finest(cuts: &CutLinks) -> (Self, Texture) {
-        let mut level = Self::empty(cuts.width_px as usize, cuts.height_px as usize, 1);
+    pub(super) fn finest(constraints: &Constraints) -> (Self, Texture) {
+        let mut level = Self::empty(constraints.width_px as usize, constraints.height_px as usize, 1);
         let mut right = Texture::new(level.columns, level.rows);
-        let (columns, rows) = (level.columns as i32, level.rows as i32);
-        level.east.draw(|x, _| whole(x + 1 < columns));
-        level.south.draw(|_, y| whole(y + 1 < rows));
-        for face in &cuts.faces {
-            let links = if face.link == Link::East { &mut level.east } else { &mut level.south };
-            let [weight, ..] = &mut links.texels[face.pixel as usize];
-            *weight *= face.width;
-        }
-        for cut in &cuts.cuts {
-            let i = cut.pixel as usize;
-            match cut.link {
-                Link::East => level.east.texels[i] = [0.0; 4],
-                Link::South => level.south.texels[i] = [0.0; 4],
-                Link::West | Link::North => {}
-            }
-            if let Some(color) = cut.color {
-                level.holds.texels[i][0] += 1.0 / cut.fraction;
-                right.texels[i] = plus(right.texels[i], color.map(|c| c / cut.fraction));
-            }
+        level.link_pixels(constraints);
+        let cuts =
+            constraints.cuts.iter().filter_map(|cut| Some((cut.pixel, 1.0 / cut.fraction, cut.color?)));
+        let pulls = constraints.pulls.iter().map(|pull| (pull.pixel, pull.strength, pull.color));
+        for (pixel, strength, color) in cuts.chain(pulls) {
+            let i = pixel as usize;
+            level.holds.texels[i][0] += strength;
+            right.texels[i] = plus(right.texels[i], times(color, strength));
         }
         level.sum_up();
         (level, right)
+    }
+
+    fn link_pixels(&mut self, constraints: &Constraints) {
+        let (columns, rows) = (self.columns as i32, self.rows as i32);
+        self.east.draw(|x, _| whole(x + 1 < columns));
+        self.south.draw(|_, y| whole(y + 1 < rows));
+        for face in &constraints.faces {
+            let links = if face.link == Link::East { &mut self.east } else { &mut self.south };
+            links.texels[face.pixel as usize][0] *= face.width;
+        }
+        for cut in &constraints.cuts {
+            match cut.link {
+                Link::East => self.east.texels[cut.pixel as usize] = [0.0; 4],
+                Link::South => self.south.texels[cut.pixel as usize] = [0.0; 4],
+                Link::West | Link::North => {}
+            }
+        }
+    }
+
+    /// Whether each pixel of the finest level hangs together with one that is held.
+    pub(super) fn reached(&self) -> Vec<bool> {
+        let mut is_reached: Vec<_> = self.holds.texels.iter().map(|[hold, ..]| *hold > 0.0).collect();
+        let mut open: Vec<_> = (0..is_reached.len()).filter(|&i| is_reached[i]).collect();
+        while let Some(i) = open.pop() {
+            let (x, y) = ((i % self.columns) as i32, (i / self.columns) as i32);
+            self.for_each_link(x, y, |_, nx, ny| {
+                let other = ny as usize * self.columns + nx as usize;
+                if !is_reached[other] {
+                    is_reached[other] = true;
+                    open.push(other);
+                }
+            });
+        }
+        is_reached
     }
 
     fn empty(columns: usize, rows: usize, slots: usize) -> Self {

@@ -8,7 +8,7 @@ use std::iter;
 
 use scumble_core::{HalfEdge, SideId, Triangulation, sort};
 
-use super::barriers::Barriers;
+use crate::barriers::Barriers;
 
 /// Unknown that is not numbered yet.
 const NONE: u32 = u32::MAX;

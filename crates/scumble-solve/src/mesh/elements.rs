@@ -6,16 +6,12 @@ use kurbo::Point;
 use scumble_core::{BlendColor, SoftSource, Triangulation};
 
 use super::SolveError;
-use super::brush::Brush;
 use super::dofs::Dofs;
 use super::element::{self, Matrix};
 use super::order::elimination_rank;
 use super::refine::{self, Shape};
 use super::system::{Element, System};
-
-/// The distance in which a shade on paper fades by a factor of e, in radii of the widest brush. Without it, nothing
-/// would keep a shade from flowing all over a region that has no colour.
-const FADE_RADII: f64 = 1.5;
+use crate::brush::{self, Brush};
 
 /// Elements, and their system once one is needed.
 #[derive(Debug)]
@@ -123,13 +119,12 @@ impl Elements {
 }
 
 impl Shade {
-    /// Adds the pull of the paper to all elements: a source of clear colour that is everywhere, and so weak that it
-    /// shows beyond the others alone.
+    /// Adds the pull of the paper to all elements.
     fn fade(&mut self, brushes: &[Brush]) {
-        let reach_du = FADE_RADII * brushes.iter().map(|brush| brush.radius_du).fold(0.0, f64::max);
+        let strength = brush::fade_strength(brushes.iter());
         let mut known = mem::take(&mut self.masses).into_iter().peekable();
         for (element, shape) in (0..).zip(&self.shapes) {
-            let mut mass = element::mass(shape.corners, &|_| (reach_du * reach_du).recip());
+            let mut mass = element::mass(shape.corners, &|_| strength);
             if let Some((_, known)) = known.next_if(|(known, _)| *known == element) {
                 add(&mut mass, &known);
             }
