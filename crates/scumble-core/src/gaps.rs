@@ -6,6 +6,7 @@
 
 use crate::clearance::{Clearance, clear_width_du, is_gabriel};
 use crate::planar_map::{Gap, PlanarMap};
+use crate::sets::Sets;
 use crate::sort;
 use crate::triangulation::{HalfEdge, Triangulation};
 
@@ -16,7 +17,7 @@ const LARGEST_RATIO: f64 = 0.95;
 const WAIST: f64 = 0.7;
 
 /// A gap is wide if it leaves more than this part of the narrower of the places it joins.
-const WIDE: f64 = 0.3;
+const WIDE: f64 = 0.2;
 
 /// The ratio for a gap closing from 0 to 1: half of it for a little less than a third of the way, where it matters.
 fn closed_below(closing: f64) -> f64 {
@@ -51,7 +52,7 @@ fn find(map: &PlanarMap, clearance: &Clearance, ratio: f64) -> Vec<Gap> {
     let mut basins = Basins::new(clearance.place_widths_du.clone());
     let mut gaps = Vec::new();
     for (width_du, h, twin) in passages(mesh, clearance) {
-        let [a, b] = [h, twin].map(|h| basins.of(h.triangle() as u32));
+        let [a, b] = [h, twin].map(|h| basins.sets.find(h.triangle() as u32));
         let narrower_du = basins.width_du(a).min(basins.width_du(b));
         let ratio = if clearance.is_at_tip[h.index()] { ratio } else { WAIST * ratio };
         if a != b && is_gabriel(mesh, h) && width_du < ratio * narrower_du.max(0.0) {
@@ -76,23 +77,13 @@ fn passages(mesh: &Triangulation, clearance: &Clearance) -> Vec<(f64, HalfEdge, 
 
 /// Basins of a watershed: sets of triangles, each with its widest place.
 struct Basins {
-    parents: Vec<u32>,
+    sets: Sets,
     widths_du: Vec<f64>,
 }
 
 impl Basins {
     fn new(widths_du: Vec<f64>) -> Self {
-        Self { parents: (0..widths_du.len() as u32).collect(), widths_du }
-    }
-
-    /// The basin of a triangle, halving the way to it for the next time.
-    fn of(&mut self, mut triangle: u32) -> u32 {
-        while self.parents[triangle as usize] != triangle {
-            let parent = self.parents[triangle as usize];
-            self.parents[triangle as usize] = self.parents[parent as usize];
-            triangle = parent;
-        }
-        triangle
+        Self { sets: Sets::new(widths_du.len()), widths_du }
     }
 
     fn width_du(&self, basin: u32) -> f64 {
@@ -102,6 +93,6 @@ impl Basins {
     /// Joins two basins under the one with the wider place.
     fn join(&mut self, a: u32, b: u32) {
         let (wide, narrow) = if self.width_du(a) >= self.width_du(b) { (a, b) } else { (b, a) };
-        self.parents[narrow as usize] = wide;
+        self.sets.join(narrow, wide);
     }
 }

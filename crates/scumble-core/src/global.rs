@@ -32,9 +32,11 @@ use crossing::Crossing;
 use flood::{Cost, Flood, NONE, Ways};
 use shown::Shown;
 
+use crate::color::{Paint, Srgb8};
 use crate::engine::{Engine, Labels};
 use crate::planar_map::PlanarMap;
 use crate::scribble::Scribble;
+use crate::sort;
 
 /// Floods the map from all scribbles; keeps the flood of the last call, and goes on with it where scribbles were only
 /// added to.
@@ -46,6 +48,8 @@ pub struct Global {
     /// Of the scribbles of the last call.
     claims: Vec<Claim>,
     ranks: Vec<u32>,
+    /// The colours that were drawn, each with a room that it was drawn in, in ascending order.
+    drawn: Vec<[u32; 2]>,
     flood: Flood,
     /// What is at hand to a scribble.
     at_hand: Flood,
@@ -75,8 +79,11 @@ impl Global {
 
 impl Engine for Global {
     fn label(&mut self, map: &PlanarMap, scribbles: &[Scribble]) -> Labels {
-        let ground = self.ground.take().unwrap_or_else(|| Ground::new(map, self.spread));
+        let mut ground = self.ground.take().unwrap_or_else(|| Ground::new(map, self.spread));
         self.go_on(map, &ground.ways, scribbles);
+        if !self.spread {
+            self.open_pockets(map, &mut ground.ways, scribbles);
+        }
         let mut labels = self.flood.labels.clone();
         self.beyond.follow(map, &ground.ways, &self.ranks, &self.flood, &mut labels);
         for (label, &at_hand) in labels.iter_mut().zip(&self.at_hand.labels).filter(|(_, at)| **at != NONE) {
@@ -101,7 +108,7 @@ impl Global {
         }
         self.claims.resize_with(scribbles.len(), Claim::default);
         for (label, (scribble, claim)) in (0..).zip(scribbles.iter().zip(&mut self.claims)) {
-            for seed in claim.follow(map, &ways.rooms, &scribble.points) {
+            for seed in claim.follow(map, &ways.room_of, &scribble.points) {
                 self.flood.reach(seed.triangle, seed.cost, label, &ranks);
                 self.at_hand.reach(seed.triangle, seed.at_hand, label, &ranks);
             }
@@ -109,6 +116,22 @@ impl Global {
         self.flood.run(map, &ways.costs, &ranks);
         self.at_hand.run(map, &ways.lengths, &ranks);
         self.ranks = ranks;
+    }
+
+    /// Opens the gaps that the scribbles of this call go through.
+    fn open_pockets(&mut self, map: &PlanarMap, ways: &mut Ways, scribbles: &[Scribble]) {
+        let mut drawn = Vec::new();
+        for (claim, scribble) in self.claims.iter().zip(scribbles) {
+            drawn.extend(claim.rooms().map(|room| [color_key(scribble.color), room]));
+        }
+        sort::sort_copies_by_key(&mut drawn, |&pair| sort::pair(pair));
+        drawn.dedup();
+        if drawn != self.drawn {
+            if ways.open_to(map, &drawn) {
+                self.beyond.reset(map);
+            }
+            self.drawn = drawn;
+        }
     }
 
     /// Whether scribbles were only added or added to since the last call, and none of those that were there changed
@@ -143,6 +166,14 @@ impl Global {
                 self.at_hand.reach(seed.triangle, seed.at_hand, label, ranks);
             }
         }
+    }
+}
+
+/// A number for each colour.
+fn color_key(paint: Paint) -> u32 {
+    match paint {
+        Paint::Color(Srgb8([red, green, blue])) => u32::from_be_bytes([0, red, green, blue]),
+        Paint::Clear => u32::MAX,
     }
 }
 

@@ -35,6 +35,7 @@ pub mod planar_map;
 pub mod progressive;
 mod sample;
 pub mod scribble;
+mod sets;
 pub mod settings;
 pub mod sight;
 mod small_map;

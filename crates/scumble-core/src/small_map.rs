@@ -20,6 +20,11 @@ impl<T: Default> SmallMap<T> {
         Some(&mut self.0[place].1)
     }
 
+    /// All keys and values.
+    pub(crate) fn iter(&self) -> impl Iterator<Item = &(u32, T)> {
+        self.0.iter()
+    }
+
     /// All values.
     pub(crate) fn values(&self) -> impl Iterator<Item = &T> {
         self.0.iter().map(|(_, value)| value)

@@ -42,9 +42,7 @@ impl Beyond {
             }
         }
         for &h in &ways.gaps {
-            if self.is_before[h.triangle()] {
-                self.reach_through(map, ways, ranks, before, h);
-            }
+            self.reach_through(map, ways, ranks, before, h);
         }
         let is_before = &self.is_before;
         self.flood.run_where(map, &ways.costs, ranks, |next, h| ways.is_open[h.index()] && !is_before[next]);

@@ -81,18 +81,23 @@ impl Claim {
         self.stroke.points()
     }
 
+    /// The rooms that are meant.
+    pub(super) fn rooms(&self) -> impl Iterator<Item = u32> {
+        self.visits.iter().filter(|(_, visit)| visit.is_meant).map(|(room, _)| *room)
+    }
+
     /// All triangles claimed so far.
     pub(super) fn seeds(&self) -> &[Seed] {
         &self.seeds
     }
 
     /// Goes on to the end of a scribble that begins with the points followed so far, and gives what that adds.
-    pub(super) fn follow(&mut self, map: &PlanarMap, rooms: &[u32], points: &[Point]) -> &[Seed] {
+    pub(super) fn follow(&mut self, map: &PlanarMap, room_of: &[u32], points: &[Point]) -> &[Seed] {
         let known = self.seeds.len();
         let Self { stroke, triangle, most, visits, seeds } = self;
         stroke.follow(map, points, |p, base| {
             *triangle = map.refined().locate(p, *triangle).unwrap_or(*triangle);
-            let visit = visits.entry(rooms[*triangle]);
+            let visit = visits.entry(room_of[*triangle]);
             visit.sample_count += 1;
             *most = visit.sample_count.max(*most);
             visit.is_meant |= visit.sample_count as f64 >= MEANT * *most as f64;

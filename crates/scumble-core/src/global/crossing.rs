@@ -7,6 +7,7 @@ use std::collections::{BTreeMap, BinaryHeap};
 
 use super::flood::NONE;
 use crate::planar_map::PlanarMap;
+use crate::sets::Sets;
 use crate::triangulation::SideId;
 
 /// Lengths are counted in these parts of a du, so that their sums are exact.
@@ -63,7 +64,7 @@ impl Crossing {
         let mut label_of_rank = vec![NONE; ranks.len()];
         (0..).zip(ranks).for_each(|(label, &rank)| label_of_rank[rank as usize] = label);
         for (label, &region) in labels.iter_mut().zip(&self.region_of).filter(|(label, _)| **label == NONE) {
-            if let Some(rank) = (areas.find(region) as usize).checked_sub(self.region_count) {
+            if let Some(rank) = (areas.sets.find(region) as usize).checked_sub(self.region_count) {
                 *label = label_of_rank[rank];
             }
         }
@@ -91,12 +92,12 @@ fn length_du(map: &PlanarMap, side: SideId) -> f64 {
 /// Regions, then scribbles, and the borders between them.
 struct Areas {
     borders: Vec<BTreeMap<u32, u64>>,
-    joined_to: Vec<u32>,
+    sets: Sets,
 }
 
 impl Areas {
     fn new(count: usize) -> Self {
-        Self { borders: vec![BTreeMap::new(); count], joined_to: (0..count as u32).collect() }
+        Self { borders: vec![BTreeMap::new(); count], sets: Sets::new(count) }
     }
 
     fn add_border(&mut self, a: u32, b: u32, length: u64) {
@@ -130,7 +131,7 @@ impl Areas {
 
     /// Joins an area to a neighbour, which takes its borders; gives those that this made longer.
     fn join(&mut self, from: u32, to: u32) -> Vec<(u32, u64)> {
-        self.joined_to[from as usize] = to;
+        self.sets.join(from, to);
         let mut moved = std::mem::take(&mut self.borders[from as usize]);
         moved.remove(&to);
         self.borders[to as usize].remove(&from);
@@ -140,15 +141,5 @@ impl Areas {
             *length = self.borders[to as usize][&next];
         }
         moved.into_iter().collect()
-    }
-
-    /// The area that an area was joined to, halving the way to it for the next time.
-    fn find(&mut self, mut area: u32) -> u32 {
-        while self.joined_to[area as usize] != area {
-            let next = self.joined_to[area as usize];
-            self.joined_to[area as usize] = self.joined_to[next as usize];
-            area = next;
-        }
-        area
     }
 }

@@ -5,7 +5,7 @@ use std::collections::BinaryHeap;
 
 use kurbo::Point;
 
-use super::pockets;
+use super::pockets::{Rooms, wide_gap};
 use crate::clearance::OPEN_DU;
 use crate::planar_map::PlanarMap;
 use crate::triangulation::{HalfEdge, Triangulation};
@@ -46,7 +46,8 @@ pub(super) struct Ways {
     /// How long it is.
     pub(super) lengths: Vec<Cost>,
     /// Per triangle its room.
-    pub(super) rooms: Vec<u32>,
+    pub(super) room_of: Vec<u32>,
+    pub(super) rooms: Rooms,
     /// The half-edges that lead through a gap.
     pub(super) gaps: Vec<HalfEdge>,
     /// Per half-edge whether what has stopped at a gap may go on there.
@@ -54,21 +55,34 @@ pub(super) struct Ways {
 }
 
 impl Ways {
-    /// With `spread`, colours go on through all gaps, else only into [pockets](super::pockets).
+    /// With `spread`, all gaps are open, else none until [`Ways::open_to`].
     pub(super) fn new(map: &PlanarMap, spread: bool) -> Self {
         let mesh = map.refined();
         let gaps = mesh.half_edges().filter(|&h| mesh.gap(h).is_some()).collect();
         let none = vec![0; 3 * mesh.triangle_count()];
-        let (rooms, room_count) = mesh.rooms();
-        let is_open =
-            if spread { vec![true; none.len()] } else { pockets::open_ways(map, &rooms, room_count) };
-        let mut ways = Self { costs: none.clone(), lengths: none, rooms, gaps, is_open };
+        let (room_of, room_count) = mesh.rooms();
+        let rooms = Rooms::new(map, &room_of, room_count);
+        let is_open = mesh.half_edges().map(|h| spread || mesh.gap(h).is_none()).collect();
+        let mut ways = Self { costs: none.clone(), lengths: none, room_of, rooms, gaps, is_open };
         let mut base = 0;
         for t in 0..mesh.triangle_count() {
             base = map.triangulation().locate(centroid(mesh, t), base).unwrap_or(base);
             (0..3).for_each(|i| ways.measure(map, HalfEdge::of(t, i), base));
         }
         ways
+    }
+
+    /// Opens the gaps that lead into the pockets of what was drawn, pairs of a colour and a room in ascending order, and
+    /// closes all others; says whether any of them was open.
+    pub(super) fn open_to(&mut self, map: &PlanarMap, drawn: &[[u32; 2]]) -> bool {
+        let doors = self.rooms.open_doors(drawn);
+        let mut closes = false;
+        for h in &self.gaps {
+            let door = wide_gap(map, &self.room_of, *h);
+            let is_open = door.is_some_and(|door| doors.binary_search(&door).is_ok());
+            closes |= std::mem::replace(&mut self.is_open[h.index()], is_open) && !is_open;
+        }
+        closes
     }
 
     /// Sets what it takes to go through a half-edge of the refined mesh, either way, from a triangle whose centroid
