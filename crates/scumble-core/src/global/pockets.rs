@@ -113,7 +113,8 @@ impl<'a> Taken<'a> {
         self.taken.push(room);
         self.is_taken[room as usize] = true;
         for &[_, beside] in self.rooms.doors_of(room) {
-            if self.is_taken[beside as usize] && ![room, beside].iter().any(|&at| self.rooms.is_at_border(at)) {
+            if self.is_taken[beside as usize] && ![room, beside].iter().any(|&at| self.rooms.is_at_border(at))
+            {
                 let [from, to] = [room, beside].map(|room| self.groups.find(room));
                 if from != to {
                     self.groups.join(from, to);
