@@ -1,22 +1,21 @@
 // The start of the page, and the wiring of its parts.
 
 import { followed } from "./cursor.js";
+import { Drawings, isUnsaved, stem } from "./drawings.js";
 import { Engine } from "./engine.js";
-import { choose, download, receive } from "./files.js";
+import { choose, download, keep, receive } from "./files.js";
+import { formats } from "./formats.js";
 import { listen } from "./keys.js";
 import { label, say } from "./messages.js";
 import { png } from "./png.js";
 import { Pointers } from "./pointer.js";
 import { Samples } from "./samples.js";
-import { connect, pickColor, shown, swatch, tell, warn } from "./toolbar.js";
+import { connect, pickColor, shown, showName, swatch, tell, warn } from "./toolbar.js";
 
 /** An arrow key moves the view by this much, in CSS pixels. */
 const STEP_PX = 48;
 
 const stage = /** @type {HTMLElement} */ (document.getElementById("stage"));
-
-/** Whether there is work that would be lost with the page. */
-let hasWork = false;
 
 /** The canvas of the moment: a lost one is replaced. */
 const canvas = () => /** @type {HTMLCanvasElement} */ (document.getElementById("canvas"));
@@ -24,7 +23,7 @@ const canvas = () => /** @type {HTMLCanvasElement} */ (document.getElementById("
 /** @type {Record<string, import("./engine.js").Handler>} */
 const handlers = {
   ...shown,
-  undo: both(shown.undo, (possible) => (hasWork = possible)),
+  sheet: (state) => drawings.follow(state),
   tool: both(shown.tool, followed.tool),
   color: both(shown.color, followed.color),
   "brush-size": both(shown["brush-size"], followed["brush-size"]),
@@ -35,9 +34,7 @@ const handlers = {
     if (canvas().dataset.renderer) tell(say("recovered"));
     canvas().dataset.renderer = name;
   },
-  opened: (values) => {
-    done(say(values.notes === "" ? "opened" : "opened-in-part", values));
-  },
+  opened: ({ notes }) => done(say(notes === "" ? "opened" : "opened-in-part", { name: drawings.shown.name, notes })),
   ...Object.fromEntries(
     ["scribble-added", "scribbles-erased", "scribble-dropped", "undone", "redone"].map((key) => [
       key,
@@ -46,7 +43,8 @@ const handlers = {
   ),
   failed: (values) => warn(say("failed", values)),
   "no-renderer": () => warn(say("error-renderer")),
-  exported: async ({ name, width, height, rgba }) => {
+  exported: async ({ width, height, rgba }) => {
+    const name = `${stem(drawings.shown.name)}.png`;
     download(name, await png(width, height, rgba));
     done(say("exported", { name }));
   },
@@ -71,20 +69,61 @@ function both(first, second) {
 }
 
 const engine = new Engine(handlers);
-/** @type {import("./files.js").Open} */
-const open = (name, bytes, scribbles) => engine.command("open", { name, bytes, scribbles });
-const samples = new Samples(open, () => warn(say("error-samples")));
+const drawings = new Drawings((drawing) => showName(drawing.name, isUnsaved(drawing)));
+const samples = new Samples(open);
 const pointers = new Pointers(stage, engine);
 
-/** Opens a person's own file, whatever sample is still on its way. @type {import("./files.js").Open} */
-function openOwn(name, bytes) {
-  samples.overtake();
-  open(name, bytes);
+/** Counts what has been asked for: what comes after something else was asked for is dropped. */
+let asked = 0;
+
+/**
+ * Opens what is on its way.
+ * @param {string} name
+ * @param {Promise<import("./formats.js").Opened>} coming
+ * @param {any} [handle] the file that it can be saved to again
+ */
+async function open(name, coming, handle) {
+  const ticket = ++asked;
+  try {
+    const { work, notes } = await coming;
+    if (ticket !== asked) return;
+    drawings.expect(name, handle);
+    engine.command("open", { work, notes });
+  } catch (fault) {
+    if (ticket === asked) failed(fault);
+  }
+}
+
+/** @param {import("./files.js").Coming} coming */
+function openFile({ name, bytes, handle }) {
+  open(name, bytes.then(formats.open), handle);
+}
+
+async function save() {
+  const drawing = drawings.shown;
+  const { name, handle, revision } = drawing;
+  const work = engine.work();
+  if (!work) return;
+  try {
+    const place = await keep({ name: `${stem(name)}.scumble`, handle }, () => formats.save(work));
+    if (!place) return;
+    drawings.keep(drawing, revision, place);
+    done(say("saved", place));
+  } catch (fault) {
+    drawing.handle = undefined;
+    failed(fault);
+  }
+}
+
+/** @param {unknown} fault with a sentence for people */
+function failed(fault) {
+  warn(say("failed", { sentence: /** @type {Error} */ (fault).message }));
 }
 
 /** What the page does by itself; all other actions are commands of the module. @type {Record<string, () => void>} */
 const actions = {
-  open: choose,
+  open: () => void choose(openFile).catch(failed),
+  save,
   samples: () => samples.show(),
   "close-samples": () => samples.close(),
   "pick-color": pickColor,
@@ -122,6 +161,16 @@ function followSize() {
   tellSize();
 }
 
+/** Opens the first sample, unless something else has been opened meanwhile. */
+async function begin() {
+  try {
+    const [first] = await samples.list();
+    if (asked === 0) await samples.choose(first);
+  } catch (fault) {
+    failed(fault);
+  }
+}
+
 async function start() {
   label(document);
   connect(act, (command, args) => engine.command(command, args));
@@ -134,11 +183,11 @@ async function start() {
   followSize();
   matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => engine.command("desk", desk()));
   listen(act, (held) => pointers.holdSpace(held));
-  receive(openOwn, () => warn(say("error-read")));
+  receive(openFile);
   window.addEventListener("beforeunload", (event) => {
-    if (hasWork) event.preventDefault();
+    if (drawings.areUnsaved) event.preventDefault();
   });
-  await samples.start();
+  await begin();
   tell(say("start"));
 }
 
