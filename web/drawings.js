@@ -29,6 +29,11 @@ export class Drawings {
     return this.#shown;
   }
 
+  /** Whether none has been opened: there is the blank one of the start alone. */
+  get areNone() {
+    return this.#all.size <= 1;
+  }
+
   /** Whether any of them has been changed since it was saved. */
   get areUnsaved() {
     return [...this.#all.values()].some(isUnsaved);

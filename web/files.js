@@ -2,7 +2,7 @@
 
 import { say } from "./messages.js";
 
-/** @typedef {{name: string, bytes: Promise<Uint8Array>, handle?: any}} Coming a file that is being read, or a text */
+/** @typedef {{name: string, bytes: Promise<Uint8Array>, handle?: any}} Coming a file that is being read */
 /** @typedef {{name: string, handle?: any}} Place where a file was kept; of a download only the name is known */
 
 /** Files of ours, as the browser's dialogs name them. */
@@ -13,15 +13,16 @@ const browser = /** @type {any} */ (window);
 const input = () => /** @type {HTMLInputElement} */ (document.getElementById("file"));
 
 /**
- * Takes files from the file dialog, from drops on the page and from the clipboard, which may also hold SVG text.
+ * Takes files from the file dialog, from drops on the page and from the clipboard, which may also hold text.
  * @param {(coming: Coming) => void} open
+ * @param {(text: string) => void} openText
  */
-export function receive(open) {
+export function receive(open, openText) {
   const take = (/** @type {DataTransfer | null} */ data) => {
     const file = data?.files[0];
     const text = data?.getData("text/plain") ?? "";
     if (file) open(reading(file));
-    else if (text.trim() !== "") open({ name: "SVG", bytes: Promise.resolve(new TextEncoder().encode(text)) });
+    else if (text.trim() !== "") openText(text);
   };
   input().addEventListener("change", () => {
     const file = input().files?.[0];

@@ -20,6 +20,14 @@ let attempts = 0;
 export const formats = {
   /** A `.scumble` file or an SVG. @type {(file: Uint8Array) => Promise<Opened>} */
   open: (file) => call("open", file),
+  /** A link. @type {(link: string) => Promise<Opened>} */
+  openLink: (link) => call("openLink", link),
+  /** Work with the lines of a sample. @type {(work: Uint8Array, sample: Uint8Array) => Promise<Uint8Array<ArrayBuffer>>} */
+  onSample: (work, sample) => call("onSample", work, sample),
+  /** The part of a link from `#` on; nothing for work that is too large. @type {(work: Uint8Array) => Promise<string | undefined>} */
+  link: (work) => call("link", work),
+  /** @type {(text: string) => Promise<import("./share.js").Code | undefined>} */
+  qrCode: (text) => call("qrCode", text),
   /** The `.scumble` file that keeps some work. @type {(work: Uint8Array) => Promise<Uint8Array<ArrayBuffer>>} */
   save: (work) => call("save", work),
 };

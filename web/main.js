@@ -9,7 +9,8 @@ import { listen } from "./keys.js";
 import { label, say } from "./messages.js";
 import { png } from "./png.js";
 import { Pointers } from "./pointer.js";
-import { Samples } from "./samples.js";
+import { Samples, sampleWork } from "./samples.js";
+import { closeShare, copyLink, isLink, sendLink, showLink } from "./share.js";
 import { connect, pickColor, shown, showName, swatch, tell, warn } from "./toolbar.js";
 
 /** An arrow key moves the view by this much, in CSS pixels. */
@@ -81,22 +82,70 @@ let asked = 0;
  * @param {string} name
  * @param {Promise<import("./formats.js").Opened>} coming
  * @param {any} [handle] the file that it can be saved to again
+ * @returns what went wrong, if anything did; the page has been told
  */
 async function open(name, coming, handle) {
   const ticket = ++asked;
   try {
-    const { work, notes } = await coming;
-    if (ticket !== asked) return;
+    const { work, notes } = await whole(coming);
+    if (ticket !== asked) return undefined;
     drawings.expect(name, handle);
     engine.command("open", { work, notes });
+    return undefined;
   } catch (fault) {
     if (ticket === asked) failed(fault);
+    return fault;
   }
+}
+
+/**
+ * Work with its lines, which come from a sample where it has only the name of that.
+ * @param {Promise<import("./formats.js").Opened>} coming
+ */
+async function whole(coming) {
+  const opened = await coming;
+  if (!opened.lacks) return opened;
+  return { work: await formats.onSample(opened.work, await sampleWork(opened.lacks)), notes: opened.notes };
 }
 
 /** @param {import("./files.js").Coming} coming */
 function openFile({ name, bytes, handle }) {
   open(name, bytes.then(formats.open), handle);
+}
+
+/** @param {string} text a link, or SVG */
+function openText(text) {
+  if (isLink(text)) openLink(text);
+  else openFile({ name: "SVG", bytes: Promise.resolve(new TextEncoder().encode(text)) });
+}
+
+/**
+ * Opens a link beside the work that is there.
+ * @param {string} link
+ * @returns what went wrong, if anything did
+ */
+async function openLink(link) {
+  const before = drawings.shown;
+  const fault = await open(say("shared-drawing"), formats.openLink(link));
+  if (drawings.shown !== before && before.revision > 0) tell(say("opened-beside", { before: before.name }));
+  return fault;
+}
+
+/** Opens the link in the address, which is then the page's own again: its drawing may become another. */
+function openAddress() {
+  const link = location.hash;
+  history.replaceState(null, "", location.pathname + location.search);
+  return openLink(link);
+}
+
+async function share() {
+  const work = engine.work();
+  if (!work) return;
+  try {
+    await showLink((await formats.link(work)) ?? "", formats.qrCode);
+  } catch (fault) {
+    failed(fault);
+  }
 }
 
 async function save() {
@@ -124,6 +173,10 @@ function failed(fault) {
 const actions = {
   open: () => void choose(openFile).catch(failed),
   save,
+  share,
+  "close-share": closeShare,
+  "copy-link": copyLink,
+  "send-link": sendLink,
   samples: () => samples.show(),
   "close-samples": () => samples.close(),
   "pick-color": pickColor,
@@ -161,11 +214,13 @@ function followSize() {
   tellSize();
 }
 
-/** Opens the first sample, unless something else has been opened meanwhile. */
+/** Opens the link in the address, or else the first sample, unless something has been opened meanwhile. */
 async function begin() {
   try {
-    const [first] = await samples.list();
-    if (asked === 0) await samples.choose(first);
+    const list = samples.list();
+    const fault = isLink(location.hash) ? await openAddress() : undefined;
+    if (drawings.areNone && (asked === 0 || fault)) await samples.choose((await list)[0]);
+    if (fault) failed(fault);
   } catch (fault) {
     failed(fault);
   }
@@ -183,12 +238,14 @@ async function start() {
   followSize();
   matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => engine.command("desk", desk()));
   listen(act, (held) => pointers.holdSpace(held));
-  receive(openFile);
+  receive(openFile, openText);
+  window.addEventListener("hashchange", () => void (isLink(location.hash) && openAddress()));
   window.addEventListener("beforeunload", (event) => {
     if (drawings.areUnsaved) event.preventDefault();
   });
+  const isFresh = !isLink(location.hash);
   await begin();
-  tell(say("start"));
+  if (isFresh) tell(say("start"));
 }
 
 start();

@@ -12,6 +12,21 @@ const english = {
   "save": "Save",
   "samples": "Samples",
   "export": "Export",
+  "share": "Share",
+  "link": "Link",
+  "link-length": "Length of the link",
+  "link-short": ({ length }) => `${figure(length)} characters: the link fits nearly everywhere`,
+  "link-middling": ({ length }) => `${figure(length)} characters: some programs cut such links off`,
+  "link-long": ({ length }) => `${figure(length)} characters: many programs cut such links off; a file is safer`,
+  "link-too-long": "The drawing is too large for a link: save it as a file, and send that",
+  "copy-link": "Copy",
+  "send-link": "Send…",
+  "as-file": "Save as a file",
+  "qr-code": "The link as a QR code",
+  "copied": "Copied",
+  "copy-yourself": "The browser does not let the page copy; the link is selected: press Ctrl+C",
+  "shared-drawing": "Shared drawing",
+  "opened-beside": ({ before }) => `Opened the link; Undo goes back to ${before}`,
   "undo": "Undo",
   "redo": "Redo",
   "show-lines": "Show lines",
@@ -96,6 +111,11 @@ const english = {
   "error-stopped": "Scumble has run into a fault and stopped. Load the page again to go on.",
   "error-renderer": "The graphics device was lost and could not be had again. Load the page again to go on.",
 };
+
+/** @param {number} number */
+function figure(number) {
+  return number.toLocaleString("en");
+}
 
 /**
  * The text of a key. An unknown key is shown as it is, so that a gap in the table is seen.

@@ -11,7 +11,7 @@ export class Samples {
   #dialog = /** @type {HTMLDialogElement} */ (document.getElementById("samples"));
   #open;
 
-  /** @param {(name: string, coming: Promise<Opened>) => Promise<void>} open */
+  /** @param {(name: string, coming: Promise<Opened>) => Promise<unknown>} open */
   constructor(open) {
     this.#open = open;
     this.#dialog.addEventListener("click", (event) => {
@@ -58,7 +58,7 @@ export class Samples {
   /** @param {Sample} sample */
   choose(sample) {
     this.#dialog.close();
-    return this.#open(sample.name, lines(sample.file).then((work) => ({ work, notes: "" })));
+    return this.#open(sample.name, sampleWork(sample.file).then((work) => ({ work, notes: "" })));
   }
 }
 
@@ -66,7 +66,7 @@ export class Samples {
  * A sample as work.
  * @param {string} file
  */
-async function lines(file) {
+export async function sampleWork(file) {
   const buffer = await fetched(file.replace(/\.svg$/, ".work"), (response) => response.arrayBuffer());
   return new Uint8Array(buffer);
 }

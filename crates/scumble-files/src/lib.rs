@@ -1,13 +1,14 @@
 //! The page's second module: files and links, which most visits never need.
 //!
 //! Work goes in and out as its exact bytes ([`scumble_core::exact`]), so that the module with the editor knows no other
-//! form of it. What is opened is in [`opening`]; this is what JavaScript calls.
+//! form of it. What is opened is in [`opening`], codes for cameras in [`qr`]; this is what JavaScript calls.
 
 pub mod opening;
+pub mod qr;
 
 use js_sys::Uint8Array;
 use scumble_core::{Work, exact};
-use scumble_io::{MAX_FILE_BYTES, write_file, write_link};
+use scumble_io::{LinkError, MAX_FILE_BYTES, write_file, write_link};
 use wasm_bindgen::JsError;
 use wasm_bindgen::prelude::wasm_bindgen;
 
@@ -71,11 +72,32 @@ pub fn save(work: &[u8]) -> Result<Vec<u8>, JsError> {
     Ok(write_file(&opening::exact(work)?)?)
 }
 
-/// The link to some work, from `#` on.
+/// The link to some work, from `#` on; none where it is too large for one.
 ///
 /// # Errors
-/// A sentence for people, where it is too large for a link.
+/// A sentence for people, where the work is damaged.
 #[wasm_bindgen]
-pub fn link(work: &[u8]) -> Result<String, JsError> {
-    Ok(write_link(&opening::exact(work)?)?.fragment)
+pub fn link(work: &[u8]) -> Result<Option<String>, JsError> {
+    match write_link(&opening::exact(work)?) {
+        Ok(link) => Ok(Some(link.fragment)),
+        Err(LinkError::TooLarge) => Ok(None),
+        Err(error) => Err(error.into()),
+    }
+}
+
+/// A QR code.
+#[wasm_bindgen]
+#[derive(Clone, Debug)]
+pub struct Code {
+    /// Modules of a side, with the blank ones around.
+    pub size: u32,
+    /// SVG path data of the dark modules, one unit each.
+    #[wasm_bindgen(getter_with_clone)]
+    pub path: String,
+}
+
+/// The QR code of a text; none where it is too long for one.
+#[wasm_bindgen(js_name = qrCode)]
+pub fn qr_code(text: &str) -> Option<Code> {
+    qr::code(text).map(|qr::Code { size, path }| Code { size, path })
 }
