@@ -1,8 +1,8 @@
 //! `scumble color`: one picture from a drawing and scribbles.
 
 use anyhow::ensure;
-use scumble_core::{Boundary, Document, Drawing, Scribble};
-use scumble_io::{ReadScribbles, Work, read_scribbles, write_png};
+use scumble_core::{Boundary, Document, Drawing, Scribble, Work};
+use scumble_io::{ReadScribbles, read_scribbles, write_png};
 use scumble_solve::SolveError;
 use serde::Serialize;
 
