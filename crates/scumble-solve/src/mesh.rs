@@ -128,7 +128,8 @@ impl MeshSolver {
     /// See [`SolveError`].
     pub fn factor(&mut self, boundary: &Boundary) -> Result<(), SolveError> {
         self.analyse(boundary);
-        self.regions.iter_mut().try_for_each(Region::factor)
+        let mesh = &self.mesh;
+        self.regions.iter_mut().try_for_each(|region| region.factor(mesh))
     }
 
     /// The colour field. The colours of the sides are in the space `blend`; every value lies within the range of the

@@ -10,8 +10,8 @@ use scumble_core::{HalfEdge, SideId, Triangulation, sort};
 
 use super::barriers::Barriers;
 
-/// Unknown that is not numbered yet.
-const NONE: u32 = u32::MAX;
+/// Unknown that is not numbered yet, or anything else that is not there.
+pub(super) const NONE: u32 = u32::MAX;
 
 /// The triangles of one region and their unknowns, counted from 0 in each region.
 #[derive(Debug)]

@@ -49,8 +49,13 @@ impl Front {
 
     /// Number of entries that it has in the factor.
     pub(super) fn entry_count(&self) -> usize {
-        let [all, boundary] = [self.size(), self.boundary.len()].map(|size| size * (size + 1) / 2);
-        all - boundary
+        let all = self.size() * (self.size() + 1) / 2;
+        all - self.left_count()
+    }
+
+    /// Number of entries that its elimination leaves on its boundary.
+    pub(super) fn left_count(&self) -> usize {
+        self.boundary.len() * (self.boundary.len() + 1) / 2
     }
 
     /// Itself with a child that comes right before it, where that makes few zeros.

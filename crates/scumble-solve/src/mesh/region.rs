@@ -115,9 +115,9 @@ impl Region {
     }
 
     /// Factors the system if one is needed and not factored yet.
-    pub(super) fn factor(&mut self) -> Result<(), SolveError> {
+    pub(super) fn factor(&mut self, mesh: &Triangulation) -> Result<(), SolveError> {
         let elements = self.shaded.as_mut().map_or(&mut self.base, |(_, elements)| elements);
-        if self.coloring == Coloring::Blended { elements.factor() } else { Ok(()) }
+        if self.coloring == Coloring::Blended { elements.factor(mesh) } else { Ok(()) }
     }
 
     /// Computes the values if the colours changed, and says whether they did. The system is factored.
