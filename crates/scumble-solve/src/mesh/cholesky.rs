@@ -91,12 +91,13 @@ impl Places<'_> {
     }
 
     fn add_element(&self, rows: &[u32; 6], element: &Matrix, matrix: &mut Dense<'_>) {
-        let places = rows.map(|row| self.of_row.get(row as usize).map(|&place| place as usize));
+        let places = rows.map(|row| self.of_row.get(row as usize).map_or(usize::MAX, |&place| place as usize));
         let mut entries = element.iter();
-        for (j, place) in places.into_iter().enumerate() {
-            for (other, entry) in places[j..].iter().zip(entries.by_ref()) {
-                if let (Some(a), &Some(b)) = (place, other) {
-                    matrix.column(a.min(b))[a.abs_diff(b)] += entry;
+        for (j, &place) in places.iter().enumerate() {
+            for (&other, entry) in places[j..].iter().zip(entries.by_ref()) {
+                let [first, last] = if place < other { [place, other] } else { [other, place] };
+                if last != usize::MAX {
+                    matrix.column(first)[last - first] += entry;
                 }
             }
         }

@@ -23,7 +23,7 @@ fn weights(corners: [Point; 3]) -> [f64; 3] {
 pub(super) type Matrix = [f64; 21];
 
 /// Where the entry of a row and a column is.
-pub(super) fn entry(row: usize, column: usize) -> usize {
+pub(super) const fn entry(row: usize, column: usize) -> usize {
     let [least, most] = if row < column { [row, column] } else { [column, row] };
     least * 6 - least * (least + 1) / 2 + most
 }
@@ -32,34 +32,22 @@ pub(super) fn entry(row: usize, column: usize) -> usize {
 pub(super) fn stiffness(corners: [Point; 3]) -> Matrix {
     let mut matrix = [0.0; 21];
     let weights = weights(corners);
-    (0..6).zip(diagonal(weights)).for_each(|(i, on_diagonal)| matrix[entry(i, i)] = on_diagonal);
-    couplings(weights).into_iter().for_each(|(i, j, coupling)| matrix[entry(i, j)] = coupling);
+    let middle = 8.0 / 3.0 * (weights[0] + weights[1] + weights[2]);
+    for i in 0..3 {
+        let (j, k, w) = ((i + 1) % 3, (i + 2) % 3, weights[i]);
+        matrix[entry(i, i)] = w + weights[k];
+        matrix[entry(3 + i, 3 + i)] = middle;
+        matrix[entry(i, j)] = w / 3.0;
+        matrix[entry(i, 3 + i)] = -4.0 / 3.0 * w;
+        matrix[entry(j, 3 + i)] = -4.0 / 3.0 * w;
+        matrix[entry(3 + j, 3 + k)] = -8.0 / 3.0 * w;
+    }
     matrix
 }
 
 /// What each of the six functions has of a matrix, all others being one.
 pub(super) fn row_sums(matrix: &Matrix) -> [f64; 6] {
     [0, 1, 2, 3, 4, 5].map(|row| (0..6).map(|column| matrix[entry(row, column)]).sum())
-}
-
-fn diagonal([a, b, c]: [f64; 3]) -> [f64; 6] {
-    let middle = 8.0 / 3.0 * (a + b + c);
-    [c + a, a + b, b + c, middle, middle, middle]
-}
-
-/// The entries off the diagonal: two unknowns of the triangle and what couples them.
-fn couplings(weights: [f64; 3]) -> [(usize, usize, f64); 12] {
-    let mut couplings = [(0, 0, 0.0); 12];
-    for (i, (w, four)) in weights.into_iter().zip(couplings.as_chunks_mut::<4>().0).enumerate() {
-        let (j, k) = ((i + 1) % 3, (i + 2) % 3);
-        *four = [
-            (i, j, w / 3.0),
-            (i, 3 + i, -4.0 / 3.0 * w),
-            (j, 3 + i, -4.0 / 3.0 * w),
-            (3 + j, 3 + k, -8.0 / 3.0 * w),
-        ];
-    }
-    couplings
 }
 
 /// A rule for integrals over a triangle, exact up to the fifth degree (J. Radon, 1948).

@@ -7,7 +7,6 @@ use super::SolveError;
 use super::brush::Brush;
 use super::dofs::{Dofs, NONE};
 use super::element::{self, Matrix, Quadrature};
-use super::order::elimination_rank;
 use super::refine::{self, Shape};
 use super::system::System;
 
@@ -20,9 +19,7 @@ const FADE_RADII: f64 = 1.5;
 pub(super) struct Elements {
     pub(super) dofs: Dofs,
     shade: Option<Shade>,
-    /// Whether the unknowns are in the order of elimination.
-    is_ordered: bool,
-    /// The last system, and which sides were coloured then; `None` also where it does not fit into memory.
+    /// The last system, and which sides were coloured then.
     system: Option<(Vec<bool>, System)>,
 }
 
@@ -48,7 +45,7 @@ struct Load {
 impl Elements {
     /// Those of the mesh.
     pub(super) fn new(dofs: Dofs) -> Self {
-        Self { dofs, shade: None, is_ordered: false, system: None }
+        Self { dofs, shade: None, system: None }
     }
 
     /// Those that sources need in a region of the mesh, which may be paper.
@@ -76,7 +73,7 @@ impl Elements {
     /// Sets the system up if the coloured sides are others than those of the last one.
     pub(super) fn analyse(&mut self, mesh: &Triangulation, is_colored: &[bool]) {
         if self.system.as_ref().is_none_or(|(sides, _)| sides != is_colored) {
-            self.system = self.new_system(mesh, is_colored).ok().map(|system| (is_colored.to_vec(), system));
+            self.system = Some((is_colored.to_vec(), self.new_system(mesh, is_colored)));
         }
     }
 
@@ -88,8 +85,8 @@ impl Elements {
     /// Factors the system if that is not done yet.
     pub(super) fn factor(&mut self, mesh: &Triangulation) -> Result<(), SolveError> {
         let (dofs, shade) = (&self.dofs, self.shade.as_ref());
-        let system = &mut self.system.as_mut().ok_or(SolveError::TooLarge)?.1;
-        system.factor(&|i| matrix(mesh, dofs, shade, i))
+        let system = self.system.as_mut().map(|(_, system)| system);
+        system.map_or(Ok(()), |system| system.factor(&|i| matrix(mesh, dofs, shade, i)))
     }
 
     /// What sources of some colours add to the right-hand side: an unknown, and how much.
@@ -102,17 +99,14 @@ impl Elements {
         })
     }
 
-    fn new_system(&mut self, mesh: &Triangulation, is_colored: &[bool]) -> Result<System, SolveError> {
-        if !self.is_ordered {
-            self.dofs.renumber(&elimination_rank(&self.dofs)?);
-            self.is_ordered = true;
-        }
+    fn new_system(&mut self, mesh: &Triangulation, is_colored: &[bool]) -> System {
+        self.dofs.order();
         let mut fixed = vec![false; self.dofs.count];
         for (side, _) in self.dofs.sides.iter().zip(is_colored).filter(|(_, is_colored)| **is_colored) {
             side.dofs.iter().for_each(|&dof| fixed[dof as usize] = true);
         }
         let (dofs, shade) = (&self.dofs, self.shade.as_ref());
-        Ok(System::new(&dofs.of_triangle, &|i| matrix(mesh, dofs, shade, i), &fixed))
+        System::new(dofs, &|i| matrix(mesh, dofs, shade, i), &fixed)
     }
 }
 

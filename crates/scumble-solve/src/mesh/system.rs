@@ -7,6 +7,7 @@ use scumble_core::BlendColor;
 
 use super::SolveError;
 use super::cholesky::Factor;
+use super::dofs::Dofs;
 use super::element::{self, Matrix};
 use super::fronts::{Fronts, NONE};
 
@@ -25,20 +26,18 @@ pub(super) struct System {
 
 impl System {
     /// Finds what couples the unknowns of elements, and the pattern of the factor.
-    pub(super) fn new(of_element: &[[u32; 6]], matrix: &dyn Fn(usize) -> Matrix, fixed: &[bool]) -> Self {
+    pub(super) fn new(dofs: &Dofs, matrix: &dyn Fn(usize) -> Matrix, fixed: &[bool]) -> Self {
         let row_of = rows(fixed);
         let mut couplings = Vec::new();
-        let mut is_corner = vec![false; fixed.len()];
         let couple = |(i, dofs): (usize, &[u32; 6])| {
-            dofs[..3].iter().for_each(|&corner| is_corner[corner as usize] = true);
             let rows = dofs.map(|dof| row_of[dof as usize]);
             if rows.contains(&NONE) && rows != [NONE; 6] {
                 couple(dofs, &rows, &matrix(i), &mut couplings);
             }
             rows
         };
-        let rows: Vec<_> = of_element.iter().enumerate().map(couple).collect();
-        let fronts = Fronts::new(&rows, &group_ends(&row_of, &is_corner));
+        let rows: Vec<_> = dofs.of_triangle.iter().enumerate().map(couple).collect();
+        let fronts = Fronts::new(&rows, &group_ends(&row_of, &dofs.group_ends));
         Self { row_of, couplings, fronts, rows, factor: None }
     }
 
@@ -95,16 +94,18 @@ fn rows(fixed: &[bool]) -> Vec<u32> {
     fixed.iter().map(row).collect()
 }
 
-/// Where the rows of a corner and of the edges before it end.
-fn group_ends(row_of: &[u32], is_corner: &[bool]) -> Vec<u32> {
-    let (mut ends, mut end) = (Vec::new(), 0);
-    for (row, is_corner) in row_of.iter().zip(is_corner) {
-        end += u32::from(*row != NONE);
-        if *is_corner && *ends.last().unwrap_or(&0) != end {
-            ends.push(end);
+/// Where the rows of groups of unknowns end.
+fn group_ends(row_of: &[u32], ends: &[u32]) -> Vec<u32> {
+    let (mut row_ends, mut row_end, mut start) = (Vec::with_capacity(ends.len()), 0, 0);
+    for &end in ends {
+        let rows = row_of[start..end as usize].iter().filter(|row| **row != NONE).count();
+        start = end as usize;
+        if rows > 0 {
+            row_end += rows as u32;
+            row_ends.push(row_end);
         }
     }
-    ends
+    row_ends
 }
 
 /// Collects the entries between free and fixed unknowns of an element.
