@@ -19,8 +19,9 @@ const LONGEST_EDGE: f64 = 0.55;
 /// Where the rim is, in radii: the source is all but nothing beyond.
 const RIM: f64 = 0.85;
 
-/// What the longest edge grows by beyond the rim, for each du of distance.
-const GROWTH: f64 = 2.0;
+/// What the longest edge grows by beyond the rim, for each du of distance. The middle of a triangle is no farther from its
+/// corners than two thirds of its longest edge, so at this it is split wherever in it the brush is.
+const GROWTH: f64 = 1.5;
 
 /// Longest edge where a stroke runs over the side of a curve, in widths of the layer there, `√(1 / strength)`.
 const SIDE_EDGE: f64 = 0.75;
