@@ -61,6 +61,8 @@ pub struct MeshSolver {
     closed_gaps: Vec<bool>,
     /// By the first triangle of each.
     regions: Vec<Region>,
+    /// Of the largest factor that was of no use any more.
+    memory: Vec<f64>,
     field: Field,
 }
 
@@ -69,7 +71,13 @@ impl MeshSolver {
     pub fn new(mesh: impl Into<Arc<Triangulation>>) -> Self {
         let mesh = mesh.into();
         let triangles: Vec<_> = (0..mesh.triangle_count() as u32).collect();
-        let mut solver = Self { mesh, closed_gaps: Vec::new(), regions: Vec::new(), field: Field::default() };
+        let mut solver = Self {
+            mesh,
+            closed_gaps: Vec::new(),
+            regions: Vec::new(),
+            memory: Vec::new(),
+            field: Field::default(),
+        };
         solver.regions = solver.numbered(&triangles);
         solver
     }
@@ -92,7 +100,10 @@ impl MeshSolver {
             let shading = boundary.sources.iter().zip(&reaches);
             let shading = shading.filter(|(_, reach)| reach.meets(&self.mesh, region.triangles()));
             let sources = shading.map(|(source, _)| source.clone()).collect();
-            region.analyse(&self.mesh, &boundary.sides, sources);
+            let memory = region.analyse(&self.mesh, &boundary.sides, sources).unwrap_or_default();
+            if memory.capacity() > self.memory.capacity() {
+                self.memory = memory;
+            }
         }
     }
 
@@ -128,8 +139,8 @@ impl MeshSolver {
     /// See [`SolveError`].
     pub fn factor(&mut self, boundary: &Boundary) -> Result<(), SolveError> {
         self.analyse(boundary);
-        let mesh = &self.mesh;
-        self.regions.iter_mut().try_for_each(|region| region.factor(mesh))
+        let (mesh, memory) = (&self.mesh, &mut self.memory);
+        self.regions.iter_mut().try_for_each(|region| region.factor(mesh, memory))
     }
 
     /// The colour field. The colours of the sides are in the space `blend`; every value lies within the range of the

@@ -30,7 +30,7 @@ struct Edge {
     part: [f64; 2],
 }
 
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub(super) struct Cells {
     pub(super) points: Vec<Point>,
     /// For each point its distance from the sides, in du, as the edges go: never less than it is.

@@ -5,6 +5,7 @@ use scumble_core::{BlendColor, SoftSource, Triangulation};
 
 use super::SolveError;
 use super::brush::Brush;
+use super::cells::Cells;
 use super::dofs::{Dofs, NONE};
 use super::element::{self, Matrix, Quadrature};
 use super::refine::{self, Shape};
@@ -48,10 +49,10 @@ impl Elements {
         Self { dofs, shade: None, system: None }
     }
 
-    /// Those that sources need in a region of the mesh, which may be paper.
-    pub(super) fn shaded(mesh: &Triangulation, dofs: &Dofs, sources: &[SoftSource], is_paper: bool) -> Self {
+    /// Those that sources need in a region of some cells, which may be paper.
+    pub(super) fn shaded(coarse: &Cells, dofs: &Dofs, sources: &[SoftSource], is_paper: bool) -> Self {
         let brushes: Vec<_> = sources.iter().map(Brush::new).collect();
-        let refined = refine::refine(mesh, dofs, &brushes);
+        let refined = refine::refine(coarse, dofs, &brushes);
         let mass_of = vec![NONE; refined.shapes.len()];
         let mut shade = Shade { shapes: refined.shapes, mass_of, masses: Vec::new(), loads: Vec::new() };
         shade.shade(&brushes);
@@ -83,10 +84,15 @@ impl Elements {
     }
 
     /// Factors the system if that is not done yet.
-    pub(super) fn factor(&mut self, mesh: &Triangulation) -> Result<(), SolveError> {
+    pub(super) fn factor(&mut self, mesh: &Triangulation, memory: &mut Vec<f64>) -> Result<(), SolveError> {
         let (dofs, shade) = (&self.dofs, self.shade.as_ref());
         let system = self.system.as_mut().map(|(_, system)| system);
-        system.map_or(Ok(()), |system| system.factor(&|i| matrix(mesh, dofs, shade, i)))
+        system.map_or(Ok(()), |system| system.factor(&|i| matrix(mesh, dofs, shade, i), memory))
+    }
+
+    /// The memory of the factor.
+    pub(super) fn into_memory(self) -> Option<Vec<f64>> {
+        self.system.and_then(|(_, system)| system.into_memory())
     }
 
     /// What sources of some colours add to the right-hand side: an unknown, and how much.

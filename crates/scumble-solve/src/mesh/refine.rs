@@ -4,7 +4,6 @@
 //! source's: the mesh changes little where a stroke moves a little.
 
 use kurbo::Point;
-use scumble_core::Triangulation;
 
 use super::brush::Brush;
 use super::cells::Cells;
@@ -44,11 +43,11 @@ pub(super) struct Shape {
     pub(super) side_edges: u32,
 }
 
-/// Refines a region for sources.
-pub(super) fn refine(mesh: &Triangulation, dofs: &Dofs, brushes: &[Brush]) -> Refined {
+/// Refines a region of some cells for sources.
+pub(super) fn refine(coarse: &Cells, dofs: &Dofs, brushes: &[Brush]) -> Refined {
     let mut coarsening = 1.0;
     loop {
-        let mut cells = Cells::new(mesh, dofs);
+        let mut cells = coarse.clone();
         if cells.refine(brushes, coarsening) {
             return cells.refined(dofs);
         }

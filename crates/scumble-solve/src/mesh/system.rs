@@ -41,15 +41,24 @@ impl System {
         Self { row_of, couplings, fronts, rows, factor: None }
     }
 
+    /// The memory of its factor.
+    pub(super) fn into_memory(self) -> Option<Vec<f64>> {
+        self.factor.map(Factor::into_memory)
+    }
+
     #[cfg(test)]
     pub(super) fn is_factored(&self) -> bool {
         self.factor.is_some()
     }
 
     /// Computes the factor if that is not done yet; the elements are those of the analysis.
-    pub(super) fn factor(&mut self, matrix: &dyn Fn(usize) -> Matrix) -> Result<(), SolveError> {
+    pub(super) fn factor(
+        &mut self,
+        matrix: &dyn Fn(usize) -> Matrix,
+        memory: &mut Vec<f64>,
+    ) -> Result<(), SolveError> {
         if self.factor.is_none() {
-            self.factor = Some(Factor::new(&self.fronts, &self.rows, matrix)?);
+            self.factor = Some(Factor::new(&self.fronts, &self.rows, matrix, memory)?);
             self.rows = Vec::new();
         }
         Ok(())
