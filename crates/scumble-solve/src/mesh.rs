@@ -35,7 +35,7 @@ use thiserror::Error;
 use crate::field::Field;
 use barriers::Barriers;
 use region::Region;
-use sources::Reach;
+use sources::Regions;
 
 /// Why a drawing has no colour field.
 #[derive(Clone, Copy, Debug, Error, PartialEq, Eq)]
@@ -95,10 +95,11 @@ impl MeshSolver {
     /// Sets up the systems of the regions whose gaps or set of coloured sides changed.
     pub fn analyse(&mut self, boundary: &Boundary) {
         self.close_gaps(&boundary.closed_gaps);
-        let reaches: Vec<_> = boundary.sources.iter().map(|source| Reach::new(&self.mesh, source)).collect();
-        for region in &mut self.regions {
+        let regions = Regions::new(&self.mesh, &mut self.regions.iter().map(Region::triangles));
+        let reaches: Vec<_> = boundary.sources.iter().map(|source| regions.reach(source)).collect();
+        for (i, region) in (0..).zip(&mut self.regions) {
             let shading = boundary.sources.iter().zip(&reaches);
-            let shading = shading.filter(|(_, reach)| reach.meets(&self.mesh, region.triangles()));
+            let shading = shading.filter(|(_, reach)| reach.meets(&self.mesh, i, region.triangles()));
             let sources = shading.map(|(source, _)| source.clone()).collect();
             let memory = region.analyse(&self.mesh, &boundary.sides, sources).unwrap_or_default();
             if memory.capacity() > self.memory.capacity() {

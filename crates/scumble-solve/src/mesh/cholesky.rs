@@ -100,7 +100,8 @@ impl Places<'_> {
     }
 
     fn add_element(&self, rows: &[u32; 6], element: &Matrix, matrix: &mut Dense<'_>) {
-        let places = rows.map(|row| self.of_row.get(row as usize).map_or(usize::MAX, |&place| place as usize));
+        let places =
+            rows.map(|row| self.of_row.get(row as usize).map_or(usize::MAX, |&place| place as usize));
         let mut entries = element.iter();
         for (j, &place) in places.iter().enumerate() {
             for (&other, entry) in places[j..].iter().zip(entries.by_ref()) {
@@ -284,7 +285,9 @@ mod tests {
             let ends: Vec<_> = (1..SIZE).filter(|end| end.is_multiple_of(step)).chain([SIZE]).collect();
             let fronts = Fronts::new(&rows, &ends);
             let mut values = right.clone();
-            Factor::new(&fronts, &rows, &|i| matrices[i], &mut Vec::new()).expect("a factor").solve(&fronts, &mut values);
+            Factor::new(&fronts, &rows, &|i| matrices[i], &mut Vec::new())
+                .expect("a factor")
+                .solve(&fronts, &mut values);
             let mut left = vec![[0.0; 4]; SIZE as usize];
             for (rows, matrix) in rows.iter().zip(&matrices) {
                 let pairs = (0..6).flat_map(|i| (0..6).map(move |j| (i, j)));
@@ -306,7 +309,9 @@ mod tests {
         (matrix[entry(0, 0)], matrix[entry(0, 1)], matrix[entry(1, 1)]) = (1.0, -1.0, 1.0);
         let fronts = Fronts::new(&rows, &[1, 2]);
         let mut values = [[0.5; 4], [-0.5; 4]];
-        Factor::new(&fronts, &rows, &|_| matrix, &mut Vec::new()).expect("a factor").solve(&fronts, &mut values);
+        Factor::new(&fronts, &rows, &|_| matrix, &mut Vec::new())
+            .expect("a factor")
+            .solve(&fronts, &mut values);
         assert_eq!(values, [[0.5; 4], [0.0; 4]]);
         matrix[entry(1, 1)] = f64::NAN;
         let error = Factor::new(&fronts, &rows, &|_| matrix, &mut Vec::new()).err();

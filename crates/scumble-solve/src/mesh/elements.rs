@@ -53,7 +53,8 @@ impl Elements {
     pub(super) fn shaded(coarse: &Cells, dofs: &Dofs, sources: &[SoftSource], is_paper: bool) -> Self {
         let brushes: Vec<_> = sources.iter().map(Brush::new).collect();
         let refined = refine::refine(coarse, dofs, &brushes);
-        let (mass_of, finer) = (vec![NONE; refined.shapes.len()], refined.shapes.len() - dofs.triangles.len());
+        let (mass_of, finer) =
+            (vec![NONE; refined.shapes.len()], refined.shapes.len() - dofs.triangles.len());
         let (masses, loads) = (Vec::with_capacity(finer), Vec::with_capacity(finer));
         let mut shade = Shade { shapes: refined.shapes, mass_of, masses, loads };
         shade.shade(&brushes);

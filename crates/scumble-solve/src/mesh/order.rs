@@ -14,7 +14,8 @@ use super::dofs::Dofs;
 /// The place of each unknown in the order of elimination, and where the groups of a corner and of the edges before it
 /// end there. Corners come first among the unknowns.
 pub(super) fn elimination_rank(dofs: &Dofs) -> (Vec<u32>, Vec<u32>) {
-    let corner_count = dofs.of_triangle.iter().flat_map(|dofs| &dofs[..3]).fold(0, |most, &c| most.max(c + 1));
+    let corner_count =
+        dofs.of_triangle.iter().flat_map(|dofs| &dofs[..3]).fold(0, |most, &c| most.max(c + 1));
     let corner_rank = corner_rank(dofs, corner_count as usize);
     let mut group_of = corner_rank.clone();
     group_of.resize(dofs.count, 0);

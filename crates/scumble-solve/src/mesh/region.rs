@@ -107,12 +107,7 @@ impl Region {
         memory
     }
 
-    fn shade(
-        &mut self,
-        mesh: &Triangulation,
-        sources: Vec<SoftSource>,
-        is_paper: bool,
-    ) -> Option<Vec<f64>> {
+    fn shade(&mut self, mesh: &Triangulation, sources: Vec<SoftSource>, is_paper: bool) -> Option<Vec<f64>> {
         let was_paper = mem::replace(&mut self.is_paper, is_paper);
         let is_same = is_paper == was_paper || sources.is_empty();
         if self.sources() == sources && is_same {
