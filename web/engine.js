@@ -8,6 +8,7 @@
  * @property {(phase: string, samples: Float32Array) => unknown[]} pointer
  * @property {(name: string, args?: unknown) => unknown[]} command
  * @property {() => unknown[]} frame
+ * @property {() => Uint8Array} work
  *
  * @typedef {"down" | "erase" | "move" | "up" | "cancel"} Phase
  * @typedef {(value: any) => void} Handler
@@ -72,19 +73,30 @@ export class Engine {
     this.#askFrame();
   }
 
+  /** The exact bytes of the work; nothing once the module has stopped. */
+  work() {
+    return this.#call((app) => app.work());
+  }
+
   /** @param {(app: App) => unknown[]} call */
   #enter(call) {
-    if (!this.#app) return;
-    let effects;
+    const effects = this.#call(call) ?? [];
+    for (let i = 0; i < effects.length; i += 2) {
+      this.#handlers[String(effects[i])]?.(effects[i + 1]);
+    }
+  }
+
+  /**
+   * @template T
+   * @param {(app: App) => T} call
+   */
+  #call(call) {
     try {
-      effects = call(this.#app);
+      return this.#app && call(this.#app);
     } catch (fault) {
       console.error(fault);
       this.#stop();
-      return;
-    }
-    for (let i = 0; i < effects.length; i += 2) {
-      this.#handlers[String(effects[i])]?.(effects[i + 1]);
+      return undefined;
     }
   }
 

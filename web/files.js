@@ -1,32 +1,36 @@
-// Files in and out: opened, dropped or pasted SVG, and pictures to keep.
+// Files in and out: opened, dropped or pasted ones, and those to keep.
 
-/** @typedef {(name: string, bytes: Uint8Array, scribbles?: unknown[]) => void} Open */
+import { say } from "./messages.js";
+
+/** @typedef {{name: string, bytes: Promise<Uint8Array>, handle?: any}} Coming a file that is being read */
+/** @typedef {{name: string, handle?: any}} Place where a file was kept; of a download only the name is known */
+
+/** Files of ours, as the browser's dialogs name them. */
+const OURS = { description: "Scumble", accept: { "application/x-scumble": [".scumble"] } };
+const DRAWINGS = { description: "Scumble, SVG", accept: { ...OURS.accept, "image/svg+xml": [".svg"] } };
+
+const browser = /** @type {any} */ (window);
+const input = () => /** @type {HTMLInputElement} */ (document.getElementById("file"));
 
 /**
- * Takes files from the file dialog, from drops on the page and from the clipboard, which may also hold SVG text.
- * @param {Open} open
- * @param {() => void} unreadable called where the browser cannot read a file
+ * Takes files from the file dialog, from drops on the page and from the clipboard, which may also hold text.
+ * @param {(coming: Coming) => void} open
+ * @param {(text: string) => void} openText
  */
-export function receive(open, unreadable) {
-  const input = /** @type {HTMLInputElement} */ (document.getElementById("file"));
+export function receive(open, openText) {
   const take = (/** @type {DataTransfer | null} */ data) => {
     const file = data?.files[0];
     const text = data?.getData("text/plain") ?? "";
-    if (file) read(file, open, unreadable);
-    else if (text.trim() !== "") open("SVG", new TextEncoder().encode(text));
+    if (file) open(reading(file));
+    else if (text.trim() !== "") openText(text);
   };
-  input.addEventListener("change", () => {
-    const file = input.files?.[0];
-    if (file) read(file, open, unreadable);
-    input.value = "";
+  input().addEventListener("change", () => {
+    const file = input().files?.[0];
+    if (file) open(reading(file));
+    input().value = "";
   });
   window.addEventListener("paste", (event) => take(event.clipboardData));
   receiveDrops(take);
-}
-
-/** Shows the browser's dialog for files. */
-export function choose() {
-  document.getElementById("file")?.click();
 }
 
 /** @param {(data: DataTransfer | null) => void} take */
@@ -48,19 +52,74 @@ function receiveDrops(take) {
 }
 
 /**
- * @param {File} file
- * @param {Open} open
- * @param {() => void} unreadable
+ * Shows the browser's dialog for files. One of ours that is opened through it can be saved to again.
+ * @param {(coming: Coming) => void} open
  */
-async function read(file, open, unreadable) {
-  let bytes;
-  try {
-    bytes = new Uint8Array(await file.arrayBuffer());
-  } catch {
-    unreadable();
-    return;
+export async function choose(open) {
+  if (!browser.showOpenFilePicker) return input().click();
+  const [handle] = (await asked(() => browser.showOpenFilePicker({ types: [DRAWINGS] }))) ?? [];
+  if (!handle) return;
+  const isOurs = handle.name.toLowerCase().endsWith(".scumble");
+  open({ ...reading(await handle.getFile()), handle: isOurs ? handle : undefined });
+}
+
+/**
+ * @param {File} file
+ * @returns {Coming}
+ */
+function reading(file) {
+  const bytes = file.arrayBuffer().then(
+    (buffer) => new Uint8Array(buffer),
+    () => Promise.reject(new Error(say("error-read"))),
+  );
+  return { name: file.name, bytes };
+}
+
+/**
+ * Keeps a file in its old place, or where the user says, or with the downloads where the browser has no such dialog.
+ * @param {Place} place the file's name, and its old place if there is one
+ * @param {() => Promise<Uint8Array<ArrayBuffer>>} content
+ * @returns {Promise<Place | undefined>} nothing where the user thought otherwise
+ */
+export async function keep({ name, handle }, content) {
+  if (!browser.showSaveFilePicker) {
+    download(name, new Blob([await content()], { type: "application/json" }));
+    return { name };
   }
-  open(file.name, bytes);
+  // The dialog comes first: browsers show it only right after a click.
+  handle ??= await asked(() => browser.showSaveFilePicker({ suggestedName: name, types: [OURS] }));
+  if (!handle) return undefined;
+  await write(handle, await content());
+  return { name: handle.name, handle };
+}
+
+/**
+ * @param {any} handle
+ * @param {Uint8Array} bytes
+ */
+async function write(handle, bytes) {
+  try {
+    const file = await handle.createWritable();
+    await file.write(bytes);
+    await file.close();
+  } catch (fault) {
+    console.warn(fault);
+    throw new Error(say("error-write"));
+  }
+}
+
+/**
+ * The answer to a dialog, or nothing where it was closed.
+ * @template T
+ * @param {() => Promise<T>} ask
+ */
+async function asked(ask) {
+  try {
+    return await ask();
+  } catch (fault) {
+    if (/** @type {any} */ (fault).name === "AbortError") return undefined;
+    throw fault;
+  }
 }
 
 /**

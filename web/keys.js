@@ -3,6 +3,7 @@
 /** @type {Record<string, string>} */
 const CHORDS = {
   "ctrl+o": "open",
+  "ctrl+s": "save",
   "ctrl+shift+e": "export",
   "ctrl+z": "undo",
   "ctrl+shift+z": "redo",

@@ -1,22 +1,22 @@
 // The start of the page, and the wiring of its parts.
 
 import { followed } from "./cursor.js";
+import { Drawings, isUnsaved, stem } from "./drawings.js";
 import { Engine } from "./engine.js";
-import { choose, download, receive } from "./files.js";
+import { choose, download, keep, receive } from "./files.js";
+import { formats } from "./formats.js";
 import { listen } from "./keys.js";
 import { label, say } from "./messages.js";
 import { png } from "./png.js";
 import { Pointers } from "./pointer.js";
-import { Samples } from "./samples.js";
-import { connect, pickColor, shown, swatch, tell, warn } from "./toolbar.js";
+import { Samples, sampleWork } from "./samples.js";
+import { closeShare, copyLink, isLink, sendLink, showLink } from "./share.js";
+import { connect, pickColor, shown, showName, swatch, tell, warn } from "./toolbar.js";
 
 /** An arrow key moves the view by this much, in CSS pixels. */
 const STEP_PX = 48;
 
 const stage = /** @type {HTMLElement} */ (document.getElementById("stage"));
-
-/** Whether there is work that would be lost with the page. */
-let hasWork = false;
 
 /** The canvas of the moment: a lost one is replaced. */
 const canvas = () => /** @type {HTMLCanvasElement} */ (document.getElementById("canvas"));
@@ -24,7 +24,7 @@ const canvas = () => /** @type {HTMLCanvasElement} */ (document.getElementById("
 /** @type {Record<string, import("./engine.js").Handler>} */
 const handlers = {
   ...shown,
-  undo: both(shown.undo, (possible) => (hasWork = possible)),
+  sheet: (state) => drawings.follow(state),
   tool: both(shown.tool, followed.tool),
   color: both(shown.color, followed.color),
   "brush-size": both(shown["brush-size"], followed["brush-size"]),
@@ -35,9 +35,7 @@ const handlers = {
     if (canvas().dataset.renderer) tell(say("recovered"));
     canvas().dataset.renderer = name;
   },
-  opened: (values) => {
-    done(say(values.notes === "" ? "opened" : "opened-in-part", values));
-  },
+  opened: ({ notes }) => done(say(notes === "" ? "opened" : "opened-in-part", { name: drawings.shown.name, notes })),
   ...Object.fromEntries(
     ["scribble-added", "scribbles-erased", "scribble-dropped", "undone", "redone"].map((key) => [
       key,
@@ -46,7 +44,8 @@ const handlers = {
   ),
   failed: (values) => warn(say("failed", values)),
   "no-renderer": () => warn(say("error-renderer")),
-  exported: async ({ name, width, height, rgba }) => {
+  exported: async ({ width, height, rgba }) => {
+    const name = `${stem(drawings.shown.name)}.png`;
     download(name, await png(width, height, rgba));
     done(say("exported", { name }));
   },
@@ -71,20 +70,113 @@ function both(first, second) {
 }
 
 const engine = new Engine(handlers);
-/** @type {import("./files.js").Open} */
-const open = (name, bytes, scribbles) => engine.command("open", { name, bytes, scribbles });
-const samples = new Samples(open, () => warn(say("error-samples")));
+const drawings = new Drawings((drawing) => showName(drawing.name, isUnsaved(drawing)));
+const samples = new Samples(open);
 const pointers = new Pointers(stage, engine);
 
-/** Opens a person's own file, whatever sample is still on its way. @type {import("./files.js").Open} */
-function openOwn(name, bytes) {
-  samples.overtake();
-  open(name, bytes);
+/** Counts what has been asked for: what comes after something else was asked for is dropped. */
+let asked = 0;
+
+/**
+ * Opens what is on its way.
+ * @param {string} name
+ * @param {Promise<import("./formats.js").Opened>} coming
+ * @param {any} [handle] the file that it can be saved to again
+ * @returns what went wrong, if anything did; the page has been told
+ */
+async function open(name, coming, handle) {
+  const ticket = ++asked;
+  try {
+    const { work, notes } = await whole(coming);
+    if (ticket !== asked) return undefined;
+    drawings.expect(name, handle);
+    engine.command("open", { work, notes });
+    return undefined;
+  } catch (fault) {
+    if (ticket === asked) failed(fault);
+    return fault;
+  }
+}
+
+/**
+ * Work with its lines, which come from a sample where it has only the name of that.
+ * @param {Promise<import("./formats.js").Opened>} coming
+ */
+async function whole(coming) {
+  const opened = await coming;
+  if (!opened.lacks) return opened;
+  return { work: await formats.onSample(opened.work, await sampleWork(opened.lacks)), notes: opened.notes };
+}
+
+/** @param {import("./files.js").Coming} coming */
+function openFile({ name, bytes, handle }) {
+  open(name, bytes.then(formats.open), handle);
+}
+
+/** @param {string} text a link, or SVG */
+function openText(text) {
+  if (isLink(text)) openLink(text);
+  else openFile({ name: "SVG", bytes: Promise.resolve(new TextEncoder().encode(text)) });
+}
+
+/**
+ * Opens a link beside the work that is there.
+ * @param {string} link
+ * @returns what went wrong, if anything did
+ */
+async function openLink(link) {
+  const before = drawings.shown;
+  const fault = await open(say("shared-drawing"), formats.openLink(link));
+  if (drawings.shown !== before && before.revision > 0) tell(say("opened-beside", { before: before.name }));
+  return fault;
+}
+
+/** Opens the link in the address, which is then the page's own again: its drawing may become another. */
+function openAddress() {
+  const link = location.hash;
+  history.replaceState(null, "", location.pathname + location.search);
+  return openLink(link);
+}
+
+async function share() {
+  const work = engine.work();
+  if (!work) return;
+  try {
+    await showLink((await formats.link(work)) ?? "", formats.qrCode);
+  } catch (fault) {
+    failed(fault);
+  }
+}
+
+async function save() {
+  const drawing = drawings.shown;
+  const { name, handle, revision } = drawing;
+  const work = engine.work();
+  if (!work) return;
+  try {
+    const place = await keep({ name: `${stem(name)}.scumble`, handle }, () => formats.save(work));
+    if (!place) return;
+    drawings.keep(drawing, revision, place);
+    done(say("saved", place));
+  } catch (fault) {
+    drawing.handle = undefined;
+    failed(fault);
+  }
+}
+
+/** @param {unknown} fault with a sentence for people */
+function failed(fault) {
+  warn(say("failed", { sentence: /** @type {Error} */ (fault).message }));
 }
 
 /** What the page does by itself; all other actions are commands of the module. @type {Record<string, () => void>} */
 const actions = {
-  open: choose,
+  open: () => void choose(openFile).catch(failed),
+  save,
+  share,
+  "close-share": closeShare,
+  "copy-link": copyLink,
+  "send-link": sendLink,
   samples: () => samples.show(),
   "close-samples": () => samples.close(),
   "pick-color": pickColor,
@@ -122,6 +214,18 @@ function followSize() {
   tellSize();
 }
 
+/** Opens the link in the address, or else the first sample, unless something has been opened meanwhile. */
+async function begin() {
+  try {
+    const list = samples.list();
+    const fault = isLink(location.hash) ? await openAddress() : undefined;
+    if (drawings.areNone && (asked === 0 || fault)) await samples.choose((await list)[0]);
+    if (fault) failed(fault);
+  } catch (fault) {
+    failed(fault);
+  }
+}
+
 async function start() {
   label(document);
   connect(act, (command, args) => engine.command(command, args));
@@ -134,12 +238,14 @@ async function start() {
   followSize();
   matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => engine.command("desk", desk()));
   listen(act, (held) => pointers.holdSpace(held));
-  receive(openOwn, () => warn(say("error-read")));
+  receive(openFile, openText);
+  window.addEventListener("hashchange", () => void (isLink(location.hash) && openAddress()));
   window.addEventListener("beforeunload", (event) => {
-    if (hasWork) event.preventDefault();
+    if (drawings.areUnsaved) event.preventDefault();
   });
-  await samples.start();
-  tell(say("start"));
+  const isFresh = !isLink(location.hash);
+  await begin();
+  if (isFresh) tell(say("start"));
 }
 
 start();

@@ -9,8 +9,24 @@ const english = {
   "group-settings": "Settings",
   "group-view": "View",
   "open": "Open",
+  "save": "Save",
   "samples": "Samples",
   "export": "Export",
+  "share": "Share",
+  "link": "Link",
+  "link-length": "Length of the link",
+  "link-short": ({ length }) => `${figure(length)} characters: the link fits nearly everywhere`,
+  "link-middling": ({ length }) => `${figure(length)} characters: some programs cut such links off`,
+  "link-long": ({ length }) => `${figure(length)} characters: many programs cut such links off; a file is safer`,
+  "link-too-long": "The drawing is too large for a link: save it as a file, and send that",
+  "copy-link": "Copy",
+  "send-link": "Send…",
+  "as-file": "Save as a file",
+  "qr-code": "The link as a QR code",
+  "copied": "Copied",
+  "copy-yourself": "The browser does not let the page copy; the link is selected: press Ctrl+C",
+  "shared-drawing": "Shared drawing",
+  "opened-beside": ({ before }) => `Opened the link; Undo goes back to ${before}`,
   "undo": "Undo",
   "redo": "Redo",
   "show-lines": "Show lines",
@@ -69,9 +85,13 @@ const english = {
   "white": "White",
   "no-colour": "No colour",
 
+  "untitled": "Untitled",
+  "title": ({ name, unsaved }) => `${unsaved ? "• " : ""}${name} – Scumble`,
+  "unsaved": "unsaved",
   "start": "Pick a colour and scribble it into the drawing",
   "opened": ({ name }) => `Opened ${name}`,
   "opened-in-part": ({ name, notes }) => `Opened ${name}; ${notes}`,
+  "saved": ({ name }) => `Saved ${name}`,
   "scribble-added": ({ count }) => `Scribble added, ${count} in the drawing`,
   "scribbles-erased": ({ erased, count }) =>
     `${erased === 1 ? "Scribble" : `${erased} scribbles`} erased, ${count} in the drawing`,
@@ -82,12 +102,20 @@ const english = {
   "recovered": "The graphics device was lost; the picture has been drawn again",
 
   "failed": ({ sentence }) => `${sentence.charAt(0).toUpperCase()}${sentence.slice(1)}.`,
-  "error-read": "The file could not be read; try opening it again.",
-  "error-samples": "The samples could not be loaded; check the connection and load the page again.",
+  "error-read": "the file could not be read; try opening it again",
+  "error-write": "the file could not be written; save again to choose another place",
+  "error-formats": "what opens and saves files could not be loaded; check the connection and try again",
+  "error-too-hard": "the file takes more than there is room for here; simplify the drawing",
+  "error-samples": "the samples could not be loaded; check the connection and load the page again",
   "error-start": "Scumble could not start in this browser; a current Chrome, Edge, Firefox or Safari will do.",
   "error-stopped": "Scumble has run into a fault and stopped. Load the page again to go on.",
   "error-renderer": "The graphics device was lost and could not be had again. Load the page again to go on.",
 };
+
+/** @param {number} number */
+function figure(number) {
+  return number.toLocaleString("en");
+}
 
 /**
  * The text of a key. An unknown key is shown as it is, so that a gap in the table is seen.

@@ -1,39 +1,32 @@
 // The drawings that come with the page: a dialog of thumbnails.
 
-/** @typedef {{ file: string, name: string, credit: string, scribbles?: string }} Sample */
+import { say } from "./messages.js";
+
+/** @typedef {{ file: string, name: string, credit: string }} Sample */
+/** @typedef {import("./formats.js").Opened} Opened */
 
 const FOLDER = new URL("../samples/", import.meta.url);
 
 export class Samples {
   #dialog = /** @type {HTMLDialogElement} */ (document.getElementById("samples"));
   #open;
-  #failed;
-  /** Counts what has been asked for: an answer that comes after a later question is dropped. */
-  #choices = 0;
 
-  /**
-   * @param {import("./files.js").Open} open
-   * @param {() => void} failed called where a sample cannot be fetched
-   */
-  constructor(open, failed) {
+  /** @param {(name: string, coming: Promise<Opened>) => Promise<unknown>} open */
+  constructor(open) {
     this.#open = open;
-    this.#failed = failed;
     this.#dialog.addEventListener("click", (event) => {
       if (event.target === this.#dialog) this.#dialog.close();
     });
   }
 
-  /** Fetches the list and opens its first drawing. */
-  async start() {
-    const samples = /** @type {Sample[] | null} */ (await fetched("index.json", (response) => response.json()));
-    if (!samples) return this.#failed();
+  /**
+   * Fetches the list.
+   * @returns {Promise<Sample[]>}
+   */
+  async list() {
+    const samples = /** @type {Sample[]} */ (await fetched("index.json", (response) => response.json()));
     this.#dialog.querySelector("ul")?.replaceChildren(...samples.map((sample) => this.#item(sample)));
-    if (samples[0] && this.#choices === 0) await this.#choose(samples[0]);
-  }
-
-  /** Something else is opened: what is still on its way comes too late. */
-  overtake() {
-    this.#choices++;
+    return samples;
   }
 
   show() {
@@ -57,27 +50,29 @@ export class Samples {
     name.textContent = sample.name;
     credit.textContent = sample.credit;
     button.append(image, name, credit);
-    button.addEventListener("click", () => this.#choose(sample));
+    button.addEventListener("click", () => this.choose(sample));
     item.append(button);
     return item;
   }
 
   /** @param {Sample} sample */
-  async #choose(sample) {
+  choose(sample) {
     this.#dialog.close();
-    const choice = ++this.#choices;
-    const [bytes, work] = await Promise.all([
-      fetched(sample.file, (response) => response.arrayBuffer()),
-      sample.scribbles ? fetched(sample.scribbles, (response) => response.json()) : { scribbles: [] },
-    ]);
-    if (choice !== this.#choices) return;
-    if (bytes && work) this.#open(sample.name, new Uint8Array(bytes), work.scribbles);
-    else this.#failed();
+    return this.#open(sample.name, sampleWork(sample.file).then((work) => ({ work, notes: "" })));
   }
 }
 
 /**
- * A file of the samples' folder, or null where it cannot be had.
+ * A sample as work.
+ * @param {string} file
+ */
+export async function sampleWork(file) {
+  const buffer = await fetched(file.replace(/\.svg$/, ".work"), (response) => response.arrayBuffer());
+  return new Uint8Array(buffer);
+}
+
+/**
+ * A file of the samples' folder.
  * @template T
  * @param {string} file
  * @param {(response: Response) => Promise<T>} read
@@ -85,8 +80,9 @@ export class Samples {
 async function fetched(file, read) {
   try {
     const response = await fetch(new URL(file, FOLDER));
-    return response.ok ? await read(response) : null;
-  } catch {
-    return null;
+    if (response.ok) return await read(response);
+  } catch (fault) {
+    console.warn(fault);
   }
+  throw new Error(say("error-samples"));
 }

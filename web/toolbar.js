@@ -29,6 +29,15 @@ const TONES = /** @type {Record<string, string>} */ ({
 /** What is picked for "no colour", in the page and in the module. */
 const NO_COLOR = "none";
 
+/** A drawing's palette is shown as far as this. */
+const MOST_SWATCHES = 100;
+
+/** Keys in the message table by colour. */
+const NAMES = new Map(PALETTE.map(([key, color]) => [color, key]));
+
+/** The swatches that are shown: the drawing's own, or the usual ones. */
+let palette = PALETTE;
+
 const control = (/** @type {string} */ id) => /** @type {HTMLElement} */ (document.getElementById(id));
 const input = (/** @type {string} */ id) => /** @type {HTMLInputElement} */ (control(id));
 const buttonOf = (/** @type {string} */ action) =>
@@ -41,8 +50,14 @@ const settingOf = (/** @type {string} */ setting) =>
  * @param {(command: string, args: unknown) => void} set for a value
  */
 export function connect(act, set) {
-  fillPalette("palette", [...PALETTE, ["no-colour", NO_COLOR]], set);
-  fillPalette("tones", Object.keys(TONES).map((tone) => [tone, tone]), set);
+  shown.palette([]);
+  fillSwatches("tones", Object.keys(TONES).map((tone) => [tone, tone]));
+  for (const id of ["palette", "tones"]) {
+    control(id).addEventListener("click", ({ target }) => {
+      const color = target instanceof HTMLElement && target.dataset.color;
+      if (color) set("color", color);
+    });
+  }
   document.addEventListener("mousedown", keepFocus);
   for (const button of /** @type {NodeListOf<HTMLElement>} */ (document.querySelectorAll("[data-action]"))) {
     button.addEventListener("click", () => act(button.dataset.action ?? ""));
@@ -95,9 +110,9 @@ function keepFocus(event) {
 /**
  * @param {string} id of the list
  * @param {string[][]} swatches the key in the message table, and what the module calls it
- * @param {(command: string, args: unknown) => void} set
  */
-function fillPalette(id, swatches, set) {
+function fillSwatches(id, swatches) {
+  control(id).replaceChildren();
   for (const [key, color] of swatches) {
     const item = document.createElement("li");
     const swatch = document.createElement("button");
@@ -107,7 +122,6 @@ function fillPalette(id, swatches, set) {
     paint(swatch, color);
     if (color === NO_COLOR) swatch.dataset.keys = "0";
     name(swatch, say(key));
-    swatch.addEventListener("click", () => set("color", color));
     item.append(swatch);
     control(id).append(item);
   }
@@ -127,12 +141,19 @@ function paint(swatch, color) {
  * @param {number} n
  */
 export function swatch(n) {
-  return n === 0 ? NO_COLOR : PALETTE[n - 1]?.[1];
+  return n === 0 ? NO_COLOR : palette[n - 1]?.[1];
 }
 
 /** Opens the browser's colour picker. */
 export function pickColor() {
   input("picker").showPicker();
+}
+
+/** Marks the swatches of the colour of the moment. */
+function pressSwatches() {
+  for (const swatch of /** @type {NodeListOf<HTMLElement>} */ (document.querySelectorAll(".palette .swatch"))) {
+    swatch.setAttribute("aria-pressed", String(swatch.dataset.color === control("color").dataset.color));
+  }
 }
 
 /** What effects do to the controls. */
@@ -150,13 +171,19 @@ export const shown = {
     settingOf("crosses").checked = crosses;
     settingOf("pressure").value = pressure;
   },
+  /** @param {string[]} colors of the drawing's own palette; without any the usual one is shown */
+  palette(colors) {
+    const own = colors.filter((color) => color !== NO_COLOR).slice(0, MOST_SWATCHES);
+    palette = own.length === 0 ? PALETTE : own.map((color) => [NAMES.get(color) ?? color, color]);
+    fillSwatches("palette", [...palette, ["no-colour", NO_COLOR]]);
+    pressSwatches();
+  },
   /** @param {string} color #rrggbb, none, or a tone */
   color(color) {
     paint(control("color"), color);
+    control("color").dataset.color = color;
     if (color.startsWith("#")) input("picker").value = color;
-    for (const swatch of /** @type {NodeListOf<HTMLElement>} */ (document.querySelectorAll(".palette .swatch"))) {
-      swatch.setAttribute("aria-pressed", String(swatch.dataset.color === color));
-    }
+    pressSwatches();
   },
   /** @param {number} size_du */
   "brush-size"(size_du) {
@@ -205,6 +232,16 @@ function showPercent(slider, figure, percent) {
   slider.value = String(percent);
   slider.setAttribute("aria-valuetext", text);
   figure.textContent = text;
+}
+
+/**
+ * @param {string} drawing what it is called
+ * @param {boolean} unsaved
+ */
+export function showName(drawing, unsaved) {
+  document.title = say("title", { name: drawing, unsaved });
+  control("drawing").textContent = drawing;
+  control("unsaved").hidden = !unsaved;
 }
 
 /** @param {string} text what just happened */

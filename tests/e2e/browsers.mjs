@@ -23,6 +23,11 @@ const CHROMIUM_FLAGS = [
 
 const FIREFOX_PREFERENCES = { "dom.webgpu.enabled": true, "gfx.webgpu.ignore-blocklist": true };
 
+/** The system's dialogs for files, which nobody can answer here, are left out: the page has other ways. */
+const withoutDialogs = () => {
+  Object.assign(window, { showOpenFilePicker: undefined, showSaveFilePicker: undefined });
+};
+
 const VIEWPORT = { width: 1200, height: 800 };
 
 /**
@@ -61,7 +66,11 @@ export function launch(name) {
 async function launchChromium() {
   const browser = await chromium.launch({ executablePath: "/usr/bin/chromium", args: CHROMIUM_FLAGS });
   return {
-    open: async () => chromiumTab(await browser.newPage({ viewport: VIEWPORT })),
+    open: async () => {
+      const page = await browser.newPage({ viewport: VIEWPORT });
+      await page.addInitScript(withoutDialogs);
+      return chromiumTab(page);
+    },
     close: () => browser.close(),
   };
 }

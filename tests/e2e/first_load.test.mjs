@@ -5,7 +5,7 @@ import { after, before, test } from "node:test";
 import { gzipSync } from "node:zlib";
 import { Editor, start } from "./harness.mjs";
 
-const LIMIT_BYTES = 470_000;
+const LIMIT_BYTES = 320_000;
 
 /** @type {Awaited<ReturnType<typeof start>>} */
 let session;
@@ -14,7 +14,7 @@ before(async () => {
 });
 after(() => session.close());
 
-test("the first load takes at most 470 KB, all from the page's own folder, with one wasm build", async (t) => {
+test("the first load takes at most 320 KB, all from the page's own folder, with one wasm build", async (t) => {
   const tab = await session.newTab();
   /** @type {Set<string>} */
   const urls = new Set();
@@ -29,6 +29,19 @@ test("the first load takes at most 470 KB, all from the page's own folder, with 
   const wasm = sizes.map(({ path }) => path).filter((path) => path.endsWith(".wasm"));
   assert.deepEqual(wasm, ["pkg/webgpu/scumble_web_bg.wasm"]);
   assert.ok(total <= LIMIT_BYTES, `${total} bytes`);
+});
+
+test("samples open without what only files need", async () => {
+  const tab = await session.newTab();
+  /** @type {string[]} */
+  const urls = [];
+  tab.onRequest((url) => urls.push(url.slice(session.url.length)));
+  const editor = await Editor.open(tab, session.url, "webgpu");
+  await editor.openSample("Apple");
+  await editor.scribble([[30, 40], [40, 45]], 72);
+  assert.deepEqual(urls.filter((path) => path.startsWith("pkg/files/")), []);
+  await editor.openDrawing("rooms");
+  assert.ok(urls.some((path) => path.startsWith("pkg/files/scumble_files_bg.wasm")));
 });
 
 /** @param {string} url */

@@ -3,8 +3,8 @@
 mod on_pixels;
 
 use anyhow::ensure;
-use scumble_core::{Boundary, Document, Drawing, Scribble};
-use scumble_io::{ReadScribbles, Work, read_scribbles, write_png};
+use scumble_core::{Boundary, Document, Drawing, Scribble, Work};
+use scumble_io::{ReadScribbles, read_scribbles, write_png};
 use scumble_solve::{Pixmap, SolveError};
 use serde::Serialize;
 

@@ -61,7 +61,7 @@ scumble color DRAWING.svg --scribbles S.json -o OUT.png
 
     S.json: {\"scribbles\":[{\"color\":\"#rrggbb\",\"width\":1.5,\"points\":[[x,y],…]},…]}
     in units of the drawing's viewBox, in drawing order. With \"kind\":\"shade\",\"strength\":0.8 a scribble shades
-    where it is drawn, in the region of its first point; with \"crosses\":true also beyond.
+    where it is drawn, in the region that it begins in; with \"crosses\":true also beyond.
 
 scumble render FILE -o OUT.png
     the picture of a .scumble file, or of a drawing

@@ -3,8 +3,8 @@
 use std::path::Path;
 
 use anyhow::ensure;
-use scumble_core::{Curve, Drawing};
-use scumble_io::{Link, Work, read_link, write_link};
+use scumble_core::{Curve, Drawing, Work};
+use scumble_io::{Link, read_link, write_link};
 
 use crate::options::{LinkOptions, OpenOptions};
 use crate::{files, works};

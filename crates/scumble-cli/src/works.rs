@@ -3,8 +3,8 @@
 use std::path::Path;
 
 use anyhow::{Context, bail, ensure};
-use scumble_core::Document;
-use scumble_io::{Work, import_svg, read_file, write_file};
+use scumble_core::{Document, Work};
+use scumble_io::{import_svg, read_file, write_file};
 
 use crate::files;
 

@@ -53,16 +53,31 @@ enum Gesture {
 pub struct Editor {
     document: Document,
     in_hand: Option<Gesture>,
-    /// For each gesture the changes that take it back, to be applied from the last to the first.
-    undo: Vec<Vec<Change>>,
-    /// For each gesture that was taken back the changes that do it again, likewise.
-    redo: Vec<Vec<Change>>,
+    /// What takes each gesture back.
+    undo: Vec<Step>,
+    /// What does each gesture again that was taken back.
+    redo: Vec<Step>,
+    revision: u32,
+    last_revision: u32,
+}
+
+/// Changes, to be applied from the last to the first, and the revision that they lead to.
+#[derive(Clone, Debug)]
+struct Step {
+    changes: Vec<Change>,
+    to: u32,
 }
 
 impl Editor {
     /// Opens a document, with nothing to undo.
     pub fn new(document: Document) -> Self {
-        Self { document, in_hand: None, undo: Vec::new(), redo: Vec::new() }
+        Self { document, in_hand: None, undo: Vec::new(), redo: Vec::new(), revision: 0, last_revision: 0 }
+    }
+
+    /// Tells the states of the document between gestures apart: 0 as it was opened, and the same again where undo has
+    /// come back to it.
+    pub fn revision(&self) -> u32 {
+        self.revision
     }
 
     /// The document with what the gesture in hand has made of it; a scribble in hand is its last.
@@ -177,7 +192,7 @@ impl Editor {
             return true;
         }
         let Some(back) = self.undo.pop() else { return false };
-        let forth = self.apply_all(back);
+        let forth = self.step(back);
         self.redo.push(forth);
         true
     }
@@ -188,7 +203,7 @@ impl Editor {
             return false;
         }
         let Some(forth) = self.redo.pop() else { return false };
-        let back = self.apply_all(forth);
+        let back = self.step(forth);
         self.undo.push(back);
         true
     }
@@ -237,9 +252,16 @@ impl Editor {
     /// Ends a gesture that can be taken back; one that did nothing leaves no trace.
     fn keep(&mut self, back: Vec<Change>) {
         if !back.is_empty() {
-            self.undo.push(back);
+            self.undo.push(Step { changes: back, to: self.revision });
             self.redo.clear();
+            self.last_revision += 1;
+            self.revision = self.last_revision;
         }
+    }
+
+    /// Takes a step; returns the one back.
+    fn step(&mut self, Step { changes, to }: Step) -> Step {
+        Step { changes: self.apply_all(changes), to: std::mem::replace(&mut self.revision, to) }
     }
 
     fn are_settings(&self, change: &Change) -> bool {

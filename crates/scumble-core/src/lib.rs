@@ -20,6 +20,8 @@
 //! | which scribble colours which side | [`engine`], [`global`], [`progressive`], [`sight`] |
 //! | how a drawing is coloured | [`settings`] |
 //! | colours along the sides of curves | [`color_points`] |
+//! | what is kept of somebody's work | [`work`] |
+//! | … as bytes that lose nothing | [`exact`] |
 //! | sorting and small maps, with little code | [`sort`], `small_map` |
 
 mod clearance;
@@ -29,6 +31,7 @@ mod delaunay;
 pub mod drawing;
 pub mod edit;
 pub mod engine;
+pub mod exact;
 mod gaps;
 pub mod global;
 pub mod planar_map;
@@ -46,6 +49,7 @@ mod stroke;
 pub mod tone;
 pub mod triangulation;
 mod visibility;
+pub mod work;
 
 pub use color::{Blend, BlendColor, ColorError, Paint, Rgba8, Srgb8};
 pub use color_points::{Boundary, SideColors, boundary};
@@ -61,3 +65,4 @@ pub use sight::Sight;
 pub use source::SoftSource;
 pub use tone::Tone;
 pub use triangulation::{HalfEdge, SideId, Triangulation};
+pub use work::Work;

@@ -284,6 +284,25 @@ fn source(editor: &Editor) -> (Vec<Scribble>, Settings) {
     (editor.document().scribbles.clone(), editor.document().settings)
 }
 
+#[test]
+fn undo_comes_back_to_a_revision_and_another_gesture_never_does() {
+    let mut editor = editor_with(2);
+    let two = editor.revision();
+    editor.undo();
+    let one = editor.revision();
+    editor.undo();
+    assert_eq!(editor.revision(), 0);
+    editor.redo();
+    assert_eq!(editor.revision(), one);
+    editor.redo();
+    assert_eq!(editor.revision(), two);
+    editor.undo();
+    begin(&mut editor, 7);
+    assert_eq!(editor.revision(), one, "a gesture in hand may be dropped yet");
+    editor.commit();
+    assert!(![0, one, two].contains(&editor.revision()));
+}
+
 proptest! {
     #[test]
     fn undo_goes_back_to_the_start_and_redo_to_the_end(acts in prop::collection::vec(act(), 0..40)) {

@@ -13,8 +13,7 @@
 //! | … what was left out | `survey`, `notes` |
 //! | scribbles as JSON | `scribbles` |
 //! | pictures as PNG | `picture_file` |
-//! | a document with what belongs to it | `work` |
-//! | … as a `.scumble` file | `work_file`, `json` |
+//! | work as a `.scumble` file | `work_file`, `json` |
 //! | … as a link | `link`, `packed` |
 
 mod error;
@@ -33,7 +32,6 @@ mod scribbles;
 mod style_sheet;
 mod survey;
 mod svg;
-mod work;
 mod work_file;
 
 pub use error::{FileError, ImportError, LinkError, ScribblesError};
@@ -43,7 +41,6 @@ pub use packed::PackedSizes;
 pub use picture_file::{PictureFileError, write_png};
 pub use scribbles::{ReadScribbles, read_scribbles};
 pub use svg::{Import, import_svg};
-pub use work::{ColorPoint, Unknown, Work};
 pub use work_file::{read_file, write_file};
 
 /// Largest file that is read, in bytes.

@@ -2,9 +2,10 @@
 //!
 //! A fragment never reaches a server.
 
+use scumble_core::Work;
+
 use crate::error::LinkError;
 use crate::packed::{self, PackedSizes};
-use crate::work::Work;
 
 /// Longest link that is read, in characters from its `#` on.
 pub const MAX_LINK: usize = 65_536;

@@ -4,9 +4,9 @@
 //! lattices in passing. `docs/format.md` lists the walk, for others to follow.
 
 use kurbo::Rect;
+use scumble_core::work::{ColorPoint, Unknown, Work, are_too_long, is_page, is_sample_name};
 use scumble_core::{Blend, EngineKind, Line, Paint, Rgba8, Scribble, ScribbleKind, Srgb8};
 
-use crate::work::{ColorPoint, Unknown, Work, are_too_long, is_sample_name};
 use crate::work_file;
 use coder::Coder;
 use pen::Pen;
@@ -23,9 +23,6 @@ const MAX_STEPS: i64 = 1_000_000_000_000;
 
 /// Most styles and colours that are told by their number.
 const MAX_SEEN: usize = 256;
-
-/// Largest coordinate of a page, in page units.
-const MAX_PAGE: f64 = 1e9;
 
 /// Numbers of a page are below this without their point.
 const MAX_WHOLE: f64 = 1e12;
@@ -183,12 +180,6 @@ fn page(c: &mut Coder, page: &mut Rect) {
         return;
     }
     *page = Rect::new(x, y, x + width, y + height);
-}
-
-/// Whether a page may lie there, and be as wide and as high, in page units.
-pub(crate) fn is_page([x, y, width, height]: [f64; 4]) -> bool {
-    let is_side = |side: f64| (1e-6..=1e8).contains(&side);
-    x.abs() <= MAX_PAGE && y.abs() <= MAX_PAGE && is_side(width) && is_side(height)
 }
 
 fn ten_to(digits: i64) -> f64 {

@@ -5,11 +5,11 @@
 use std::borrow::Cow;
 
 use scumble_core::Document;
+use scumble_core::work::{MAX_CURVES, MAX_PAGES, Work, are_too_long};
 
 use crate::MAX_FILE_BYTES;
 use crate::error::FileError;
 use crate::json::{Fault, Json};
-use crate::work::{MAX_PAGES, Work, are_too_long};
 use read::Reader;
 
 mod items;
@@ -23,9 +23,6 @@ const VERSION: [u32; 2] = [1, 0];
 /// Steps of numbers in one, and of page coordinates.
 const PER_UNIT: u64 = 1000;
 const PAGE_PER_UNIT: u64 = 1_000_000_000;
-
-/// Most curves.
-const MAX_CURVES: usize = 100_000;
 
 /// The file that keeps some work.
 ///

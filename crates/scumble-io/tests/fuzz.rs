@@ -12,8 +12,8 @@ use std::fs;
 use std::path::Path;
 
 use dice::Dice;
-use scumble_core::Document;
-use scumble_io::{Work, import_svg, read_file, read_link, read_scribbles, write_file, write_link};
+use scumble_core::{Document, Work, exact};
+use scumble_io::{import_svg, read_file, read_link, read_scribbles, write_file, write_link};
 
 /// Runs of one target, and the number of the first one.
 fn runs(default: u64) -> std::ops::Range<u64> {
@@ -151,6 +151,22 @@ fn files() {
             check(&work, run);
         }
     }
+}
+
+#[test]
+fn exact_bytes() {
+    let works = seeds("tests/fixtures/v1.0", ".scumble");
+    let seeds: Vec<_> = works.iter().map(|file| exact::write(&read_file(file).unwrap())).collect();
+    let mut read = 0;
+    for run in runs(5000) {
+        if let Some(work) = exact::read(&damaged(&seeds, &mut Dice(run + 1))) {
+            read += 1;
+            let bytes = exact::write(&work);
+            let again = exact::read(&bytes).unwrap_or_else(|| panic!("run {run}"));
+            assert!(exact::write(&again) == bytes, "run {run}");
+        }
+    }
+    assert!(read > 0, "some damage makes other work");
 }
 
 #[test]

@@ -8,8 +8,8 @@ use std::path::Path;
 use std::{fs, iter};
 
 use kurbo::{Affine, BezPath, Point, Rect};
-use scumble_core::{Curve, Document, Drawing, Paint, Scribble};
-use scumble_io::{LinkError, MAX_LINK, Work, import_svg, read_link, read_scribbles, write_file, write_link};
+use scumble_core::{Curve, Document, Drawing, Paint, Scribble, Work};
+use scumble_io::{LinkError, MAX_LINK, import_svg, read_link, read_scribbles, write_file, write_link};
 
 const LINKS: &str = include_str!("fixtures/v1.0/links.txt");
 

@@ -3,8 +3,8 @@
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
 use kurbo::{Point, Rect};
-use scumble_core::{Blend, EngineKind, Paint, Settings, Srgb8};
-use scumble_io::{FileError, Work, read_file, read_link, write_file, write_link};
+use scumble_core::{Blend, Document, EngineKind, Paint, Settings, Srgb8, Work};
+use scumble_io::{FileError, read_file, read_link, write_file, write_link};
 
 /// A file with some members beside what it must have.
 fn file(members: &str) -> String {
@@ -95,7 +95,7 @@ fn unknown_fields_of_a_scribble_go_where_it_goes() {
     let work = read_file(NEWER.as_bytes()).unwrap();
     let [_, second, third] = <[_; 3]>::try_from(work.document.scribbles.clone()).unwrap();
     let recolored = scumble_core::Scribble { color: Paint::Clear, ..second };
-    let edited = work.edited(vec![third, recolored], work.document.settings);
+    let edited = work.edited(Document { scribbles: vec![third, recolored], ..work.document.clone() });
     let text = text(&edited);
     let of_third = r##"{"color": "#0000ff", "width": 1, "points": [[5,6]], "id": "c"}"##;
     let of_second = r#"{"color": "none", "width": 1, "points": [[3,4]], "mood": "glow","id": "b"}"#;

@@ -1,4 +1,5 @@
-//! Work comes back from a file and from a link as it was, but for what its lattices move; and then it stays.
+//! Work comes back from a file and from a link as it was, but for what its lattices move; and then it stays. From its
+//! exact bytes it comes back as it was.
 
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
@@ -6,11 +7,12 @@ use kurbo::{BezPath, Cap, Join, PathEl, Point, Rect, Stroke};
 use proptest::collection::vec;
 use proptest::option;
 use proptest::prelude::*;
+use scumble_core::work::ColorPoint;
 use scumble_core::{
     Blend, Curve, Document, Drawing, EngineKind, Fill, Line, Paint, Rgba8, Scribble, ScribbleKind, Settings,
-    Shading, Srgb8,
+    Shading, Srgb8, Work, exact,
 };
-use scumble_io::{ColorPoint, Work, read_file, read_link, write_file, write_link};
+use scumble_io::{read_file, read_link, write_file, write_link};
 
 /// Half a step of a file, and of the points of a link, in du.
 const FILE_DU: f64 = 0.0005;
@@ -225,5 +227,18 @@ proptest! {
         let filed = through_file(&linked);
         prop_assert_eq!(write_link(&linked).unwrap().fragment, write_link(&filed).unwrap().fragment);
         prop_assert_eq!(write_file(&linked), write_file(&filed));
+    }
+
+    #[test]
+    fn exact_bytes_lose_nothing(work in works()) {
+        let read = exact::read(&exact::write(&work)).unwrap();
+        prop_assert_eq!(format!("{read:?}"), format!("{work:?}"));
+    }
+
+    #[test]
+    fn exact_bytes_that_are_cut_off_are_no_work(work in works(), end in any::<prop::sample::Index>()) {
+        let bytes = exact::write(&work);
+        prop_assert!(exact::read(&bytes[..end.index(bytes.len())]).is_none());
+        prop_assert!(exact::read(&[&bytes[..], &[0]].concat()).is_none());
     }
 }

@@ -97,16 +97,21 @@ impl App {
         shared.effects()
     }
 
+    /// The exact bytes of the work, with what the pen has done since it came down.
+    pub fn work(&self) -> Vec<u8> {
+        self.shared.borrow().session.work()
+    }
+
     fn export(&self) {
         let mut shared = self.shared.borrow_mut();
         let Shared { session, screen: Some(screen), .. } = &mut *shared else { return };
         let export = session.export();
-        let (name, picture) = (export.name.clone(), screen.picture(&export.painting()));
+        let picture = screen.picture(&export.painting());
         session.repaint();
         let shared = Rc::clone(&self.shared);
         spawn_local(async move {
             let effect = match picture.await {
-                Ok(picture) => Effect::Exported { name, picture },
+                Ok(picture) => Effect::Exported(picture),
                 Err(error) => Effect::Failed(error.to_string()),
             };
             shared.borrow_mut().session.tell(effect);

@@ -4,14 +4,13 @@
 
 use js_sys::{Array, Float64Array, Object, Reflect, Uint8Array};
 use kurbo::{Point, Vec2};
-use scumble_core::{Scribble, ScribbleKind, Settings, Shading, Srgb8};
-use scumble_io::MAX_FILE_BYTES;
+use scumble_core::{Settings, Srgb8};
 use scumble_solve::Pixmap;
 use wasm_bindgen::{JsCast, JsValue};
 
 use crate::brush::{Ink, Mode, ModeChange};
 use crate::command::{Command, Setting, ViewChange};
-use crate::effect::Effect;
+use crate::effect::{Effect, SheetState};
 
 mod names;
 
@@ -24,9 +23,8 @@ use names::{
 pub(crate) fn command_from_js(name: &str, args: &JsValue) -> Option<Command> {
     Some(match name {
         "open" => Command::Open {
-            name: field(args, "name").as_string()?,
-            bytes: file(&field(args, "bytes").dyn_into().ok()?),
-            scribbles: scribbles(&field(args, "scribbles")),
+            work: field(args, "work").dyn_into::<Uint8Array>().ok()?.to_vec(),
+            notes: field(args, "notes").as_string()?,
         },
         "tool" => Command::Tool(tool_from_name(&args.as_string()?)?),
         "color" => Command::Color(ink_from_name(&args.as_string()?)?),
@@ -85,39 +83,6 @@ pub(crate) fn color(value: &JsValue) -> Option<Srgb8> {
     value.as_string()?.parse().ok()
 }
 
-/// Scribbles as a file of them has them (see `scumble_io::read_scribbles`), in units of the page. What is no scribble
-/// is left out.
-fn scribbles(list: &JsValue) -> Vec<Scribble> {
-    list.dyn_ref::<Array>().into_iter().flat_map(Array::iter).filter_map(|item| scribble(&item)).collect()
-}
-
-fn scribble(item: &JsValue) -> Option<Scribble> {
-    let shading = Shading {
-        strength: field(item, "strength").as_f64().unwrap_or(Shading::default().strength),
-        crosses: field(item, "crosses").is_truthy(),
-    };
-    let shades = field(item, "kind").as_string().as_deref() == Some("shade");
-    Some(Scribble {
-        color: field(item, "color").as_string()?.parse().ok()?,
-        kind: if shades { ScribbleKind::Shade(shading) } else { ScribbleKind::Fill },
-        width_du: field(item, "width").as_f64()?,
-        points: field(item, "points")
-            .dyn_ref::<Array>()?
-            .iter()
-            .map(|at| point(&at))
-            .collect::<Option<_>>()?,
-    })
-}
-
-fn point(xy: &JsValue) -> Option<Point> {
-    numbers(xy).map(|[x, y]| Point::new(x, y))
-}
-
-/// The bytes of a file, or so many of them that it is plain that there are too many.
-fn file(bytes: &Uint8Array) -> Vec<u8> {
-    bytes.subarray(0, MAX_FILE_BYTES as u32 + 1).to_vec()
-}
-
 fn numbers<const N: usize>(value: &JsValue) -> Option<[f64; N]> {
     let array = value.dyn_ref::<Array>()?;
     let mut numbers = [0.0; N];
@@ -140,6 +105,9 @@ pub(crate) fn js_from_effects(effects: Vec<Effect>) -> Array {
 
 fn js_from_effect(effect: Effect) -> (&'static str, JsValue) {
     match effect {
+        Effect::Sheet(SheetState { sheet, revision }) => {
+            ("sheet", object(&[("sheet", sheet.into()), ("revision", revision.into())]))
+        }
         Effect::Undo(possible) => ("undo", possible.into()),
         Effect::Redo(possible) => ("redo", possible.into()),
         Effect::Zoom(zoom) => ("zoom", zoom.into()),
@@ -152,8 +120,9 @@ fn js_from_effect(effect: Effect) -> (&'static str, JsValue) {
         Effect::Lines(shown) => ("lines", shown.into()),
         Effect::Scribbles(shown) => ("scribbles", shown.into()),
         Effect::Settings(settings) => ("settings", js_from_settings(settings)),
-        Effect::Opened { name, notes } => {
-            ("opened", object(&[("name", name.into()), ("notes", notes.to_string().into())]))
+        Effect::Opened { notes } => ("opened", object(&[("notes", notes.into())])),
+        Effect::Palette(paints) => {
+            ("palette", paints.iter().map(|p| JsValue::from(p.to_string())).collect::<Array>().into())
         }
         Effect::ScribbleAdded { count } => ("scribble-added", object(&[("count", (count as f64).into())])),
         Effect::ScribblesErased { erased, count } => (
@@ -164,7 +133,7 @@ fn js_from_effect(effect: Effect) -> (&'static str, JsValue) {
         Effect::Undone => ("undone", object(&[])),
         Effect::Redone => ("redone", object(&[])),
         Effect::Failed(sentence) => ("failed", object(&[("sentence", sentence.into())])),
-        Effect::Exported { name, picture } => ("exported", exported(name, &picture)),
+        Effect::Exported(picture) => ("exported", exported(&picture)),
         Effect::Renderer(name) => ("renderer", name.into()),
         Effect::Lost(next) => ("lost", next.map_or(JsValue::NULL, JsValue::from)),
     }
@@ -189,9 +158,8 @@ fn js_from_settings(settings: Settings) -> JsValue {
     ])
 }
 
-fn exported(name: String, picture: &Pixmap) -> JsValue {
+fn exported(picture: &Pixmap) -> JsValue {
     object(&[
-        ("name", name.into()),
         ("width", picture.width_px.into()),
         ("height", picture.height_px.into()),
         ("rgba", Uint8Array::from(&picture.rgba[..]).into()),

@@ -1,7 +1,7 @@
 //! What the page can ask for.
 
 use kurbo::{Point, Vec2};
-use scumble_core::{Blend, EngineKind, Scribble, Settings, Srgb8};
+use scumble_core::{Blend, EngineKind, Settings, Srgb8};
 
 use crate::brush::{Ink, ModeChange};
 use crate::view::Viewport;
@@ -79,12 +79,10 @@ impl Setting {
 pub enum Command {
     /// Work on another drawing.
     Open {
-        /// What to call it.
-        name: String,
-        /// An SVG file.
-        bytes: Vec<u8>,
-        /// What is scribbled on it to begin with, in units of the file.
-        scribbles: Vec<Scribble>,
+        /// Its exact bytes (see `scumble_core::exact`).
+        work: Vec<u8>,
+        /// What was left out of it, in words.
+        notes: String,
     },
     /// What the pen does from here on.
     Tool(Tool),

@@ -1,8 +1,7 @@
 //! What the page must know, as a short list after each call: what of its state has changed, and what happened.
 
 use kurbo::Affine;
-use scumble_core::Settings;
-use scumble_io::ImportNotes;
+use scumble_core::{Paint, Settings};
 use scumble_solve::Pixmap;
 
 use crate::brush::{Ink, Mode};
@@ -11,6 +10,8 @@ use crate::command::Tool;
 /// One thing that the page must know.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Effect {
+    /// Which drawing is shown, and as which revision of it.
+    Sheet(SheetState),
     /// Whether there is something to undo.
     Undo(bool),
     /// Whether there is something to redo.
@@ -35,11 +36,11 @@ pub enum Effect {
     Settings(Settings),
     /// A drawing was opened.
     Opened {
-        /// Its name, as the page gave it.
-        name: String,
-        /// What was left out of it.
-        notes: ImportNotes,
+        /// What was left out of it, in words.
+        notes: String,
     },
+    /// The palette of the drawing that is shown; empty for the page's own.
+    Palette(Vec<Paint>),
     /// A scribble was kept.
     ScribbleAdded {
         /// How many there are with it.
@@ -60,13 +61,8 @@ pub enum Effect {
     Redone,
     /// Something could not be done: a sentence for people.
     Failed(String),
-    /// A picture to keep.
-    Exported {
-        /// Name for its file.
-        name: String,
-        /// Its pixels; the page makes the file of them.
-        picture: Pixmap,
-    },
+    /// A picture to keep; the page makes a file of its pixels.
+    Exported(Pixmap),
     /// The canvas is served by the renderer of this name.
     Renderer(&'static str),
     /// The canvas is served no more. On a new one, the renderer of this name is to be asked for; `None` where all
@@ -74,9 +70,19 @@ pub enum Effect {
     Lost(Option<&'static str>),
 }
 
+/// A drawing among those that were opened, and its state.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct SheetState {
+    /// Which one: a number of its own.
+    pub sheet: u32,
+    /// See [`scumble_core::Editor::revision`].
+    pub revision: u32,
+}
+
 /// All that the page shows of the state. `None` is what it has never been told.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(crate) struct State {
+    pub(crate) sheet: Option<SheetState>,
     pub(crate) undo: Option<bool>,
     pub(crate) redo: Option<bool>,
     pub(crate) zoom: Option<f64>,
@@ -94,6 +100,7 @@ impl State {
     /// What is not as it was.
     pub(crate) fn news_since(&self, known: &Self) -> Vec<Effect> {
         let each = [
+            news(self.sheet, known.sheet, Effect::Sheet),
             news(self.undo, known.undo, Effect::Undo),
             news(self.redo, known.redo, Effect::Redo),
             news(self.zoom, known.zoom, Effect::Zoom),

@@ -51,8 +51,6 @@ pub trait Painter {
 /// A picture for a file.
 #[derive(Debug)]
 pub struct Export<'a> {
-    /// Name of the file.
-    pub name: String,
     pub(crate) field: &'a Field,
     pub(crate) layers: Layers,
     pub(crate) view: View,

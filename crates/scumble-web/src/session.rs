@@ -6,13 +6,12 @@
 use std::mem::take;
 
 use kurbo::{Affine, Rect};
-use scumble_core::{Document, Drawing, Editor, MapError, Scribble, Srgb8};
-use scumble_io::import_svg;
+use scumble_core::{Document, Drawing, Editor, MapError, Srgb8, Work, exact};
 use scumble_solve::{Field, Picture, View};
 
 use crate::brush::Brush;
 use crate::command::{Command, Setting, Tool};
-use crate::effect::{Effect, State};
+use crate::effect::{Effect, SheetState, State};
 use crate::layers::Layers;
 use crate::painting::{Changed, Export, Painter, Painting};
 use crate::view::Viewport;
@@ -27,12 +26,16 @@ const SHELF_SIZE: usize = 8;
 /// The page that is there before a drawing is opened, in du.
 const BLANK: Rect = Rect::new(0.0, 0.0, 1024.0, 768.0);
 
+const DAMAGED: &str = "what the browser kept of the drawing is damaged; open it from a file";
+
 /// A document in work.
 #[derive(Debug)]
 pub struct Session {
     sheet: Sheet,
     /// Drawings with work in them that others were opened over, for undo to come back to.
     shelf: Vec<Sheet>,
+    /// How many drawings have been opened.
+    opened: u32,
     field: Field,
     layers: Layers,
     viewport: Viewport,
@@ -53,7 +56,10 @@ pub struct Session {
 /// A drawing in work, and what is derived from it.
 #[derive(Debug)]
 struct Sheet {
-    name: String,
+    /// Its place among all that were opened.
+    number: u32,
+    /// What belongs to it without being edited here; it has no lines.
+    kept: Work,
     editor: Editor,
     picture: Picture,
 }
@@ -80,8 +86,9 @@ impl Session {
         let drawing = Drawing::new(BLANK);
         Ok(Self {
             viewport: Viewport::new(drawing.frame()),
-            sheet: Sheet::new(String::new(), drawing, Vec::new())?,
+            sheet: Sheet::new(0, Work::new(Document::new(drawing)))?,
             shelf: Vec::new(),
+            opened: 0,
             field: Field::default(),
             layers: Layers::default(),
             tool: Tool::default(),
@@ -103,6 +110,11 @@ impl Session {
         self.sheet.editor.document()
     }
 
+    /// The exact bytes of the work: the document, and what was opened with it.
+    pub fn work(&self) -> Vec<u8> {
+        exact::write(&self.sheet.kept.edited(self.document().clone()))
+    }
+
     /// Takes du to CSS pixels of the canvas.
     pub fn css_from_du(&self) -> Affine {
         self.viewport.css_from_du()
@@ -120,7 +132,7 @@ impl Session {
     /// Does what a control of the page asks for.
     pub fn command(&mut self, command: Command) {
         match command {
-            Command::Open { name, bytes, scribbles } => self.open(name, &bytes, scribbles),
+            Command::Open { work, notes } => self.open(&work, notes),
             Command::Tool(tool) => self.tool = tool,
             Command::Color(ink) => self.change_brush(|brush| brush.set_ink(ink)),
             Command::SwapColors => self.change_brush(Brush::swap_colors),
@@ -167,7 +179,6 @@ impl Session {
             layers.add_lines(drawing, self.sheet.picture.map());
         }
         Export {
-            name: format!("{}.png", stem(&self.sheet.name)),
             layers,
             field: &self.field,
             view: View {
@@ -183,16 +194,16 @@ impl Session {
         self.effects.push(effect);
     }
 
-    fn open(&mut self, name: String, bytes: &[u8], scribbles: Vec<Scribble>) {
-        let import = match import_svg(bytes) {
-            Ok(import) => import,
-            Err(error) => return self.tell(Effect::Failed(error.to_string())),
+    fn open(&mut self, work: &[u8], notes: String) {
+        let Some(work) = exact::read(work) else {
+            return self.tell(Effect::Failed(DAMAGED.into()));
         };
-        match Sheet::new(name.clone(), import.drawing, scribbles) {
+        match Sheet::new(self.opened + 1, work) {
             Ok(sheet) => self.lay_over(sheet),
             Err(error) => return self.tell(Effect::Failed(error.to_string())),
         }
-        self.tell(Effect::Opened { name, notes: import.notes });
+        self.opened += 1;
+        self.tell(Effect::Opened { notes });
     }
 
     /// Shows another drawing. The one that was there is kept if somebody worked on it.
@@ -208,6 +219,7 @@ impl Session {
         self.eraser = None;
         self.viewport.show_page(sheet.editor.document().drawing.frame());
         self.stale = Stale::ALL;
+        self.tell(Effect::Palette(sheet.kept.palette.clone()));
         std::mem::replace(&mut self.sheet, sheet)
     }
 
@@ -325,6 +337,7 @@ impl Session {
 
     fn state(&self) -> State {
         State {
+            sheet: Some(self.sheet.state()),
             undo: Some(self.sheet.editor.can_undo() || !self.shelf.is_empty()),
             redo: Some(self.sheet.editor.can_redo()),
             zoom: Some(self.viewport.zoom()),
@@ -341,22 +354,15 @@ impl Session {
 }
 
 impl Sheet {
-    /// A drawing with scribbles in units of its page.
-    fn new(name: String, drawing: Drawing, mut scribbles: Vec<Scribble>) -> Result<Self, MapError> {
-        let picture = Picture::new(&drawing)?;
-        for Scribble { width_du, points, .. } in &mut scribbles {
-            *width_du *= drawing.du_per_page_unit();
-            points.iter_mut().for_each(|point| *point = drawing.drawing_from_page() * *point);
-        }
-        let document = Document { scribbles, ..Document::new(drawing) };
-        Ok(Self { name, editor: Editor::new(document), picture })
+    fn new(number: u32, mut work: Work) -> Result<Self, MapError> {
+        let picture = Picture::new(&work.document.drawing)?;
+        let blank = Drawing::new(work.document.drawing.page);
+        let drawing = std::mem::replace(&mut work.document.drawing, blank);
+        let editor = Editor::new(Document { drawing, ..work.document.clone() });
+        Ok(Self { number, kept: work, editor, picture })
     }
-}
 
-/// The name of a file without its last extension.
-fn stem(name: &str) -> &str {
-    match name.rsplit_once('.') {
-        Some((stem, _)) if !stem.is_empty() => stem,
-        _ => name,
+    fn state(&self) -> SheetState {
+        SheetState { sheet: self.number, revision: self.editor.revision() }
     }
 }

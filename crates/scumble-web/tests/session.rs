@@ -3,11 +3,11 @@
 mod page;
 
 use kurbo::{Point, Vec2};
-use scumble_core::{Blend, EngineKind, Paint, Settings, Srgb8};
+use scumble_core::{Blend, EngineKind, Paint, Settings, Srgb8, exact};
 use scumble_solve::paint;
 use scumble_web::brush::Ink;
 use scumble_web::command::{Command, Phase, Setting, Tool, ViewChange};
-use scumble_web::effect::Effect;
+use scumble_web::effect::{Effect, SheetState};
 use scumble_web::painting::Changed;
 
 use page::{DESK, Page, SQUARE, pixel};
@@ -67,14 +67,17 @@ fn effects_tell_what_has_changed_and_only_that() {
     let mut page = Page::open(SQUARE);
     let first = page.session.take_effects();
     assert!(first.contains(&Effect::Undo(false)) && first.contains(&Effect::Zoom(1.0)));
-    assert!(first.iter().any(|effect| matches!(effect, Effect::Opened { name, .. } if name == "square.svg")));
+    assert!(first.contains(&Effect::Opened { notes: String::new() }));
     assert_eq!(page.session.take_effects(), []);
     page.session.command(Command::Color(RED.into()));
     assert_eq!(page.session.take_effects(), [Effect::Color(RED.into())]);
     page.stroke(RED, &ACROSS);
-    assert_eq!(page.session.take_effects(), [Effect::Undo(true), Effect::ScribbleAdded { count: 1 }]);
+    let sheet = |revision| Effect::Sheet(SheetState { sheet: 1, revision });
+    let told = page.session.take_effects();
+    assert_eq!(told, [sheet(1), Effect::Undo(true), Effect::ScribbleAdded { count: 1 }]);
     page.session.command(Command::Undo);
-    assert_eq!(page.session.take_effects(), [Effect::Undo(false), Effect::Redo(true), Effect::Undone]);
+    let told = page.session.take_effects();
+    assert_eq!(told, [sheet(0), Effect::Undo(false), Effect::Redo(true), Effect::Undone]);
 }
 
 #[test]
@@ -100,7 +103,6 @@ fn the_exported_picture_is_the_canvas_at_100_percent() {
     page.session.command(Command::Scribbles(false));
     page.session.frame(&mut page.canvas);
     let export = page.session.export();
-    assert_eq!(export.name, "square.png");
     let painting = export.painting();
     let picture = paint(&painting.scene(), &painting.view);
     assert_eq!((picture.width_px, picture.height_px), (1024, 768));
@@ -130,14 +132,13 @@ fn lines_and_scribbles_can_be_hidden() {
 }
 
 #[test]
-fn a_file_that_cannot_be_opened_leaves_the_drawing_as_it_was() {
+fn work_that_is_damaged_leaves_the_drawing_as_it_was() {
     let mut page = Page::open(SQUARE);
     page.stroke(RED, &ACROSS);
+    let whole = page.session.work();
     page.session.take_effects();
-    for bytes in
-        [&b""[..], b"\x89PNG\r\n\x1a\n", b"<svg", b"<html/>", b"<svg xmlns='http://www.w3.org/2000/svg'/>"]
-    {
-        page.session.command(Command::Open { name: "bad".into(), bytes: bytes.to_vec(), scribbles: vec![] });
+    for work in [&b""[..], b"<svg/>", &whole[1..], &whole[..whole.len() - 1]] {
+        page.session.command(Command::Open { work: work.to_vec(), notes: String::new() });
         let effects = page.session.take_effects();
         assert!(matches!(effects[..], [Effect::Failed(_)]), "{effects:?}");
         assert_eq!(page.color_at(INSIDE), RED);
@@ -145,12 +146,46 @@ fn a_file_that_cannot_be_opened_leaves_the_drawing_as_it_was() {
 }
 
 #[test]
-fn what_a_file_has_besides_lines_is_counted() {
-    let svg = br#"<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 64 64">
-        <circle cx="32" cy="32" r="20" fill="none" stroke="black"/><text x="3" y="9">Hello</text></svg>"#;
-    let mut page = Page::open(svg);
+fn work_comes_back_with_all_that_was_opened_with_it() {
+    let mut page = Page::open(SQUARE);
+    let mut work = exact::read(&page.session.work()).expect("work");
+    work.palette = vec![RED.into(), Paint::Clear];
+    work.sample = Some("square.svg".into());
+    let notes = "left out: 1 text".to_owned();
+    page.session.command(Command::Open { work: exact::write(&work), notes: notes.clone() });
     let effects = page.session.take_effects();
-    assert!(effects.iter().any(|effect| matches!(effect, Effect::Opened { notes, .. } if notes.texts == 1)));
+    assert!(
+        effects.contains(&Effect::Palette(work.palette.clone()))
+            && effects.contains(&Effect::Opened { notes })
+    );
+    page.stroke(RED, &ACROSS);
+    let again = exact::read(&page.session.work()).expect("work");
+    let with_scribble = work.edited(page.session.document().clone());
+    assert_eq!(exact::write(&again), exact::write(&with_scribble));
+    assert_eq!((again.document.scribbles.len(), again.document.drawing.curves.len()), (1, 1));
+}
+
+#[test]
+fn each_drawing_is_told_from_the_others_and_its_states_from_each_other() {
+    let sheet = |page: &mut Page| {
+        let sheets = page.session.take_effects().into_iter().filter_map(|effect| match effect {
+            Effect::Sheet(SheetState { sheet, revision }) => Some((sheet, revision)),
+            _ => None,
+        });
+        sheets.collect::<Vec<_>>()
+    };
+    let mut page = Page::open(SQUARE);
+    assert_eq!(sheet(&mut page), [(1, 0)]);
+    page.pen(Phase::Down, INSIDE);
+    assert_eq!(sheet(&mut page), [], "a scribble in hand may be dropped yet");
+    page.session.pointer(Phase::Up, &[]);
+    assert_eq!(sheet(&mut page), [(1, 1)]);
+    page.session.command(page::open(SQUARE, &[]));
+    assert_eq!(sheet(&mut page), [(2, 0)]);
+    page.session.command(Command::Undo);
+    assert_eq!(sheet(&mut page), [(1, 1)]);
+    page.session.command(Command::Undo);
+    assert_eq!(sheet(&mut page), [(1, 0)]);
 }
 
 #[test]
@@ -205,11 +240,7 @@ fn undo_brings_back_the_drawing_that_another_was_opened_over() {
     let mut page = Page::open(SQUARE);
     page.stroke(RED, &ACROSS);
     let blank = br#"<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 9 9"><path d="M1 1h6" stroke="black"/></svg>"#;
-    page.session.command(Command::Open {
-        name: "other.svg".into(),
-        bytes: blank.to_vec(),
-        scribbles: vec![],
-    });
+    page.session.command(page::open(blank, &[]));
     assert!(page.session.document().scribbles.is_empty());
     page.session.command(Command::Undo);
     page.view(ViewChange::ZoomReset);

@@ -7,7 +7,7 @@ use scumble_web::brush::{Ink, Kind, Mode, ModeChange, Pressure};
 use scumble_web::command::{Command, Phase, Tool};
 use scumble_web::effect::Effect;
 
-use page::{Page, SQUARE};
+use page::{Page, SQUARE, open};
 
 const RED: Srgb8 = Srgb8([230, 25, 75]);
 const BLUE: Srgb8 = Srgb8([0, 90, 200]);
@@ -224,19 +224,16 @@ fn strengths_of_any_kind_stay_within_their_range() {
 #[test]
 fn a_drawing_opens_with_its_scribbles_and_nothing_to_undo() {
     let mut page = Page::open(SQUARE);
-    let half = br#"<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 512 384"><path d="M100 75H340V315H100Z" stroke="black" fill="none"/></svg>"#;
     let scribble = Scribble {
         color: BLUE.into(),
         kind: ScribbleKind::Fill,
-        width_du: 4.0,
-        points: vec![(200.0, 200.0).into(), (210.0, 200.0).into()],
+        width_du: 8.0,
+        points: vec![(400.0, 400.0).into(), (420.0, 400.0).into()],
     };
-    let open = |scribbles| Command::Open { name: "half.svg".into(), bytes: half.to_vec(), scribbles };
-    page.session.command(open(vec![scribble]));
-    assert_eq!(last(&page).points, [(400.0, 400.0).into(), (420.0, 400.0).into()]);
-    assert_eq!(last(&page).width_du, 8.0);
+    page.session.command(open(SQUARE, std::slice::from_ref(&scribble)));
+    assert_eq!(last(&page), &scribble);
     assert_eq!(page.color_at(MIDDLE), BLUE);
-    page.session.command(open(vec![]));
+    page.session.command(open(SQUARE, &[]));
     page.session.take_effects();
     page.session.command(Command::Undo);
     assert_eq!(page.session.take_effects(), [], "nobody has worked on either");

@@ -3,7 +3,8 @@
 
 use js_sys::{Array, Function, Object, Promise, Reflect, Uint8Array};
 use kurbo::Point;
-use scumble_core::Srgb8;
+use scumble_core::{Document, Srgb8, Work, exact};
+use scumble_io::import_svg;
 use scumble_solve::Pixmap;
 use scumble_web::App;
 use scumble_web::command::{Command, Phase, ViewChange};
@@ -29,10 +30,16 @@ fn canvas() -> HtmlCanvasElement {
     document.create_element("canvas").expect("a canvas").unchecked_into()
 }
 
+/// The exact bytes of the drawing.
+fn work() -> Vec<u8> {
+    let drawing = import_svg(DRAWING).expect("a drawing").drawing;
+    exact::write(&Work::new(Document::new(drawing)))
+}
+
 fn scribbled() -> Session {
     let mut session = Session::new(Srgb8([90; 3])).expect("a blank page");
     session.command(Command::View(ViewChange::Resize([640, 480], 1.0)));
-    session.command(Command::Open { name: "circle.svg".into(), bytes: DRAWING.to_vec(), scribbles: vec![] });
+    session.command(Command::Open { work: work(), notes: String::new() });
     for (color, from, to) in [
         (Srgb8([230, 25, 75]), (400.0, 200.0), (600.0, 220.0)),
         (Srgb8([0, 130, 200]), (400.0, 560.0), (600.0, 540.0)),
@@ -93,10 +100,11 @@ fn difference(a: &[u8], b: &[u8]) -> u8 {
 async fn javascript_sees_effects_by_name_and_errors_for_what_does_not_exist() {
     let options = object(&[("renderer", CPU.into()), ("desk", "#808080".into()), ("wake", wake().into())]);
     let app = App::create(canvas(), options).await.expect("an app");
-    let bytes = Uint8Array::from(DRAWING);
-    let open = object(&[("name", "circle.svg".into()), ("bytes", bytes.into())]);
+    let open = object(&[("work", Uint8Array::from(&work()[..]).into()), ("notes", "".into())]);
     let effects = names(&app.command("open", &open).expect("effects"));
     for name in [
+        "sheet",
+        "palette",
         "undo",
         "redo",
         "zoom",
@@ -113,7 +121,8 @@ async fn javascript_sees_effects_by_name_and_errors_for_what_does_not_exist() {
     }
     app.command("resize", &numbers(&[800.0, 600.0, 1.0])).expect("effects");
     app.pointer("down", &[400.0, 300.0, 0.5]).expect("effects");
-    assert_eq!(names(&app.pointer("up", &[]).expect("effects")), ["scribble-added"]);
+    assert_eq!(names(&app.pointer("up", &[]).expect("effects")), ["sheet", "scribble-added"]);
+    assert!(exact::read(&app.work()).is_some_and(|work| work.document.scribbles.len() == 1));
     app.pointer("down", &[0.0, 0.0, 0.5]).expect("effects");
     assert_eq!(names(&app.pointer("up", &[]).expect("effects")), ["scribble-dropped"], "off the page");
     assert_eq!(names(&app.frame()), Vec::<String>::new());

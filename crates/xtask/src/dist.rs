@@ -4,7 +4,8 @@
 //! |---|---|
 //! | `index.html` | as in the repository |
 //! | `web/` | icon, style sheet, and all scripts as one, minified |
-//! | `pkg/webgpu/`, `pkg/webgl/` | the two wasm builds, each with its JavaScript |
+//! | `pkg/webgpu/`, `pkg/webgl/` | the editor as wasm, built twice, each with its JavaScript |
+//! | `pkg/files/` | what only files and links need, likewise |
 //! | `samples/` | the drawings that the page offers, with `index.json` and licences |
 
 use crate::process::{cargo, command, node, root, run};
@@ -15,6 +16,9 @@ use std::path::{Path, PathBuf};
 
 /// The two builds of `scumble-web`, by the feature that tells them apart.
 pub(crate) const FLAVOURS: [&str; 2] = ["webgpu", "webgl"];
+
+/// The build of `scumble-files`.
+const FILES: &str = "files";
 
 /// The features of wasm that every browser with WebGPU or WebGL 2 has; `--all-features` would use others. Functions
 /// that are called once stay functions: inlined they compress worse, by 3% of the whole.
@@ -41,25 +45,26 @@ pub(crate) fn build() -> Result<PathBuf> {
     lock.lock()?;
     tools::wasm_target()?;
     tools::npm_packages()?;
-    let packages = FLAVOURS.into_iter().map(package).collect::<Result<Vec<_>>>()?;
+    let names = [FILES].into_iter().chain(FLAVOURS);
+    let packages = names.map(|name| Ok((name, package(name)?))).collect::<Result<Vec<_>>>()?;
     let dist = root().join("dist");
     if dist.exists() {
         fs::remove_dir_all(&dist)?;
     }
     write_web(&root().join("web"), &dist.join("web"))?;
     fs::copy(root().join("index.html"), dist.join("index.html"))?;
-    for (flavour, package) in FLAVOURS.into_iter().zip(packages) {
-        copy_files(files_in(&package)?, &dist.join("pkg").join(flavour))?;
+    for (name, package) in packages {
+        copy_files(files_in(&package)?, &dist.join("pkg").join(name))?;
     }
     samples::collect(&dist.join("samples"))?;
     Ok(dist)
 }
 
 /// The folder with one wasm build and its JavaScript, ready to be served.
-fn package(flavour: &str) -> Result<PathBuf> {
-    let wasm = compile(flavour)?;
+fn package(name: &str) -> Result<PathBuf> {
+    let wasm = compile(name)?;
     tools::wasm_bindgen()?;
-    let work = root().join("target/page").join(flavour);
+    let work = root().join("target/page").join(name);
     let (seen, package) = (work.join("seen"), work.join("package"));
     // The tools and their settings are part of it, so that a change of them runs the steps again.
     let tools = fs::read(root().join("package-lock.json"))?;
@@ -71,20 +76,29 @@ fn package(flavour: &str) -> Result<PathBuf> {
         fs::remove_dir_all(&work)?;
     }
     bind(&wasm, &package)?;
-    optimise(&package.join("scumble_web_bg.wasm"))?;
-    minify(&package, &[package.join("scumble_web.js")])?;
+    let module = crate_of(name).replace('-', "_");
+    optimise(&package.join(format!("{module}_bg.wasm")))?;
+    minify(&package, &[package.join(format!("{module}.js"))])?;
     fs::write(seen, input)?;
     Ok(package)
 }
 
+/// The crate that a build is of.
+fn crate_of(name: &str) -> &'static str {
+    if name == FILES { "scumble-files" } else { "scumble-web" }
+}
+
 /// Compiles one build into a target folder of its own: in a shared one each would evict the other.
-fn compile(flavour: &str) -> Result<PathBuf> {
-    let target = root().join("target").join(flavour);
-    run(cargo()
-        .args(["build", "--profile", "web", "-p", "scumble-web", "--target", tools::WASM_TARGET])
-        .args(["--no-default-features", "--features", flavour, "--target-dir"])
-        .arg(&target))?;
-    Ok(target.join(tools::WASM_TARGET).join("web/scumble_web.wasm"))
+fn compile(name: &str) -> Result<PathBuf> {
+    let target = root().join("target").join(name);
+    let mut build = cargo();
+    build.args(["build", "--profile", "web", "-p", crate_of(name), "--target", tools::WASM_TARGET]);
+    if name != FILES {
+        build.args(["--no-default-features", "--features", name]);
+    }
+    run(build.arg("--target-dir").arg(&target))?;
+    let file = format!("{}.wasm", crate_of(name).replace('-', "_"));
+    Ok(target.join(tools::WASM_TARGET).join("web").join(file))
 }
 
 fn bind(wasm: &Path, package: &Path) -> Result<()> {

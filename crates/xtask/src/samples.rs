@@ -2,6 +2,8 @@
 
 use crate::process::root;
 use anyhow::{Context, Result};
+use scumble_core::{Document, Work, exact};
+use scumble_io::{import_svg, read_scribbles};
 use std::fs;
 use std::path::Path;
 
@@ -32,42 +34,50 @@ whose text follows. The other drawings here are part of Scumble and under its li
 
 ";
 
-/// Fills `folder` with the drawings, the licence of those that are not ours, and `index.json`: a list of
-/// `{file, name, credit}` in the order to show, with `scribbles` (a file) where a drawing has some to begin with.
+/// Fills `folder` with the drawings, each also as a `.work` of exact bytes, which opens without a reader of SVG; the
+/// licence of those that are not ours; and `index.json`: a list of `{file, name, credit}` in the order to show.
 pub(crate) fn collect(folder: &Path) -> Result<()> {
     fs::create_dir_all(folder)?;
     let mut entries = collect_own(folder)?;
     for (code, name) in OPENMOJI {
         let file = format!("{code}.svg");
         let drawing = root().join(OPENMOJI_BLACK).join(&file);
-        fs::copy(&drawing, folder.join(&file)).with_context(|| drawing.display().to_string())?;
-        entries.push(entry(&file, name, OPENMOJI_CREDIT, ""));
+        write(&drawing, &folder.join(&file))?;
+        entries.push(entry(&file, name, OPENMOJI_CREDIT));
     }
     let licence = fs::read_to_string(root().join("node_modules/openmoji/LICENSE.txt"))?;
     fs::write(folder.join("LICENSE-OPENMOJI.txt"), format!("{OPENMOJI_NOTICE}{licence}"))?;
     Ok(fs::write(folder.join("index.json"), format!("[\n{}\n]\n", entries.join(",\n")))?)
 }
 
-/// Our own: `web/samples/two-words.svg`, coloured by `two-words.json` if there is one, is shown as "Two words".
+/// Our own: `web/samples/two-words.svg` is shown as "Two words".
 fn collect_own(folder: &Path) -> Result<Vec<String>> {
     let mut entries = Vec::new();
     for path in crate::dist::files_in(&root().join("web/samples"))? {
         let file = path.file_name().unwrap_or_default().to_string_lossy();
-        fs::copy(&path, folder.join(&*file))?;
         if let Some(stem) = file.strip_suffix(".svg") {
-            let scribbles = if path.with_extension("json").exists() {
-                format!(r#", "scribbles": "{stem}.json""#)
-            } else {
-                String::new()
-            };
-            entries.push(entry(&file, &capitalised(&stem.replace('-', " ")), "Scumble", &scribbles));
+            write(&path, &folder.join(&*file))?;
+            entries.push(entry(&file, &capitalised(&stem.replace('-', " ")), "Scumble"));
         }
     }
     Ok(entries)
 }
 
-fn entry(file: &str, name: &str, credit: &str, more: &str) -> String {
-    format!(r#"  {{"file": "{file}", "name": "{name}", "credit": "{credit}"{more}}}"#)
+/// Copies a drawing, and writes it as work, with the scribbles of a `.json` of the same name if there is one.
+fn write(drawing: &Path, to: &Path) -> Result<()> {
+    let svg = fs::read(drawing).with_context(|| drawing.display().to_string())?;
+    let mut document = Document::new(import_svg(&svg)?.drawing);
+    if let Ok(json) = fs::read(drawing.with_extension("json")) {
+        document.scribbles = read_scribbles(&json, &document.drawing)?.scribbles;
+    }
+    let sample = to.file_name().map(|name| name.to_string_lossy().into_owned());
+    let work = Work { sample, ..Work::new(document) };
+    fs::write(to.with_extension("work"), exact::write(&work))?;
+    Ok(fs::write(to, svg)?)
+}
+
+fn entry(file: &str, name: &str, credit: &str) -> String {
+    format!(r#"  {{"file": "{file}", "name": "{name}", "credit": "{credit}"}}"#)
 }
 
 fn capitalised(words: &str) -> String {

@@ -6,8 +6,10 @@
 //! open to the border of the page as to what is within is no pocket of that. From the border itself a colour goes
 //! through wide gaps, but no further: how large the place is that it comes from, nobody knows.
 //!
-//! What a colour takes depends on where it was drawn alone, not on other colours, and it never takes less after more
-//! was drawn. Where two colours may go into a room, the flood decides.
+//! Rooms that hang together through wide gaps, none of them open to the border, are a *hall*. Once colours have most of
+//! one, they have all of it: nobody leaves a hole.
+//!
+//! No colour ever takes less after more was drawn, of whatever colour. Where two may go into a room, the flood decides.
 
 use crate::planar_map::PlanarMap;
 use crate::sets::Sets;
@@ -25,10 +27,12 @@ type Door = [u32; 2];
 pub(super) struct Rooms {
     /// Without bound where a room reaches the border of the page, and nobody knows how far it goes on.
     areas_du2: Vec<f64>,
-    /// Whether a wide gap leads to such a room.
+    /// Whether a wide gap leads to such a room, or it is one.
     are_beside_border: Vec<bool>,
     /// In ascending order.
     doors: Vec<Door>,
+    /// Per room its hall, by one of the rooms in it.
+    hall_of: Vec<u32>,
 }
 
 impl Rooms {
@@ -39,11 +43,13 @@ impl Rooms {
             map.refined().half_edges().filter_map(|h| wide_gap(map, room_of, h)).collect();
         sort::sort_copies_by_key(&mut doors, |&door| sort::pair(door));
         doors.dedup();
-        let mut are_beside_border = vec![false; room_count];
+        let mut are_beside_border: Vec<bool> =
+            areas_du2.iter().map(|area_du2| area_du2.is_infinite()).collect();
         for &[from, to] in &doors {
             are_beside_border[from as usize] |= areas_du2[to as usize].is_infinite();
         }
-        Self { areas_du2, are_beside_border, doors }
+        let hall_of = halls(&are_beside_border, &doors);
+        Self { areas_du2, are_beside_border, doors, hall_of }
     }
 
     /// The doors that colours go through, in ascending order; `drawn` are pairs of a colour and a room that it was drawn
@@ -51,15 +57,32 @@ impl Rooms {
     pub(super) fn open_doors(&self, drawn: &[[u32; 2]]) -> Vec<Door> {
         let same_color = |first: &[u32; 2], second: &[u32; 2]| first[0] == second[0];
         let mut open = Vec::new();
+        let mut are_taken = vec![false; self.areas_du2.len()];
         for rooms in drawn.chunk_by(same_color) {
             let mut taken = Taken::new(self);
             rooms.iter().for_each(|&[_, room]| taken.add(room));
             taken.grow();
             open.extend(self.doors.iter().filter(|&&door| taken.leads(door)));
+            taken.taken.iter().for_each(|&room| are_taken[room as usize] = true);
         }
+        let are_colored = self.colored_halls(&are_taken);
+        let is_within = |&&[from, to]: &&Door| {
+            let [from, to] = [from, to].map(|room| self.hall_of[room as usize]);
+            from == to && are_colored[from as usize]
+        };
+        open.extend(self.doors.iter().filter(is_within));
         sort::sort_copies_by_key(&mut open, |&door| sort::pair(door));
         open.dedup();
         open
+    }
+
+    /// Per room that stands for a hall whether most of the hall is taken.
+    fn colored_halls(&self, are_taken: &[bool]) -> Vec<bool> {
+        let mut free_du2 = vec![0.0; are_taken.len()];
+        for (room, &hall) in self.hall_of.iter().enumerate() {
+            free_du2[hall as usize] += self.areas_du2[room] * if are_taken[room] { -1.0 } else { 1.0 };
+        }
+        free_du2.iter().map(|&free_du2| free_du2 < 0.0).collect()
     }
 
     fn doors_of(&self, room: u32) -> &[Door] {
@@ -90,6 +113,15 @@ fn areas_du2(map: &PlanarMap, room_of: &[u32], room_count: usize) -> Vec<f64> {
         areas_du2[room as usize] += if is_at_border { f64::INFINITY } else { 0.5 * (b - a).cross(c - a) };
     }
     areas_du2
+}
+
+fn halls(are_beside_border: &[bool], doors: &[Door]) -> Vec<u32> {
+    let mut halls = Sets::new(are_beside_border.len());
+    for door in doors.iter().filter(|door| !door.iter().any(|&room| are_beside_border[room as usize])) {
+        let [from, to] = door.map(|room| halls.find(room));
+        halls.join(from, to);
+    }
+    (0..are_beside_border.len() as u32).map(|room| halls.find(room)).collect()
 }
 
 /// The rooms that a colour has: those within the page hang together through wide gaps, and count as one.

@@ -1,12 +1,11 @@
 //! The lists of a file as they are read: swatches, curves, solid ink, scribbles, colours set by hand.
 
 use kurbo::{BezPath, Cap, PathEl, Point, Stroke};
+use scumble_core::work::{ColorPoint, Item, MAX_CURVES, Unknown, Work};
 use scumble_core::{Curve, Fill, Line, Paint, Rgba8, Scribble, ScribbleKind, Shading, Srgb8};
 
-use super::MAX_CURVES;
 use super::names::{CAPS, JOINS, KINDS, RULES, SIDES, plain_stroke};
 use crate::json::{Fault, Json, Member};
-use crate::work::{ColorPoint, Item, Unknown, Work};
 
 /// What is expected behind as many curves as there may be.
 pub(super) const NO_MORE_CURVES: &str = "no more curves";

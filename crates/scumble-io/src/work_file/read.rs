@@ -1,13 +1,12 @@
 //! Work out of a text whose version is known.
 
 use kurbo::Rect;
+use scumble_core::work::{Item, Unknown, Work, is_page, is_sample_name};
 use scumble_core::{Document, Settings};
 
 use super::items::{Items, keep, named};
 use super::names::{BLENDS, ENGINES};
 use crate::json::{Fault, Json, Member};
-use crate::packed;
-use crate::work::{Item, Unknown, Work, is_sample_name};
 
 /// Work, as far as it has been read.
 pub(super) struct Reader {
@@ -48,7 +47,7 @@ fn sample(json: &mut Json) -> Result<String, Fault> {
 
 fn canvas(json: &mut Json) -> Result<Rect, Fault> {
     let numbers @ [x, y, width, height] = json.numbers()?;
-    if packed::is_page(numbers) {
+    if is_page(numbers) {
         Ok(Rect::new(x, y, x + width, y + height))
     } else {
         json.fault("a canvas [x, y, width, height] with sides from 1e-6 to 1e8 before this")

@@ -1,12 +1,12 @@
 //! Work as text, one line for each curve and scribble.
 
 use kurbo::{BezPath, PathEl, Point, Stroke};
+use scumble_core::work::{ColorPoint, Item, Work};
 use scumble_core::{Curve, Document, Fill, Line, Paint, Rgba8, Scribble, Settings, Shading, Srgb8};
 
 use super::names::{BLENDS, CAPS, ENGINES, JOINS, KINDS, RULES, SIDES, name, plain_stroke};
 use super::{PAGE_PER_UNIT, PER_UNIT, VERSION};
 use crate::json::{push_number, push_string};
-use crate::work::{ColorPoint, Item, Work};
 
 /// The text of some work.
 pub(super) fn written(work: &Work) -> String {

@@ -4,7 +4,7 @@ use scumble_core::{Boundary, PlanarMap};
 
 use super::cut_links::{self, Cut, Face, Link};
 use super::pulls::{self, Pull};
-use super::regions::Regions;
+use super::regions::PixelRegions;
 use super::unreached;
 use crate::scene::View;
 
@@ -27,7 +27,7 @@ impl Constraints {
     /// Those of a map and the colours of its sides in what a view shows.
     pub fn new(map: &PlanarMap, boundary: &Boundary, view: &View) -> Self {
         let (cuts, faces) = cut_links::cut_links(map, boundary, view);
-        let regions = Regions::new(map.triangulation(), boundary, view);
+        let regions = PixelRegions::new(map.triangulation(), boundary, view);
         let pulls = pulls::pulls(&regions, &boundary.sources, view);
         let mut all = Self { width_px: view.width_px, height_px: view.height_px, cuts, faces, pulls };
         all.pulls.extend(unreached::pulls(&regions, &all));

@@ -1,12 +1,12 @@
 //! What shading scribbles do to pixels: each that is under a stroke is drawn towards its colour.
 
 use kurbo::{Affine, Point, Vec2};
-use scumble_core::{SoftSource, Triangulation};
+use scumble_core::SoftSource;
 
-use super::regions::{Regions, Span};
+use super::regions::{PixelRegions, Span};
 use super::wall::centers_from_du;
 use crate::brush::{self, Brush};
-use crate::reach::Reach;
+use crate::reach::{self, Reach};
 use crate::scene::View;
 
 /// A term on the diagonal of a pixel.
@@ -27,19 +27,21 @@ const LEAST_RADIUS_PX: f64 = 2.0;
 const MOST_SAMPLES: f64 = 8.0;
 
 /// The pulls of the sources of a boundary in what a view shows: in the regions that each of them reaches.
-pub(super) fn pulls(regions: &Regions<'_>, sources: &[SoftSource], view: &View) -> Vec<Pull> {
+pub(super) fn pulls(regions: &PixelRegions<'_>, sources: &[SoftSource], view: &View) -> Vec<Pull> {
     if sources.is_empty() {
         return Vec::new();
     }
-    let shades: Vec<_> = sources.iter().map(|source| Shade::new(regions.mesh, source)).collect();
+    let all = regions.triangles();
+    let places = reach::Regions::new(regions.mesh, &mut all.iter().map(Vec::as_slice));
+    let shades: Vec<_> = sources.iter().map(|source| Shade::new(&places, source)).collect();
     let mut canvas = Canvas::new(view);
-    for triangles in regions.triangles() {
-        let meets = |shade: &&Shade| shade.reach.meets(regions.mesh, &triangles);
+    for (i, triangles) in (0..).zip(&all) {
+        let meets = |shade: &&Shade| shade.reach.meets(regions.mesh, i, triangles);
         let shades: Vec<_> = shades.iter().filter(meets).collect();
         if !shades.is_empty() {
-            let spans = regions.spans(&triangles);
+            let spans = regions.spans(triangles);
             shades.iter().for_each(|shade| canvas.shade(shade, &spans));
-            if regions.colors(&triangles).next().is_none() {
+            if regions.colors(triangles).next().is_none() {
                 canvas.fade(brush::fade_strength(shades.iter().map(|shade| &shade.brush)), &spans);
             }
         }
@@ -55,9 +57,9 @@ struct Shade {
 }
 
 impl Shade {
-    fn new(mesh: &Triangulation, source: &SoftSource) -> Self {
+    fn new(places: &reach::Regions<'_>, source: &SoftSource) -> Self {
         let color = source.color.map(|c| c as f32);
-        Self { reach: Reach::new(mesh, source), brush: Brush::new(source), color }
+        Self { reach: places.reach(source), brush: Brush::new(source), color }
     }
 }
 

@@ -17,14 +17,14 @@ pub(super) struct Span {
 }
 
 /// A mesh and what its sides are, seen in a view.
-pub(super) struct Regions<'a> {
+pub(super) struct PixelRegions<'a> {
     pub(super) mesh: &'a Triangulation,
     boundary: &'a Boundary,
     size_px: [u32; 2],
     centers_from_du: Affine,
 }
 
-impl<'a> Regions<'a> {
+impl<'a> PixelRegions<'a> {
     pub(super) fn new(mesh: &'a Triangulation, boundary: &'a Boundary, view: &View) -> Self {
         let size_px = [view.width_px, view.height_px];
         Self { mesh, boundary, size_px, centers_from_du: centers_from_du(view) }

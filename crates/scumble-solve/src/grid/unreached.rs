@@ -6,10 +6,10 @@ use scumble_core::BlendColor;
 use super::constraints::Constraints;
 use super::level::Level;
 use super::pulls::Pull;
-use super::regions::Regions;
+use super::regions::PixelRegions;
 
 /// The pulls of these pixels, given all other constraints.
-pub(super) fn pulls(regions: &Regions<'_>, constraints: &Constraints) -> Vec<Pull> {
+pub(super) fn pulls(regions: &PixelRegions<'_>, constraints: &Constraints) -> Vec<Pull> {
     let (level, _) = Level::finest(constraints);
     let is_reached = level.reached();
     let mut pulls = Vec::new();

@@ -1,7 +1,8 @@
 //! A page without a browser: pen and controls in, pictures out.
 
 use kurbo::Point;
-use scumble_core::Srgb8;
+use scumble_core::{Document, Scribble, Srgb8, Work, exact};
+use scumble_io::import_svg;
 use scumble_solve::{Pixmap, paint};
 use scumble_web::command::{Command, Phase, ViewChange};
 use scumble_web::painting::{Changed, Painter, Painting};
@@ -27,6 +28,13 @@ impl Painter for Canvas {
     }
 }
 
+/// What opens a drawing with scribbles on it.
+pub(crate) fn open(svg: &[u8], scribbles: &[Scribble]) -> Command {
+    let drawing = import_svg(svg).expect("a drawing").drawing;
+    let document = Document { scribbles: scribbles.to_vec(), ..Document::new(drawing) };
+    Command::Open { work: exact::write(&Work::new(document)), notes: String::new() }
+}
+
 /// A page of 1200 by 900 CSS pixels with a drawing open.
 pub(crate) struct Page {
     pub(crate) session: Session,
@@ -37,11 +45,7 @@ impl Page {
     pub(crate) fn open(svg: &[u8]) -> Self {
         let mut page = Self { session: Session::new(DESK).expect("a blank page"), canvas: Canvas::default() };
         page.view(ViewChange::Resize([1200, 900], 1.0));
-        page.session.command(Command::Open {
-            name: "square.svg".into(),
-            bytes: svg.to_vec(),
-            scribbles: vec![],
-        });
+        page.session.command(open(svg, &[]));
         page.view(ViewChange::ZoomReset);
         page
     }

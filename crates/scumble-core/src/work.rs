@@ -1,11 +1,20 @@
-//! What a file or a link keeps of somebody's work: the source of a picture, and nothing that can be derived from it.
+//! What is kept of somebody's work: the source of a picture, and nothing that can be derived from it.
 
 use kurbo::Rect;
-use scumble_core::drawing::LONGER_SIDE_DU;
-use scumble_core::{Document, Drawing, Paint, Scribble, Settings};
+
+use crate::color::Paint;
+use crate::drawing::{Drawing, LONGER_SIDE_DU};
+use crate::edit::Document;
+use crate::scribble::Scribble;
 
 /// Longest way of all scribbles together, in longer sides of the page: an hour and more of scribbling.
-pub(crate) const MAX_PAGES: u32 = 5000;
+pub const MAX_PAGES: u32 = 5000;
+
+/// Most curves of a drawing.
+pub const MAX_CURVES: usize = 100_000;
+
+/// Largest coordinate of a page, in page units.
+const MAX_PAGE: f64 = 1e9;
 
 /// A document, and what belongs to it without being part of the picture's lines and scribbles.
 #[derive(Clone, Debug)]
@@ -40,25 +49,32 @@ pub struct ColorPoint {
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Unknown {
     /// The minor version that wrote them.
-    pub(crate) minor: u32,
+    pub minor: u32,
     /// For each kind of item the fields of the items that have some, in order: the item's index, and its fields as
     /// JSON, separated by commas.
-    pub(crate) fields: [Vec<(u32, String)>; Item::KINDS],
+    pub fields: [Vec<(u32, String)>; Item::KINDS],
 }
 
 /// Kinds of items that may have fields. There is one work with one set of settings, of index 0.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Item {
+pub enum Item {
+    /// The whole.
     Work,
+    /// Its settings.
     Settings,
+    /// A curve.
     Curve,
+    /// An area of solid ink.
     Fill,
+    /// A scribble.
     Scribble,
+    /// A colour set by hand.
     ColorPoint,
 }
 
 impl Item {
-    pub(crate) const KINDS: usize = 6;
+    /// How many kinds there are.
+    pub const KINDS: usize = 6;
 }
 
 impl Work {
@@ -74,44 +90,50 @@ impl Work {
     }
 
     /// Work without anything on a page of no account, to be filled by a reader.
-    pub(crate) fn blank() -> Self {
+    pub fn blank() -> Self {
         Self::new(Document::new(Drawing::new(Rect::new(0.0, 0.0, 1.0, 1.0))))
     }
 
-    /// The same work with its scribbles and settings edited. Fields of a scribble that are not known go where its way
-    /// goes: they stay with it when it is recoloured or moved in the order.
-    pub fn edited(&self, scribbles: Vec<Scribble>, settings: Settings) -> Self {
-        let mut work = self.clone();
-        work.unknown.follow(&self.document.scribbles, &scribbles);
-        (work.document.scribbles, work.document.settings) = (scribbles, settings);
-        work
+    /// The same work with its document edited. Fields of a scribble that are not known go where its way goes: they stay
+    /// with it when it is recoloured or moved in the order.
+    pub fn edited(&self, document: Document) -> Self {
+        let mut unknown = self.unknown.clone();
+        unknown.follow(&self.document.scribbles, &document.scribbles);
+        let (sample, palette) = (self.sample.clone(), self.palette.clone());
+        Self { document, sample, palette, color_points: self.color_points.clone(), unknown }
     }
 }
 
 /// Whether scribbles are longer than a reader follows.
-pub(crate) fn are_too_long(scribbles: &[Scribble]) -> bool {
+pub fn are_too_long(scribbles: &[Scribble]) -> bool {
     let length_du = |scribble: &Scribble| -> f64 {
         scribble.points.windows(2).map(|ends| (ends[1] - ends[0]).hypot()).sum()
     };
     scribbles.iter().map(length_du).sum::<f64>() > f64::from(MAX_PAGES) * LONGER_SIDE_DU
 }
 
+/// Whether a page may lie there, and be as wide and as high, in page units.
+pub fn is_page([x, y, width, height]: [f64; 4]) -> bool {
+    let is_side = |side: f64| (1e-6..=1e8).contains(&side);
+    x.abs() <= MAX_PAGE && y.abs() <= MAX_PAGE && is_side(width) && is_side(height)
+}
+
 /// Whether a name is a plain file name, which can lead nowhere but into the folder of samples.
-pub(crate) fn is_sample_name(name: &str) -> bool {
+pub fn is_sample_name(name: &str) -> bool {
     let is_plain = |b: u8| b.is_ascii_alphanumeric() || matches!(b, b'-' | b'_' | b'.');
     (1..=64).contains(&name.len()) && !name.starts_with('.') && name.bytes().all(is_plain)
 }
 
 impl Unknown {
     /// The unknown fields of an item, or nothing.
-    pub(crate) fn of(&self, item: Item, index: usize) -> &str {
+    pub fn of(&self, item: Item, index: usize) -> &str {
         let fields = &self.fields[item as usize];
         let place = fields.binary_search_by_key(&index, |(index, _)| *index as usize);
         place.map_or("", |place| &fields[place].1)
     }
 
     /// Keeps one more field of an item; items come in order.
-    pub(crate) fn keep(&mut self, item: Item, index: usize, field: &str) {
+    pub fn keep(&mut self, item: Item, index: usize, field: &str) {
         let fields = &mut self.fields[item as usize];
         match fields.last_mut() {
             Some((last, text)) if *last as usize == index => {

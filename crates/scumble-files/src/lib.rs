@@ -1,0 +1,103 @@
+//! The page's second module: files and links, which most visits never need.
+//!
+//! Work goes in and out as its exact bytes ([`scumble_core::exact`]), so that the module with the editor knows no other
+//! form of it. What is opened is in [`opening`], codes for cameras in [`qr`]; this is what JavaScript calls.
+
+pub mod opening;
+pub mod qr;
+
+use js_sys::Uint8Array;
+use scumble_core::{Work, exact};
+use scumble_io::{LinkError, MAX_FILE_BYTES, write_file, write_link};
+use wasm_bindgen::JsError;
+use wasm_bindgen::prelude::wasm_bindgen;
+
+/// Work that was opened.
+#[wasm_bindgen]
+#[derive(Clone, Debug)]
+pub struct Opened {
+    /// Its exact bytes.
+    #[wasm_bindgen(getter_with_clone)]
+    pub work: Vec<u8>,
+    /// What was left out of it, in words; empty where nothing was.
+    #[wasm_bindgen(getter_with_clone)]
+    pub notes: String,
+    /// The name of the sample whose lines are to be put into it ([`on_sample`]), where it came without lines.
+    #[wasm_bindgen(getter_with_clone)]
+    pub lacks: Option<String>,
+}
+
+impl Opened {
+    fn new(work: &Work, notes: String) -> Self {
+        Self { work: exact::write(work), notes, lacks: opening::lacking_sample(work) }
+    }
+}
+
+/// Opens a file: a `.scumble`, or else an SVG.
+///
+/// # Errors
+/// A sentence for people, where it is neither, damaged, or beyond the limits.
+#[wasm_bindgen]
+pub fn open(file: &Uint8Array) -> Result<Opened, JsError> {
+    // So many bytes that it is plain that there are too many.
+    let bytes = file.subarray(0, MAX_FILE_BYTES as u32 + 1).to_vec();
+    let (work, notes) = opening::file(&bytes)?;
+    Ok(Opened::new(&work, notes))
+}
+
+/// Opens a link, or its part from `#` on.
+///
+/// # Errors
+/// A sentence for people, where it is none, or damaged.
+#[wasm_bindgen(js_name = openLink)]
+pub fn open_link(link: &str) -> Result<Opened, JsError> {
+    Ok(Opened::new(&scumble_io::read_link(link)?, String::new()))
+}
+
+/// Puts a sample's lines, given as work of its own, into work that came without.
+///
+/// # Errors
+/// Where either is damaged.
+#[wasm_bindgen(js_name = onSample)]
+pub fn on_sample(work: &[u8], sample: &[u8]) -> Result<Vec<u8>, JsError> {
+    Ok(exact::write(&opening::on_sample(opening::exact(work)?, opening::exact(sample)?)))
+}
+
+/// The `.scumble` file that keeps some work.
+///
+/// # Errors
+/// A sentence for people, where it could not be read again.
+#[wasm_bindgen]
+pub fn save(work: &[u8]) -> Result<Vec<u8>, JsError> {
+    Ok(write_file(&opening::exact(work)?)?)
+}
+
+/// The link to some work, from `#` on; none where it is too large for one.
+///
+/// # Errors
+/// A sentence for people, where the work is damaged.
+#[wasm_bindgen]
+pub fn link(work: &[u8]) -> Result<Option<String>, JsError> {
+    match write_link(&opening::exact(work)?) {
+        Ok(link) => Ok(Some(link.fragment)),
+        Err(LinkError::TooLarge) => Ok(None),
+        Err(error) => Err(error.into()),
+    }
+}
+
+/// A QR code.
+#[wasm_bindgen]
+#[derive(Clone, Debug)]
+pub struct Code {
+    /// Modules of a side, with the blank ones around.
+    pub size: u32,
+    /// SVG path data of the dark modules, one unit each.
+    #[wasm_bindgen(getter_with_clone)]
+    pub path: String,
+}
+
+/// The QR code of a text; none where it is too long for one.
+#[wasm_bindgen(js_name = qrCode)]
+pub fn qr_code(text: &str) -> Option<Code> {
+    qr::code(text).map(|qr::Code { size, path }| Code { size, path })
+}

@@ -1,0 +1,56 @@
+//! What the page can open, and what it makes of it.
+
+#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
+
+use kurbo::Point;
+use scumble_core::{Scribble, ScribbleKind, Srgb8, Work, exact};
+use scumble_files::opening::{self, OpenError};
+use scumble_io::{read_link, write_file, write_link};
+
+const SVG: &[u8] = br#"<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 512 384">
+    <path d="M100 75H340V315H100Z" stroke="black" fill="none"/><text>left out</text></svg>"#;
+
+fn scribbled() -> Work {
+    let mut work = opening::file(SVG).unwrap().0;
+    work.document.scribbles.push(Scribble {
+        color: Srgb8([1, 2, 3]).into(),
+        kind: ScribbleKind::Fill,
+        width_du: 4.0,
+        points: vec![Point::new(200.0, 200.0), Point::new(210.0, 200.0)],
+    });
+    work
+}
+
+#[test]
+fn an_svg_opens_with_a_word_about_what_was_left_out() {
+    let (work, notes) = opening::file(SVG).unwrap();
+    assert_eq!(work.document.drawing.curves.len(), 1);
+    assert_eq!(notes, "left out: 1 text");
+}
+
+#[test]
+fn what_was_saved_opens_as_it_was_whatever_stands_before_it() {
+    let file = write_file(&scribbled()).unwrap();
+    for before in ["", "\u{feff}", "\n "] {
+        let (work, notes) = opening::file(&[before.as_bytes(), &file].concat()).unwrap();
+        assert_eq!(write_file(&work).unwrap(), file);
+        assert_eq!(notes, "");
+    }
+}
+
+#[test]
+fn what_is_neither_is_an_error_of_the_kind_that_it_looks_like() {
+    assert!(matches!(opening::file(b"{}"), Err(OpenError::File(_))));
+    assert!(matches!(opening::file(b"<html/>"), Err(OpenError::Svg(_))));
+    assert!(matches!(opening::exact(b"{}"), Err(OpenError::Damaged)));
+}
+
+#[test]
+fn work_on_a_sample_goes_into_a_link_without_its_lines_and_gets_them_again() {
+    let work = Work { sample: Some("square.svg".into()), ..scribbled() };
+    assert_eq!(opening::lacking_sample(&work), None);
+    let linked = read_link(&write_link(&work).unwrap().fragment).unwrap();
+    assert_eq!(opening::lacking_sample(&linked).as_deref(), Some("square.svg"));
+    let whole = opening::on_sample(linked, opening::file(SVG).unwrap().0);
+    assert_eq!(exact::write(&whole), exact::write(&work));
+}

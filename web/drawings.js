@@ -1,0 +1,81 @@
+// The drawings that have been opened: what they are called, and what of them has been saved. The module tells them apart
+// by numbers, and their states by revisions.
+
+import { say } from "./messages.js";
+
+/**
+ * @typedef {object} Drawing
+ * @property {string} name
+ * @property {any} [handle] the file that it is saved to again, where the browser gives such
+ * @property {number} revision
+ * @property {number} saved the revision that was opened or saved last
+ */
+
+export class Drawings {
+  /** @type {Map<number, Drawing>} */
+  #all = new Map();
+  /** @type {Drawing} */
+  #shown = { name: say("untitled"), revision: 0, saved: 0 };
+  #coming = this.#shown;
+  #changed;
+
+  /** @param {(drawing: Drawing) => void} changed called when another drawing is shown, or the one that is has changed */
+  constructor(changed) {
+    this.#changed = changed;
+  }
+
+  /** The one that is shown. */
+  get shown() {
+    return this.#shown;
+  }
+
+  /** Whether none has been opened: there is the blank one of the start alone. */
+  get areNone() {
+    return this.#all.size <= 1;
+  }
+
+  /** Whether any of them has been changed since it was saved. */
+  get areUnsaved() {
+    return [...this.#all.values()].some(isUnsaved);
+  }
+
+  /**
+   * What belongs to the drawing that the module is about to open.
+   * @param {string} name
+   * @param {any} [handle]
+   */
+  expect(name, handle) {
+    this.#coming = { name, handle, revision: 0, saved: 0 };
+  }
+
+  /**
+   * What the module says about the one that is shown.
+   * @param {{sheet: number, revision: number}} state
+   */
+  follow({ sheet, revision }) {
+    this.#shown = this.#all.get(sheet) ?? this.#coming;
+    this.#shown.revision = revision;
+    this.#all.set(sheet, this.#shown);
+    this.#changed(this.#shown);
+  }
+
+  /**
+   * @param {Drawing} drawing
+   * @param {number} revision that was saved
+   * @param {{name: string, handle?: any}} place
+   */
+  keep(drawing, revision, place) {
+    Object.assign(drawing, place, { saved: revision });
+    this.#changed(this.#shown);
+  }
+}
+
+/** @param {Drawing} drawing */
+export function isUnsaved(drawing) {
+  return drawing.revision !== drawing.saved;
+}
+
+/** The name of a file without its last extension. @param {string} name */
+export function stem(name) {
+  return name.replace(/(.)\.[^.]*$/, "$1");
+}

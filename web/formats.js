@@ -1,0 +1,66 @@
+// The way to the second wasm module, which knows files and links. It is fetched when it is first needed: most visits
+// never do. Work goes in and out as its exact bytes. What fails says so in a sentence for people.
+
+import { say } from "./messages.js";
+
+/**
+ * @typedef {object} Opened see `crates/scumble-files/src/lib.rs`
+ * @property {Uint8Array<ArrayBuffer>} work
+ * @property {string} notes what was left out, in words
+ * @property {string} [lacks] the sample whose lines are to be put into it
+ */
+
+const MODULE = new URL("../pkg/files/scumble_files.js", import.meta.url);
+
+/** @type {Promise<any> | undefined} */
+let module;
+/** Each attempt at the module is one of its own: the browser would give back what failed. */
+let attempts = 0;
+
+export const formats = {
+  /** A `.scumble` file or an SVG. @type {(file: Uint8Array) => Promise<Opened>} */
+  open: (file) => call("open", file),
+  /** A link. @type {(link: string) => Promise<Opened>} */
+  openLink: (link) => call("openLink", link),
+  /** Work with the lines of a sample. @type {(work: Uint8Array, sample: Uint8Array) => Promise<Uint8Array<ArrayBuffer>>} */
+  onSample: (work, sample) => call("onSample", work, sample),
+  /** The part of a link from `#` on; nothing for work that is too large. @type {(work: Uint8Array) => Promise<string | undefined>} */
+  link: (work) => call("link", work),
+  /** @type {(text: string) => Promise<import("./share.js").Code | undefined>} */
+  qrCode: (text) => call("qrCode", text),
+  /** The `.scumble` file that keeps some work. @type {(work: Uint8Array) => Promise<Uint8Array<ArrayBuffer>>} */
+  save: (work) => call("save", work),
+};
+
+/**
+ * @param {string} name
+ * @param {unknown[]} args
+ */
+async function call(name, ...args) {
+  const functions = await loaded();
+  try {
+    return functions[name](...args);
+  } catch (fault) {
+    if (!(fault instanceof WebAssembly.RuntimeError)) throw fault;
+    // What has stopped in the middle is not entered again.
+    console.warn(fault);
+    module = undefined;
+    throw new Error(say("error-too-hard"));
+  }
+}
+
+async function loaded() {
+  try {
+    return await (module ??= fetched());
+  } catch (fault) {
+    console.warn(fault);
+    module = undefined;
+    throw new Error(say("error-formats"));
+  }
+}
+
+async function fetched() {
+  const functions = await import(`${MODULE.href}?${attempts++}`);
+  await functions.default();
+  return functions;
+}
