@@ -1,7 +1,7 @@
 //! Every kernel draws what its twin on the CPU computes. Needs a graphics driver; Mesa's software one is enough.
 
-use kurbo::{Affine, BezPath, Circle, Rect, Shape, Vec2};
-use scumble_core::{Boundary, Curve, Drawing, PlanarMap, Sampling};
+use kurbo::{Affine, BezPath, Circle, Point, Rect, Shape, Vec2};
+use scumble_core::{Boundary, Curve, Drawing, PlanarMap, Sampling, SoftSource};
 use scumble_solve::View;
 use scumble_solve::grid::{
     Constraints, GridSolver, Hierarchy, Level, STEPS, Texel, Texture, kernels as twin,
@@ -24,7 +24,7 @@ fn gpu() -> Option<Gpu> {
 }
 
 /// Circles that overlap, a barrier across them, and colours on every other side: links of all kinds, cells of several
-/// parts, and unknowns that nothing holds.
+/// parts, a stroke that shades, and unknowns that nothing holds.
 fn constraints(width_px: u32, height_px: u32) -> Constraints {
     let mut barrier = BezPath::new();
     barrier.move_to((100.0, 130.0));
@@ -32,7 +32,10 @@ fn constraints(width_px: u32, height_px: u32) -> Constraints {
     let circles = [(400.0, 400.0, 230.0), (600.0, 500.0, 250.0), (610.0, 520.0, 243.0), (150.0, 850.0, 60.0)];
     let circles = circles.map(|(x, y, radius)| Circle::new((x, y), radius).to_path(1e-3));
     let map = map(circles.into_iter().chain([barrier]));
-    let boundary = boundary(&map, &[[0.2, 0.9], [0.7, 0.4], [0.1, 1.0]]);
+    let stroke = [(250.0, 300.0), (700.0, 650.0)].map(Point::from).to_vec();
+    let source = SoftSource { points: stroke, radius_du: 60.0, weight: 20.0, color: [0.5; 4], crosses: true };
+    let colors = boundary(&map, &[[0.2, 0.9], [0.7, 0.4], [0.1, 1.0]]);
+    let boundary = Boundary { sources: vec![source], ..colors };
     Constraints::new(&map, &boundary, &view(width_px, height_px))
 }
 
