@@ -47,8 +47,8 @@ use texture::{minus, plus};
 /// A step that changes no value by more than this may be the last: a twentieth of a level of 255.
 pub const TOLERANCE: f32 = 0.05 / 255.0;
 
-/// Steps after which a picture is taken as it is. Real drawings need up to 6; one of 10,000 pieces, half of whose sides
-/// have no colour, needs 9.
+/// Steps after which a picture is taken as it is. Real drawings need up to 6; where half of the sides have no colour,
+/// up to 9.
 pub const MAX_STEPS: usize = 24;
 
 /// A picture on its way to the solution.
