@@ -2,6 +2,7 @@
  * Starts the two browsers headless, with the switches that give them WebGPU (and Chromium WebGL 2) without a GPU, and
  * gives their pages one face: Playwright drives Chromium, Puppeteer drives Firefox over WebDriver BiDi.
  */
+import { once } from "node:events";
 import { chromium } from "playwright-core";
 import puppeteer from "puppeteer-core";
 
@@ -21,7 +22,14 @@ const CHROMIUM_FLAGS = [
   "--disable-sync",
 ];
 
-const FIREFOX_PREFERENCES = { "dom.webgpu.enabled": true, "gfx.webgpu.ignore-blocklist": true };
+/** How Puppeteer starts each. @type {import("puppeteer-core").LaunchOptions} */
+const CHROMIUM = { browser: "chrome", executablePath: "/usr/bin/chromium", args: CHROMIUM_FLAGS };
+/** @type {import("puppeteer-core").LaunchOptions} */
+const FIREFOX = {
+  browser: "firefox",
+  executablePath: "/usr/bin/firefox-esr",
+  extraPrefsFirefox: { "dom.webgpu.enabled": true, "gfx.webgpu.ignore-blocklist": true },
+};
 
 /** The system's dialogs for files, which nobody can answer here, are left out: the page has other ways. */
 const withoutDialogs = () => {
@@ -46,12 +54,21 @@ const VIEWPORT = { width: 1200, height: 800 };
  * @property {(act: () => Promise<void>) => Promise<string>} download the path of the file that an act downloads
  * @property {string[]} faults what went wrong in the page: uncaught errors and errors on the console
  * @property {(see: (url: string) => void) => void} onRequest
+ * @property {(script: string) => Promise<unknown>} prepare runs a script in each page that is opened from now on, before its own
+ * @property {() => Promise<Tab>} beside another page with the same history
+ * @property {() => Promise<void>} close
  */
 
 /**
  * @typedef {object} Browser
  * @property {() => Promise<Tab>} open a page without a history
  * @property {() => Promise<void>} close
+ */
+
+/**
+ * @typedef {object} Mortal a browser with one page, whose history is in a folder
+ * @property {Tab} tab
+ * @property {() => Promise<void>} kill ends it as a crash would
  */
 
 /**
@@ -66,20 +83,17 @@ export function launch(name) {
 async function launchChromium() {
   const browser = await chromium.launch({ executablePath: "/usr/bin/chromium", args: CHROMIUM_FLAGS });
   return {
-    open: async () => {
-      const page = await browser.newPage({ viewport: VIEWPORT });
-      await page.addInitScript(withoutDialogs);
-      return chromiumTab(page);
-    },
+    open: async () => chromiumTab(await (await browser.newContext({ viewport: VIEWPORT })).newPage()),
     close: () => browser.close(),
   };
 }
 
 /**
  * @param {import("playwright-core").Page} page
- * @returns {Tab}
+ * @returns {Promise<Tab>}
  */
-function chromiumTab(page) {
+async function chromiumTab(page) {
+  await page.addInitScript(withoutDialogs);
   /** @type {string[]} */
   const faults = [];
   page.on("pageerror", (error) => faults.push(String(error)));
@@ -111,20 +125,41 @@ function chromiumTab(page) {
       return (await download).path();
     },
     onRequest: (see) => void page.on("request", (request) => see(request.url())),
+    prepare: (script) => page.addInitScript(script),
+    beside: async () => chromiumTab(await page.context().newPage()),
+    close: () => page.close(),
   };
 }
 
 /** @returns {Promise<Browser>} */
 async function launchFirefox() {
+  const browser = await puppeteer.launch({ ...FIREFOX, defaultViewport: VIEWPORT });
+  return {
+    open: async () => puppeteerTab(await (await browser.createBrowserContext()).newPage()),
+    close: () => browser.close(),
+  };
+}
+
+/**
+ * A browser of its own, whose pages leave their history in a folder.
+ * @param {"chromium" | "firefox"} name
+ * @param {string} folder
+ * @returns {Promise<Mortal>}
+ */
+export async function launchIn(name, folder) {
   const browser = await puppeteer.launch({
-    browser: "firefox",
-    executablePath: "/usr/bin/firefox-esr",
-    extraPrefsFirefox: FIREFOX_PREFERENCES,
+    ...(name === "chromium" ? CHROMIUM : FIREFOX),
+    userDataDir: folder,
     defaultViewport: VIEWPORT,
   });
+  const process = /** @type {import("node:child_process").ChildProcess} */ (browser.process());
   return {
-    open: async () => firefoxTab(await browser.newPage()),
-    close: () => browser.close(),
+    tab: puppeteerTab(await browser.newPage()),
+    kill: async () => {
+      const gone = once(process, "exit");
+      process.kill("SIGKILL");
+      await gone;
+    },
   };
 }
 
@@ -132,7 +167,7 @@ async function launchFirefox() {
  * @param {import("puppeteer-core").Page} page
  * @returns {Tab}
  */
-function firefoxTab(page) {
+function puppeteerTab(page) {
   /** @type {string[]} */
   const faults = [];
   page.on("pageerror", (error) => faults.push(String(error)));
@@ -161,5 +196,8 @@ function firefoxTab(page) {
       throw new Error("downloads are tested in Chromium");
     },
     onRequest: (see) => void page.on("request", (request) => see(request.url())),
+    prepare: (script) => page.evaluateOnNewDocument(script),
+    beside: async () => puppeteerTab(await page.browserContext().newPage()),
+    close: () => page.close(),
   };
 }

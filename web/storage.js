@@ -1,0 +1,169 @@
+// The browser's storage of drawings: of each its entry in the list, its work as exact bytes, and a small picture of it.
+
+const NAME = "scumble";
+const VERSION = 1;
+
+/** A storage that has not answered after this long is taken for one that does not work. */
+const PATIENCE_MS = 5_000;
+
+/**
+ * @typedef {object} Entry
+ * @property {string} id
+ * @property {string} name
+ * @property {number} edition counts how often it has been written
+ * @property {number} seen when it was written or opened last, in milliseconds since 1970
+ * @property {boolean} isUnsaved whether it has been changed since it was in a file
+ * @property {any} [handle] that file
+ * @property {boolean} [isAside] whether it could not be opened
+ */
+
+/** @typedef {Record<string, IDBObjectStore>} Stores */
+
+/** @type {Promise<IDBDatabase> | undefined} */
+let database;
+
+/** All drawings, the one that was seen last first. */
+export async function entries() {
+  const all = await read(["entries"], (stores) => stores.entries.getAll());
+  return /** @type {Entry[]} */ (all).sort((a, b) => b.seen - a.seen);
+}
+
+/**
+ * A drawing as it was written last, both parts of it at once.
+ * @param {string} id
+ * @returns {Promise<{entry?: Entry, work?: unknown}>}
+ */
+export async function drawing(id) {
+  /** @type {IDBRequest[]} */
+  let [entry, work] = [];
+  await transact(["entries", "works"], "readonly", (stores) => {
+    [entry, work] = [stores.entries.get(id), stores.works.get(id)];
+  });
+  return { entry: entry?.result, work: work?.result };
+}
+
+/** A PNG. @param {string} id @returns {Promise<Uint8Array<ArrayBuffer> | undefined>} */
+export const picture = (id) => read(["pictures"], (stores) => stores.pictures.get(id));
+
+/**
+ * Writes a drawing, unless somebody else has written or removed it since it was written last.
+ * @param {Entry} entry
+ * @param {Uint8Array} work
+ * @returns {Promise<boolean>} whether it was written
+ */
+export async function write(entry, work) {
+  let isOurs = true;
+  await change(["entries", "works"], (stores) => {
+    const known = stores.entries.get(entry.id);
+    known.onsuccess = () => {
+      isOurs = (known.result?.edition ?? 0) === entry.edition - 1;
+      if (!isOurs) return;
+      stores.entries.put(entry);
+      stores.works.put(work, entry.id);
+    };
+  });
+  return isOurs;
+}
+
+/**
+ * Writes the picture of a drawing that is there.
+ * @param {string} id
+ * @param {Uint8Array} picture
+ */
+export const writePicture = (id, picture) =>
+  change(["entries", "pictures"], (stores) => whereThere(id, stores, () => stores.pictures.put(picture, id)));
+
+/** Marks a drawing that could not be opened. @param {string} id */
+export const putAside = (id) =>
+  change(["entries"], (stores) => whereThere(id, stores, (entry) => stores.entries.put({ ...entry, isAside: true })));
+
+/** @param {string} id */
+export const remove = (id) =>
+  change(["entries", "works", "pictures"], (stores) => Object.values(stores).forEach((store) => store.delete(id)));
+
+/**
+ * @param {string} id
+ * @param {Stores} stores
+ * @param {(entry: Entry) => void} act
+ */
+function whereThere(id, stores, act) {
+  const request = stores.entries.get(id);
+  request.onsuccess = () => request.result && act(request.result);
+}
+
+/**
+ * @param {string[]} names
+ * @param {(stores: Stores) => IDBRequest} ask
+ * @returns {Promise<any>}
+ */
+async function read(names, ask) {
+  /** @type {IDBRequest | undefined} */
+  let request;
+  await transact(names, "readonly", (stores) => (request = ask(stores)));
+  return request?.result;
+}
+
+/**
+ * @param {string[]} names
+ * @param {(stores: Stores) => void} act
+ */
+function change(names, act) {
+  return transact(names, "readwrite", act);
+}
+
+/**
+ * Ends once all of it is in the storage, or none of it.
+ * @param {string[]} names
+ * @param {IDBTransactionMode} mode
+ * @param {(stores: Stores) => void} act
+ */
+async function transact(names, mode, act) {
+  const transaction = (await (database ??= opened())).transaction(names, mode);
+  /** @type {Promise<void>} */
+  const done = new Promise((resolve, reject) => {
+    transaction.oncomplete = () => resolve();
+    transaction.onabort = () => reject(transaction.error ?? new Error("the storage does not answer"));
+  });
+  const patience = setTimeout(() => abort(transaction), PATIENCE_MS);
+  act(Object.fromEntries(names.map((name) => [name, transaction.objectStore(name)])));
+  return done.finally(() => clearTimeout(patience));
+}
+
+/** @param {IDBTransaction} transaction */
+function abort(transaction) {
+  try {
+    transaction.abort();
+  } catch {
+    // It is being committed: that is waited for.
+  }
+}
+
+function opened() {
+  /** @type {Promise<IDBDatabase>} */
+  const opening = new Promise((resolve, reject) => {
+    const request = indexedDB.open(NAME, VERSION);
+    request.onupgradeneeded = () => {
+      request.result.createObjectStore("entries", { keyPath: "id" });
+      request.result.createObjectStore("works");
+      request.result.createObjectStore("pictures");
+    };
+    request.onsuccess = () => resolve(watched(request.result));
+    request.onerror = () => reject(request.error);
+    setTimeout(() => reject(new Error("the storage does not open")), PATIENCE_MS);
+  });
+  opening.catch(() => (database = undefined));
+  return opening;
+}
+
+/**
+ * A database that the browser closes is opened again when it is needed; one that a newer page needs is let go.
+ * @param {IDBDatabase} opened
+ */
+function watched(opened) {
+  opened.onclose = () => (database = undefined);
+  opened.onversionchange = () => {
+    opened.close();
+    database = undefined;
+  };
+  return opened;
+}
