@@ -9,7 +9,7 @@ import { say } from "./messages.js";
  * @property {any} [handle] the file that it is saved to again, where the browser gives such
  * @property {boolean} [isBrought] whether it is from a file or a link
  * @property {string} [id] what the browser's storage has it as, if it does
- * @property {number} [edition] how often it was written there
+ * @property {number} [writer] whose it is there, by a number
  * @property {number} [kept] the revision that is there
  * @property {number} revision
  * @property {number} saved the revision that was opened or saved last

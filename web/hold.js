@@ -8,8 +8,8 @@ const PAUSE_MS = 100;
 const held = new Map();
 
 /**
- * Takes a drawing for this tab. Where the browser has no locks every tab gets it, and the editions alone tell who came
- * later.
+ * Takes a drawing for this tab. Where the browser has no locks every tab gets it, and the one that got it last
+ * writes it.
  * @param {string} id
  * @returns {Promise<boolean>} whether it is this tab's
  */

@@ -1,6 +1,7 @@
 // Keeps drawings in the browser's storage after each gesture. One that another tab has written meanwhile is gone on
 // with as a copy, so that no tab writes over another's work.
 
+import { isKept, isWork } from "./drawings.js";
 import { hold } from "./hold.js";
 import { say } from "./messages.js";
 import * as storage from "./storage.js";
@@ -30,10 +31,8 @@ const SHOWN = "scumble-shown";
 
 export class Keeper {
   #page;
-  /** @type {Map<Drawing, State>} What is still to be written. */
+  /** @type {Map<Drawing, State>} The last states of drawings, as long as they are not written. */
   #late = new Map();
-  /** @type {Set<Drawing>} Those that are being written. */
-  #writing = new Set();
   #fails = false;
   /** @type {Drawing | undefined} The one that is shown, where its picture is not as it is. */
   #unpictured;
@@ -48,22 +47,30 @@ export class Keeper {
   }
 
   /**
+   * Keeps the drawing that is shown, if there is something to keep.
+   * @param {Drawing} drawing
+   */
+  follow(drawing) {
+    if (isKept(drawing) && !this.#late.has(drawing)) this.#see(drawing);
+    else if (isWork(drawing)) this.keep(drawing);
+  }
+
+  /**
    * Writes the drawing that is shown.
    * @param {Drawing} drawing
    */
   keep(drawing) {
     const work = this.#page.work();
     if (!work) return;
-    this.#late.set(drawing, { work, revision: drawing.revision });
-    this.#unpictured = drawing;
-    clearTimeout(this.#rest);
-    this.#rest = setTimeout(() => this.pictureNow(), REST_MS);
-    this.#write(drawing);
+    const state = { work, revision: drawing.revision };
+    this.#late.set(drawing, state);
+    this.#pictureLater(drawing);
+    this.#write(drawing, state);
   }
 
   /** Does at once what was to be done later: the page may go away. */
   hurry() {
-    for (const drawing of this.#late.keys()) this.#write(drawing);
+    if (this.#fails) for (const [drawing, state] of this.#late) this.#write(drawing, state);
     this.pictureNow();
   }
 
@@ -81,26 +88,68 @@ export class Keeper {
     }
   }
 
+  /**
+   * Notes that a drawing is shown, which is kept as it is.
+   * @param {Drawing} drawing
+   */
+  #see(drawing) {
+    if (!drawing.id) return;
+    sessionStorage.setItem(SHOWN, drawing.id);
+    storage.see(drawing.id).catch(console.warn);
+    this.#pictureLater(drawing);
+  }
+
   /** @param {Drawing} drawing */
-  async #write(drawing) {
-    if (this.#writing.has(drawing)) return;
-    this.#writing.add(drawing);
+  #pictureLater(drawing) {
+    this.#unpictured = drawing;
+    clearTimeout(this.#rest);
+    this.#rest = setTimeout(() => this.pictureNow(), REST_MS);
+  }
+
+  /**
+   * Each state is sent to the storage as it comes, whatever has become of the one before: a page that is busy hears of
+   * that late. Only the last one tells whether the drawing is kept.
+   * @param {Drawing} drawing
+   * @param {State} state
+   */
+  async #write(drawing, state) {
     try {
-      for (let state; (state = this.#late.get(drawing)); ) {
-        await this.#writeOnce(drawing, state);
-        if (this.#late.get(drawing) === state) this.#late.delete(drawing);
-        drawing.kept = state.revision;
-        sessionStorage.setItem(SHOWN, drawing.id ?? "");
-        this.#page.kept(drawing);
-      }
-      this.#tell(false);
+      const isOurs = await storage.write(entryOf(drawing, state.revision), state.work);
+      if (this.#late.get(drawing) !== state) return;
+      if (isOurs) this.#kept(drawing, state);
+      else this.#copy(drawing, state);
     } catch (fault) {
       console.warn(fault);
-      this.#tell(true);
-      clearTimeout(this.#retry);
-      this.#retry = setTimeout(() => this.hurry(), RETRY_MS);
+      if (this.#late.get(drawing) === state) this.#failed();
     }
-    this.#writing.delete(drawing);
+  }
+
+  /**
+   * @param {Drawing} drawing
+   * @param {State} state
+   */
+  #kept(drawing, { revision }) {
+    this.#late.delete(drawing);
+    drawing.kept = revision;
+    this.#page.kept(drawing);
+    this.#tell(false);
+  }
+
+  /**
+   * @param {Drawing} drawing
+   * @param {State} state
+   */
+  #copy(drawing, state) {
+    const before = drawing.name;
+    Object.assign(drawing, { id: undefined, writer: undefined, ...copyOf(before) });
+    this.#page.copied(drawing, before);
+    this.#write(drawing, state);
+  }
+
+  #failed() {
+    this.#tell(true);
+    clearTimeout(this.#retry);
+    this.#retry = setTimeout(() => this.hurry(), RETRY_MS);
   }
 
   /** @param {boolean} fails */
@@ -108,24 +157,19 @@ export class Keeper {
     if (this.#fails !== fails) this.#page.failing(fails);
     this.#fails = fails;
   }
+}
 
-  /**
-   * @param {Drawing} drawing
-   * @param {State} state
-   */
-  async #writeOnce(drawing, { work, revision }) {
-    const id = (drawing.id ??= claimed());
-    const edition = (drawing.edition ?? 0) + 1;
-    const { name, handle, saved } = drawing;
-    const entry = { id, name, edition, seen: Date.now(), isUnsaved: revision !== saved, handle };
-    if (await storage.write(entry, work)) {
-      drawing.edition = edition;
-      return;
-    }
-    Object.assign(drawing, { id: undefined, edition: undefined, ...copyOf(name) });
-    this.#page.copied(drawing, name);
-    await this.#writeOnce(drawing, { work, revision });
-  }
+/**
+ * What the storage's list says of a drawing.
+ * @param {Drawing} drawing
+ * @param {number} revision of it that is written
+ * @returns {storage.Entry}
+ */
+function entryOf(drawing, revision) {
+  const id = (drawing.id ??= claimed());
+  const { name, handle, saved, writer = 0 } = drawing;
+  sessionStorage.setItem(SHOWN, id);
+  return { id, name, writer, seen: Date.now(), isUnsaved: revision !== saved, handle };
 }
 
 /** What a drawing has of another that it is a copy of: not the file, which it would write over. @param {string} name */
@@ -158,10 +202,11 @@ export async function lastIds() {
  */
 export async function take(id) {
   const isOurs = await hold(id);
-  // Only what is read under the lock is what was written last.
+  const writer = isOurs ? await storage.claim(id) : undefined;
+  // What is read now is what was written last: nobody else writes it any more.
   const { entry, work } = await storage.drawing(id);
   if (!entry) return undefined;
-  const { name, edition, handle, isUnsaved } = entry;
-  const identity = isOurs ? { id, name, edition, handle, kept: 0 } : copyOf(name);
+  const { name, handle, isUnsaved } = entry;
+  const identity = isOurs ? { id, name, writer, handle, kept: 0 } : copyOf(name);
   return { drawing: { ...identity, saved: isUnsaved ? -1 : 0 }, work };
 }

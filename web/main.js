@@ -1,7 +1,7 @@
 // The start of the page, and the wiring of its parts.
 
 import { followed } from "./cursor.js";
-import { Drawings, isKept, isUnsaved, isWork, stem } from "./drawings.js";
+import { Drawings, isKept, isUnsaved, stem } from "./drawings.js";
 import { Engine } from "./engine.js";
 import { choose, download, keep, receive } from "./files.js";
 import { formats } from "./formats.js";
@@ -30,7 +30,7 @@ const handlers = {
   ...shown,
   sheet: (state) => {
     drawings.follow(state);
-    keepShown();
+    keeper.follow(drawings.shown);
   },
   tool: both(shown.tool, followed.tool),
   color: both(shown.color, followed.color),
@@ -95,10 +95,6 @@ const samples = new Samples((sample) => opening.sample(sample));
 const recent = new Recent((id) => opening.kept(id));
 const pointers = new Pointers(stage, engine);
 
-function keepShown() {
-  if (isWork(drawings.shown)) keeper.keep(drawings.shown);
-}
-
 function nameShown() {
   const { shown } = drawings;
   showName(shown.name, isUnsaved(shown), isKept(shown));
@@ -123,7 +119,7 @@ async function save() {
     const place = await keep({ name: `${stem(name)}.scumble`, handle }, () => formats.save(work));
     if (!place) return;
     drawings.keep(drawing, revision, place);
-    keepShown();
+    if (drawing === drawings.shown) keeper.keep(drawing);
     done(say("saved", place));
   } catch (fault) {
     drawing.handle = undefined;

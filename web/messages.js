@@ -99,7 +99,7 @@ const english = {
   "unsaved": "unsaved",
   "copy": ({ name }) => `Copy of ${name}`,
   "opened-copy": ({ name }) => `Opened ${name}: another tab has the drawing itself`,
-  "copied-beside": ({ name, before }) => `Another tab has changed ${before}; this one goes on as ${name}`,
+  "copied-beside": ({ name, before }) => `Another tab has ${before}; this one goes on as ${name}`,
   "unkept": "The browser cannot keep your drawings. Save them as files, or they are gone when the page is closed.",
   "start": "Pick a colour and scribble it into the drawing",
   "opened": ({ name }) => `Opened ${name}`,

@@ -10,7 +10,7 @@ const PATIENCE_MS = 5_000;
  * @typedef {object} Entry
  * @property {string} id
  * @property {string} name
- * @property {number} edition counts how often it has been written
+ * @property {number} writer counts whose it has been
  * @property {number} seen when it was written or opened last, in milliseconds since 1970
  * @property {boolean} isUnsaved whether it has been changed since it was in a file
  * @property {any} [handle] that file
@@ -42,27 +42,46 @@ export async function drawing(id) {
   return { entry: entry?.result, work: work?.result };
 }
 
+/**
+ * Makes a drawing somebody's: whoever has had it writes it no more.
+ * @param {string} id
+ * @returns {Promise<number>} the number of the new writer
+ */
+export async function claim(id) {
+  let writer = 0;
+  await change(["entries", "ended"], (stores) =>
+    whereThere(id, stores, (entry) => {
+      writer = entry.writer + 1;
+      stores.ended.put(true, [id, entry.writer]);
+      stores.entries.put({ ...entry, writer });
+    }));
+  return writer;
+}
+
 /** A PNG. @param {string} id @returns {Promise<Uint8Array<ArrayBuffer> | undefined>} */
 export const picture = (id) => read(["pictures"], (stores) => stores.pictures.get(id));
 
 /**
- * Writes a drawing, unless somebody else has written or removed it since it was written last.
+ * Writes a drawing, unless it has become somebody else's.
  * @param {Entry} entry
  * @param {Uint8Array} work
  * @returns {Promise<boolean>} whether it was written
  */
 export async function write(entry, work) {
-  let isOurs = true;
-  await change(["entries", "works"], (stores) => {
-    const known = stores.entries.get(entry.id);
-    known.onsuccess = () => {
-      isOurs = (known.result?.edition ?? 0) === entry.edition - 1;
-      if (!isOurs) return;
+  try {
+    await change(["entries", "works", "ended"], (stores) => {
+      // All of it fails where the mark is there. So the storage checks by itself: a page that is busy hears of it late.
+      const mark = [entry.id, entry.writer];
+      stores.ended.add(true, mark);
+      stores.ended.delete(mark);
       stores.entries.put(entry);
-      stores.works.put(work, entry.id);
-    };
-  });
-  return isOurs;
+      stores.works.put(work, entry.id).transaction?.commit();
+    });
+    return true;
+  } catch (fault) {
+    if (/** @type {any} */ (fault).name === "ConstraintError") return false;
+    throw fault;
+  }
 }
 
 /**
@@ -73,13 +92,20 @@ export async function write(entry, work) {
 export const writePicture = (id, picture) =>
   change(["entries", "pictures"], (stores) => whereThere(id, stores, () => stores.pictures.put(picture, id)));
 
+/** Notes that a drawing was seen now. @param {string} id */
+export const see = (id) =>
+  change(["entries"], (stores) => whereThere(id, stores, (entry) => stores.entries.put({ ...entry, seen: Date.now() })));
+
 /** Marks a drawing that could not be opened. @param {string} id */
 export const putAside = (id) =>
   change(["entries"], (stores) => whereThere(id, stores, (entry) => stores.entries.put({ ...entry, isAside: true })));
 
 /** @param {string} id */
 export const remove = (id) =>
-  change(["entries", "works", "pictures"], (stores) => Object.values(stores).forEach((store) => store.delete(id)));
+  change(["entries", "works", "pictures", "ended"], ({ ended, ...stores }) => {
+    for (const store of Object.values(stores)) store.delete(id);
+    ended.delete(IDBKeyRange.bound([id], [id, []]));
+  });
 
 /**
  * @param {string} id
@@ -125,8 +151,14 @@ async function transact(names, mode, act) {
     transaction.onabort = () => reject(transaction.error ?? new Error("the storage does not answer"));
   });
   const patience = setTimeout(() => abort(transaction), PATIENCE_MS);
-  act(Object.fromEntries(names.map((name) => [name, transaction.objectStore(name)])));
-  return done.finally(() => clearTimeout(patience));
+  done.catch(() => undefined).finally(() => clearTimeout(patience));
+  try {
+    act(Object.fromEntries(names.map((name) => [name, transaction.objectStore(name)])));
+  } catch (fault) {
+    abort(transaction);
+    throw fault;
+  }
+  return done;
 }
 
 /** @param {IDBTransaction} transaction */
@@ -134,7 +166,7 @@ function abort(transaction) {
   try {
     transaction.abort();
   } catch {
-    // It is being committed: that is waited for.
+    // It is done, or about to be.
   }
 }
 
@@ -146,6 +178,8 @@ function opened() {
       request.result.createObjectStore("entries", { keyPath: "id" });
       request.result.createObjectStore("works");
       request.result.createObjectStore("pictures");
+      // Marks of an id and a writer whose it is no more.
+      request.result.createObjectStore("ended");
     };
     request.onsuccess = () => resolve(watched(request.result));
     request.onerror = () => reject(request.error);

@@ -3,6 +3,7 @@
  * gives their pages one face: Playwright drives Chromium, Puppeteer drives Firefox over WebDriver BiDi.
  */
 import { once } from "node:events";
+import { readdir } from "node:fs/promises";
 import { chromium } from "playwright-core";
 import puppeteer from "puppeteer-core";
 
@@ -55,6 +56,7 @@ const VIEWPORT = { width: 1200, height: 800 };
  * @property {string[]} faults what went wrong in the page: uncaught errors and errors on the console
  * @property {(see: (url: string) => void) => void} onRequest
  * @property {(script: string) => Promise<unknown>} prepare runs a script in each page that is opened from now on, before its own
+ * @property {(bytes: number) => Promise<unknown>} limitStorage
  * @property {() => Promise<Tab>} beside another page with the same history
  * @property {() => Promise<void>} close
  */
@@ -126,6 +128,10 @@ async function chromiumTab(page) {
     },
     onRequest: (see) => void page.on("request", (request) => see(request.url())),
     prepare: (script) => page.addInitScript(script),
+    limitStorage: async (bytes) => {
+      const devtools = await page.context().newCDPSession(page);
+      await devtools.send("Storage.overrideQuotaForOrigin", { origin: new URL(page.url()).origin, quotaSize: bytes });
+    },
     beside: async () => chromiumTab(await page.context().newPage()),
     close: () => page.close(),
   };
@@ -159,8 +165,17 @@ export async function launchIn(name, folder) {
       const gone = once(process, "exit");
       process.kill("SIGKILL");
       await gone;
+      await areBack(folder);
     },
   };
+}
+
+/** Waits until Puppeteer has put the settings back that it found in a folder. @param {string} folder */
+async function areBack(folder) {
+  for (let tries = 0; tries < 100; tries++) {
+    if (!(await readdir(folder)).some((file) => file.endsWith(".puppeteer"))) return;
+    await new Promise((wake) => setTimeout(wake, 20));
+  }
 }
 
 /**
@@ -197,6 +212,9 @@ function puppeteerTab(page) {
     },
     onRequest: (see) => void page.on("request", (request) => see(request.url())),
     prepare: (script) => page.evaluateOnNewDocument(script),
+    limitStorage: async () => {
+      throw new Error("storage is limited in Chromium");
+    },
     beside: async () => puppeteerTab(await page.browserContext().newPage()),
     close: () => page.close(),
   };

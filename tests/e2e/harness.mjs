@@ -19,7 +19,7 @@ export const TARGETS = [
   { browser: "firefox", renderer: "webgpu" },
 ];
 
-const DIST = fileURLToPath(new URL("../../dist", import.meta.url));
+export const DIST = fileURLToPath(new URL("../../dist", import.meta.url));
 
 /** Longer side of any page in drawing units. */
 const PAGE_DU = 1024;
