@@ -80,7 +80,7 @@ export class Opening {
     if (this.#asked > 0 && !fault) return;
     const ticket = this.#asked;
     // A storage that does not work is told of when there is something to keep.
-    const ids = await lastIds().catch(() => []);
+    const ids = await lastIds().catch((fault) => (console.warn(fault), []));
     if (ticket === this.#asked) await this.#first(ids, samples, fault);
   }
 

@@ -79,7 +79,7 @@ export async function write(entry, work) {
     });
     return true;
   } catch (fault) {
-    if (/** @type {any} */ (fault).name === "ConstraintError") return false;
+    if (/** @type {any} */ (fault)?.name === "ConstraintError") return false;
     throw fault;
   }
 }
@@ -138,7 +138,7 @@ function change(names, act) {
 }
 
 /**
- * Ends once all of it is in the storage, or none of it.
+ * Ends once all of it is in the storage, or none of it. Where the storage does not answer, it may be either.
  * @param {string[]} names
  * @param {IDBTransactionMode} mode
  * @param {(stores: Stores) => void} act
@@ -148,13 +148,13 @@ async function transact(names, mode, act) {
   /** @type {Promise<void>} */
   const done = new Promise((resolve, reject) => {
     transaction.oncomplete = () => resolve();
-    transaction.onabort = () => reject(transaction.error ?? new Error("the storage does not answer"));
+    transaction.onabort = () => reject(transaction.error);
+    setTimeout(() => reject(new Error("the storage does not answer")), PATIENCE_MS);
   });
-  const patience = setTimeout(() => abort(transaction), PATIENCE_MS);
-  done.catch(() => undefined).finally(() => clearTimeout(patience));
   try {
     act(Object.fromEntries(names.map((name) => [name, transaction.objectStore(name)])));
   } catch (fault) {
+    done.catch(() => undefined);
     abort(transaction);
     throw fault;
   }
@@ -166,7 +166,7 @@ function abort(transaction) {
   try {
     transaction.abort();
   } catch {
-    // It is done, or about to be.
+    // The browser has done so.
   }
 }
 
