@@ -12,8 +12,6 @@
 //! own, which is there again when the source is gone. All sums are in a fixed order, so a picture is the same on every
 //! machine.
 
-mod barriers;
-mod brush;
 mod cells;
 mod cholesky;
 mod dofs;
@@ -23,7 +21,6 @@ mod fronts;
 mod order;
 mod refine;
 mod region;
-mod sources;
 mod system;
 
 use std::mem;
@@ -32,10 +29,10 @@ use std::sync::Arc;
 use scumble_core::{Blend, Boundary, Triangulation, sort};
 use thiserror::Error;
 
+use crate::barriers::Barriers;
 use crate::field::Field;
-use barriers::Barriers;
+use crate::reach::Regions;
 use region::Region;
-use sources::Regions;
 
 /// Why a drawing has no colour field.
 #[derive(Clone, Copy, Debug, Error, PartialEq, Eq)]

@@ -8,8 +8,8 @@ use std::iter;
 
 use scumble_core::{HalfEdge, SideId, Triangulation, sort};
 
-use super::barriers::Barriers;
 use super::order::elimination_rank;
+use crate::barriers::Barriers;
 
 /// Unknown that is not numbered yet, or anything else that is not there.
 pub(super) const NONE: u32 = u32::MAX;

@@ -4,16 +4,12 @@ use kurbo::Point;
 use scumble_core::{BlendColor, SoftSource, Triangulation};
 
 use super::SolveError;
-use super::brush::Brush;
 use super::cells::Cells;
 use super::dofs::{Dofs, NONE};
 use super::element::{self, Matrix, Quadrature};
 use super::refine::{self, Shape};
 use super::system::System;
-
-/// The distance in which a shade on paper fades by a factor of e, in radii of the widest brush. Without it, nothing
-/// would keep a shade from flowing all over a region that has no colour.
-const FADE_RADII: f64 = 1.5;
+use crate::brush::{self, Brush};
 
 /// Elements, and their system once one is needed.
 #[derive(Debug)]
@@ -149,13 +145,12 @@ impl Shade {
         }
     }
 
-    /// Adds the pull of the paper to all elements: a source of clear colour that is everywhere, and so weak that it
-    /// shows beyond the others alone.
+    /// Adds the pull of the paper to all elements.
     fn fade(&mut self, brushes: &[Brush]) {
         let quadrature = Quadrature::new();
-        let reach_du = FADE_RADII * brushes.iter().map(|brush| brush.radius_du).fold(0.0, f64::max);
+        let strength = brush::fade_strength(brushes.iter());
         for element in 0..self.shapes.len() {
-            let mass = quadrature.mass(self.shapes[element].corners, &|_| (reach_du * reach_du).recip());
+            let mass = quadrature.mass(self.shapes[element].corners, &|_| strength);
             self.add_mass(element, mass);
         }
     }

@@ -5,9 +5,9 @@
 
 use kurbo::Point;
 
-use super::brush::Brush;
 use super::cells::Cells;
 use super::dofs::Dofs;
+use crate::brush::Brush;
 
 /// Triangles of the finest mesh of a region beyond those of the region itself: more detail than that is left out.
 const MAX_FINER: usize = 60_000;

@@ -5,10 +5,10 @@ use std::mem;
 use scumble_core::{BlendColor, HalfEdge, SideColors, SideId, SoftSource, Triangulation};
 
 use super::SolveError;
-use super::barriers::Barriers;
 use super::cells::Cells;
 use super::dofs::{Dofs, Side};
 use super::elements::Elements;
+use crate::barriers::Barriers;
 use crate::field::FieldTriangle;
 
 /// A region and what is known about it so far.

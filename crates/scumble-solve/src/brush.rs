@@ -6,9 +6,13 @@ use scumble_core::SoftSource;
 /// Segments that share a box.
 const CHUNK: usize = 8;
 
+/// The distance in which a shade on paper fades by a factor of e, in radii of the widest brush. Without it, nothing
+/// would keep a shade from flowing all over a region that has no colour.
+const FADE_RADII: f64 = 1.5;
+
 /// A part of a stroke, straight.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Segment {
+pub(crate) struct Segment {
     start: Point,
     along: Vec2,
     /// One over the square of its length; zero where it has none.
@@ -17,19 +21,19 @@ pub(super) struct Segment {
 
 /// A source whose stroke can be asked for distances.
 #[derive(Debug)]
-pub(super) struct Brush {
+pub(crate) struct Brush {
     /// Those of the stroke; a dab has one without length.
     segments: Vec<Segment>,
     /// The box of every [`CHUNK`] segments.
     boxes: Vec<Rect>,
     /// The box of all of them.
     bounds: Rect,
-    pub(super) radius_du: f64,
-    pub(super) weight: f64,
+    pub(crate) radius_du: f64,
+    pub(crate) weight: f64,
 }
 
 impl Brush {
-    pub(super) fn new(source: &SoftSource) -> Self {
+    pub(crate) fn new(source: &SoftSource) -> Self {
         let dab = source.points.iter().take(2 - source.points.len().min(2)).map(|&p| [p, p]);
         let ends: Vec<_> = source.points.windows(2).map(|w| [w[0], w[1]]).chain(dab).collect();
         let boxes: Vec<_> = ends.chunks(CHUNK).map(|chunk| bounds(chunk.as_flattened())).collect();
@@ -40,12 +44,12 @@ impl Brush {
     }
 
     /// What no point within its radius lies outside of.
-    pub(super) fn bounds(&self) -> Rect {
+    pub(crate) fn bounds(&self) -> Rect {
         self.bounds.inflate(self.radius_du, self.radius_du)
     }
 
     /// The distance of a point from the stroke, in du, where it is less than so much; that much elsewhere.
-    pub(super) fn distance_du(&self, p: Point, most_du: f64) -> f64 {
+    pub(crate) fn distance_du(&self, p: Point, most_du: f64) -> f64 {
         let mut least_sq = most_du * most_du;
         if distance_sq_to_rect(p, self.bounds) >= least_sq {
             return most_du;
@@ -60,7 +64,7 @@ impl Brush {
 
     /// The segments that are nearest to some point within a distance of a place, and within the radius of it; none
     /// where the brush does not reach.
-    pub(super) fn near(&self, p: Point, spread_du: f64, near: &mut Vec<Segment>) {
+    pub(crate) fn near(&self, p: Point, spread_du: f64, near: &mut Vec<Segment>) {
         near.clear();
         let most_du = self.radius_du + spread_du;
         let least_du = self.distance_du(p, most_du);
@@ -77,13 +81,13 @@ impl Brush {
 
     /// The factor of `u − c` in the equation at a point to which no other segments are nearest than some of these,
     /// in 1/du².
-    pub(super) fn strength(&self, p: Point, near: &[Segment]) -> f64 {
+    pub(crate) fn strength(&self, p: Point, near: &[Segment]) -> f64 {
         let least_sq = near.iter().map(|segment| segment.distance_sq(p)).fold(f64::INFINITY, f64::min);
         self.strength_at(least_sq)
     }
 
     /// The same at a distance from the stroke of which this is the square.
-    pub(super) fn strength_at(&self, distance_sq: f64) -> f64 {
+    pub(crate) fn strength_at(&self, distance_sq: f64) -> f64 {
         let radius_sq = self.radius_du * self.radius_du;
         let inside = (1.0 - distance_sq / radius_sq).max(0.0);
         self.weight / radius_sq * inside * inside
@@ -103,6 +107,13 @@ impl Segment {
         let t = (to.dot(self.along) * self.per_length_sq).clamp(0.0, 1.0);
         (to - self.along * t).hypot2()
     }
+}
+
+/// The pull of the paper on a region that has no colour but is shaded, in 1/du²: a source of clear colour that is
+/// everywhere, and so weak that it shows beyond the others alone.
+pub(crate) fn fade_strength<'a>(brushes: impl Iterator<Item = &'a Brush>) -> f64 {
+    let reach_du = FADE_RADII * brushes.map(|brush| brush.radius_du).fold(0.0, f64::max);
+    (reach_du * reach_du).recip()
 }
 
 fn bounds(points: &[Point]) -> Rect {

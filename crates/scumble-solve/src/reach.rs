@@ -7,15 +7,17 @@
 use kurbo::{Point, Rect};
 use scumble_core::{SoftSource, Triangulation};
 
-use super::brush::Brush;
-use super::dofs::NONE;
+use crate::brush::Brush;
+
+/// A triangle that is in no region.
+const NONE: u32 = u32::MAX;
 
 /// Lengths are taken in steps of so many radii.
 const STEP: f64 = 1.0 / 32.0;
 
 /// Where a source shows.
 #[derive(Debug)]
-pub(super) enum Reach {
+pub(crate) enum Reach {
     /// In the region of one index.
     Region(u32),
     /// Wherever its brush reaches.
@@ -26,7 +28,7 @@ pub(super) enum Reach {
 
 impl Reach {
     /// Whether it shades a region of an index and triangles.
-    pub(super) fn meets(&self, mesh: &Triangulation, index: u32, triangles: &[u32]) -> bool {
+    pub(crate) fn meets(&self, mesh: &Triangulation, index: u32, triangles: &[u32]) -> bool {
         match self {
             Self::Nowhere => false,
             Self::Region(region) => *region == index,
@@ -37,7 +39,7 @@ impl Reach {
 
 /// The regions of a mesh, by place.
 #[derive(Debug)]
-pub(super) struct Regions<'a> {
+pub(crate) struct Regions<'a> {
     mesh: &'a Triangulation,
     bounds: Rect,
     of_triangle: Vec<u32>,
@@ -46,7 +48,7 @@ pub(super) struct Regions<'a> {
 
 impl<'a> Regions<'a> {
     /// The regions of which these are the triangles.
-    pub(super) fn new(mesh: &'a Triangulation, regions: &mut dyn Iterator<Item = &[u32]>) -> Self {
+    pub(crate) fn new(mesh: &'a Triangulation, regions: &mut dyn Iterator<Item = &[u32]>) -> Self {
         let mut of_triangle = vec![NONE; mesh.triangle_count()];
         let mut count = 0;
         for triangles in regions {
@@ -56,7 +58,7 @@ impl<'a> Regions<'a> {
         Self { mesh, bounds: bounds(mesh), of_triangle, count: count as usize }
     }
 
-    pub(super) fn reach(&self, source: &SoftSource) -> Reach {
+    pub(crate) fn reach(&self, source: &SoftSource) -> Reach {
         if source.crosses {
             return Reach::Brush(Brush::new(source));
         }
