@@ -57,7 +57,8 @@ export function closeShare() {
 /** Copies the link. Where the page may not, it stays selected for the user to copy. */
 export async function copyLink() {
   field.select();
-  const copied = await navigator.clipboard.writeText(field.value).then(() => true, () => false);
+  // A page that did not come over HTTPS has no clipboard.
+  const copied = await navigator.clipboard?.writeText(field.value).then(() => true, () => false);
   part("share-status").textContent = say(copied ? "copied" : "copy-yourself");
 }
 

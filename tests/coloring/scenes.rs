@@ -26,7 +26,7 @@ pub(crate) const LINE_WIDTH_DU: f64 = 6.0;
 const SCRIBBLE_WIDTH_DU: f64 = 12.0;
 
 /// Where engines are known not to do what a person would expect, and what they do.
-const FALLS_SHORT: [(EngineKind, &str); 4] = [
+const FALLS_SHORT: [(EngineKind, &str); 5] = [
     // A stretch of yellow lies between green and red: all of the gap at the tip of the crease is a narrow place.
     (EngineKind::Global, "figure-11-with-a-crease"),
     // The gaps between the tip of the vein and the outline are closed: half of the leaf stays white.
@@ -34,6 +34,8 @@ const FALLS_SHORT: [(EngineKind, &str); 4] = [
     // Colour runs out onto the page.
     (EngineKind::Progressive, "figure-17-several-open-regions"),
     (EngineKind::Progressive, "a-leaf-with-a-vein"),
+    // The circuit runs from scale to scale: hardly any side of the outline has a colour.
+    (EngineKind::Progressive, "a-body-with-scales"),
 ];
 
 /// All of them.
@@ -51,6 +53,7 @@ pub(crate) fn all() -> Vec<Coloring> {
         several_open_regions(),
         open_leaf(),
         leaf_with_a_vein(),
+        body_with_scales(),
         two_rooms_and_a_door(),
         single_dot(),
         kept_free(),
@@ -170,6 +173,18 @@ pub(crate) fn leaf_with_a_vein() -> Coloring {
 /// Two halves of the outline, and the vein.
 pub(crate) const LEAF: [&str; 3] =
     ["M 180 780 C 200 400 420 220 770 180", "M 212 808 C 560 840 800 600 800 210", "M 130 880 L 560 420"];
+
+/// A body that a stroke goes through, between scales that part it into many rooms with wide gaps between them.
+pub(crate) fn body_with_scales() -> Coloring {
+    let stroke = [(250.0, 470.0), (420.0, 400.0), (600.0, 520.0)];
+    scene("a-body-with-scales", &[BODY, SCALES], &[(YELLOW, &stroke)])
+}
+
+pub(crate) const BODY: &str = "M 120 512 C 200 240 640 200 920 512 C 640 824 200 784 120 512 Z";
+const SCALES: &str = "M 380 380 A 40 40 0 0 1 380 460 M 480 380 A 40 40 0 0 1 480 460 \
+    M 430 470 A 40 40 0 0 1 430 550 M 530 470 A 40 40 0 0 1 530 550 M 630 470 A 40 40 0 0 1 630 550 \
+    M 480 560 A 40 40 0 0 1 480 640 M 580 560 A 40 40 0 0 1 580 640 M 680 420 A 40 40 0 0 1 680 500 \
+    M 720 510 A 40 40 0 0 1 720 590";
 
 /// Two scribbles in two rooms with a wide door between them.
 pub(crate) fn two_rooms_and_a_door() -> Coloring {

@@ -1,13 +1,15 @@
 //! `scumble color`: one picture from a drawing and scribbles.
 
+mod on_pixels;
+
 use anyhow::ensure;
 use scumble_core::{Boundary, Document, Drawing, Scribble, Work};
 use scumble_io::{ReadScribbles, read_scribbles, write_png};
-use scumble_solve::SolveError;
+use scumble_solve::{Pixmap, SolveError};
 use serde::Serialize;
 
 use crate::clock::timed;
-use crate::options::ColorOptions;
+use crate::options::{ColorOptions, Solver};
 use crate::stages::{self, Opened, SpreadTimes};
 use crate::{files, render, works};
 
@@ -55,20 +57,31 @@ pub(crate) fn run(options: &ColorOptions) -> anyhow::Result<()> {
         read_scribbles(&files::read(&options.scribbles)?, drawing(&opened))?;
     files::warn(&options.drawing, &opened.import.notes.to_string());
     files::warn(&options.scribbles, &notes.to_string());
+    if options.solver != Solver::Mesh {
+        let boundary = opened.picture.color(&scribbles, &options.settings);
+        write(&on_pixels::paint(&opened, &boundary, options)?, options)?;
+        return save(&opened, scribbles, options);
+    }
     let (colors, times) = spread(&mut opened, &scribbles, options)?;
     let blend = options.settings.blend;
     let Opened { import, picture, .. } = &mut opened;
     let (pixmap, paint_ms) = timed(|| render::paint(&import.drawing, picture, &colors, blend, &options.look));
-    let pixmap = pixmap?;
-    files::write(&options.output, &write_png(pixmap.width_px, pixmap.height_px, &pixmap.rgba)?)?;
-    if let Some(path) = &options.save {
-        let drawing = drawing(&opened).clone();
-        works::write(path, &Work::new(Document { drawing, scribbles, settings: options.settings }))?;
-    }
+    write(&pixmap?, options)?;
     if options.timings {
         println!("{}", serde_json::to_string(&timings(&mut opened, &times, paint_ms))?);
     }
-    Ok(())
+    save(&opened, scribbles, options)
+}
+
+fn write(pixmap: &Pixmap, options: &ColorOptions) -> anyhow::Result<()> {
+    files::write(&options.output, &write_png(pixmap.width_px, pixmap.height_px, &pixmap.rgba)?)
+}
+
+/// Keeps the drawing with its scribbles, if it is to be kept.
+fn save(opened: &Opened, scribbles: Vec<Scribble>, options: &ColorOptions) -> anyhow::Result<()> {
+    let Some(path) = &options.save else { return Ok(()) };
+    let drawing = drawing(opened).clone();
+    works::write(path, &Work::new(Document { drawing, scribbles, settings: options.settings }))
 }
 
 fn drawing(opened: &Opened) -> &Drawing {

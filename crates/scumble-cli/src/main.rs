@@ -7,6 +7,7 @@
 //! | `scumble corpus`: a folder of drawings, for crashes and lost curves | `corpus` |
 //! | `scumble bench`: how long each stage takes | `bench` |
 //! | … on made drawings of any richness | `made` |
+//! | `scumble compare`: how far pictures on pixels are from the mesh solver's | `compare` |
 //! | … beside a plain solver on pixels | `baseline` |
 //! | `scumble eval`: how well engines colour | `eval` |
 //! | … beside other people's methods on pixels | `rivals` |
@@ -22,6 +23,7 @@ mod baseline;
 mod bench;
 mod clock;
 mod color;
+mod compare;
 mod corpus;
 mod eval;
 mod files;
@@ -52,11 +54,14 @@ scumble color DRAWING.svg --scribbles S.json -o OUT.png
     [--gap-closing 0.5]     how readily gaps between lines count as closed, 0 to 1
     [--spread]              colour also what nobody scribbled (global only)
     [--save FILE.scumble]   keep the drawing with its scribbles
+    [--solver mesh|gpu|cpu-grid|jeschke]
+                            on triangles, exact; on pixels, by the graphics card or without;
+                            on pixels after Jeschke et al. 2009
     [--timings]             print counts and milliseconds of each stage as JSON
 
     S.json: {\"scribbles\":[{\"color\":\"#rrggbb\",\"width\":1.5,\"points\":[[x,y],…]},…]}
     in units of the drawing's viewBox, in drawing order. With \"kind\":\"shade\",\"strength\":0.8 a scribble shades
-    where it is drawn, in the region of its first point; with \"crosses\":true also beyond.
+    where it is drawn, in the region that it begins in; with \"crosses\":true also beyond.
 
 scumble render FILE -o OUT.png
     the picture of a .scumble file, or of a drawing
@@ -82,6 +87,10 @@ scumble corpus DIR [--take N]
 
 scumble bench SETDIR
     times each stage on a quality set (SETDIR/ID/drawing.svg, SETDIR/ID/dense.json), and labelling by each engine
+
+scumble compare SETDIR [--every 1] [--half]
+    how far pictures by the grid solver and by Jeschke's are from those of the mesh solver, on every so many-th drawing
+    of a set, with all colours or with those of half the sides
 
 scumble bench --made
     times labelling on made drawings of about 1,000 to 100,000 pieces
@@ -119,6 +128,7 @@ fn run() -> anyhow::Result<ExitCode> {
         Command::Corpus { folder, take } => return corpus::run(&folder, take),
         Command::Bench { set } => bench::run(&set)?,
         Command::BenchMade => bench::run_made()?,
+        Command::Compare { set, every, half } => compare::run(&set, every, half)?,
         Command::Eval(options) => eval::run(&options)?,
         Command::Render(options) => render::run(&options)?,
         Command::Convert { from, to } => share::convert(&from, &to)?,

@@ -22,6 +22,7 @@ pub(crate) enum Command {
     Corpus { folder: PathBuf, take: Option<usize> },
     Bench { set: PathBuf },
     BenchMade,
+    Compare { set: PathBuf, every: usize, half: bool },
     Eval(EvalOptions),
     Render(RenderOptions),
     Convert { from: PathBuf, to: PathBuf },
@@ -40,6 +41,7 @@ pub(crate) struct ColorOptions {
     /// Where to keep the drawing with its scribbles.
     pub(crate) save: Option<PathBuf>,
     pub(crate) timings: bool,
+    pub(crate) solver: Solver,
 }
 
 /// How a picture is painted.
@@ -49,6 +51,20 @@ pub(crate) struct Look {
     pub(crate) size_px: u32,
     pub(crate) lines: bool,
     pub(crate) transparent: bool,
+}
+
+/// What spreads the colours of sides.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(crate) enum Solver {
+    /// Triangles, exact at every size.
+    #[default]
+    Mesh,
+    /// Pixels.
+    GpuGrid,
+    /// The same without a GPU.
+    CpuGrid,
+    /// Pixels, after Jeschke et al. 2009.
+    Jeschke,
 }
 
 /// What `scumble render` is to make.
@@ -98,6 +114,12 @@ pub(crate) fn parse(mut arguments: Arguments) -> anyhow::Result<Command> {
             let [set] = rest(arguments, ["SETDIR"])?;
             Ok(Command::Bench { set: set.into() })
         }
+        Some("compare") => {
+            let every = arguments.opt_value_from_fn("--every", positive).map_err(advise)?;
+            let half = arguments.contains("--half");
+            let [set] = rest(arguments, ["SETDIR"])?;
+            Ok(Command::Compare { set: set.into(), every: every.unwrap_or(1), half })
+        }
         Some("eval") => eval(arguments).map(Command::Eval),
         Some("render") => render(arguments).map(Command::Render),
         Some("convert") => {
@@ -124,6 +146,8 @@ fn color(mut arguments: Arguments) -> anyhow::Result<ColorOptions> {
     let settings = settings(&mut arguments)?;
     let look = look(&mut arguments)?;
     let timings = arguments.contains("--timings");
+    let solver = arguments.opt_value_from_fn("--solver", solver).map_err(advise)?.unwrap_or_default();
+    ensure!(!timings || solver == Solver::Mesh, "--timings are those of the mesh solver; leave out --solver");
     let [drawing] = rest(arguments, ["DRAWING.svg"])?;
     Ok(ColorOptions {
         drawing: drawing.into(),
@@ -133,6 +157,7 @@ fn color(mut arguments: Arguments) -> anyhow::Result<ColorOptions> {
         settings,
         save,
         timings,
+        solver,
     })
 }
 
@@ -252,6 +277,16 @@ fn blend(text: &str) -> Result<Blend, String> {
         "oklab" => Ok(Blend::Oklab),
         "srgb" => Ok(Blend::Srgb),
         _ => Err("give oklab or srgb".into()),
+    }
+}
+
+fn solver(text: &str) -> Result<Solver, String> {
+    match text {
+        "mesh" => Ok(Solver::Mesh),
+        "gpu" => Ok(Solver::GpuGrid),
+        "cpu-grid" => Ok(Solver::CpuGrid),
+        "jeschke" => Ok(Solver::Jeschke),
+        _ => Err("give mesh, gpu, cpu-grid or jeschke".into()),
     }
 }
 

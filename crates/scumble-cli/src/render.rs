@@ -41,11 +41,13 @@ pub(crate) fn paint(
     look: &Look,
 ) -> Result<Pixmap, SolveError> {
     let view = stages::page_view(drawing, look.size_px);
-    let shapes = if look.lines { lines(drawing, picture, look.size_px) } else { Vec::new() };
+    let shapes = shapes(drawing, picture, look);
     let field = picture.mesh().solve(boundary, blend)?;
     Ok(stages::paint_page(field, &shapes, &view, (!look.transparent).then_some(PAPER)))
 }
 
-fn lines(drawing: &Drawing, picture: &Picture, size_px: u32) -> Vec<Shape> {
-    line_shapes(drawing, picture.map(), LINE_TOLERANCE_PX * LONGER_SIDE_DU / f64::from(size_px))
+/// What is painted over the colours.
+pub(crate) fn shapes(drawing: &Drawing, picture: &Picture, look: &Look) -> Vec<Shape> {
+    let tolerance_du = LINE_TOLERANCE_PX * LONGER_SIDE_DU / f64::from(look.size_px);
+    if look.lines { line_shapes(drawing, picture.map(), tolerance_du) } else { Vec::new() }
 }

@@ -32,7 +32,8 @@ pub enum ScribbleKind {
 pub struct Shading {
     /// How far the colour gets its way, within `0..=1`: not at all, to all the way along the middle of the stroke.
     pub strength: f64,
-    /// Whether it goes on beyond the region that its first point is in.
+    /// Whether it goes on beyond the region that it begins in: the first that a length of half its width lies in or, where
+    /// it is shorter, the one that most of it lies in.
     pub crosses: bool,
 }
 

@@ -25,7 +25,8 @@ pub struct SoftSource {
     pub weight: f64,
     /// Its colour, in the blend space.
     pub color: BlendColor,
-    /// Whether it shows in all regions within its radius, or only in the one that its first point is in.
+    /// Whether it shows in all regions within its radius, or only in the one that it begins in, or that
+    /// most of it lies in where it leaves that at once.
     pub crosses: bool,
 }
 

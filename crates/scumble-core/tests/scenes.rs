@@ -178,6 +178,7 @@ fn is_right(scene: &Coloring) -> bool {
         }
         "figure-17-several-open-regions" => has_only(&[(area(&scenes::PETALS), 0)]),
         "an-open-leaf" | "a-leaf-with-a-vein" => has_only(&[(leaf(), 0)]),
+        "a-body-with-scales" => has_only(&[(area(&[scenes::BODY]), 0)]),
         "two-rooms-and-a-door" => has_only(&[
             (area(&["M 100 250 H 512 V 770 H 100 Z"]), 0),
             (area(&["M 512 250 H 924 V 770 H 512 Z"]), 1),

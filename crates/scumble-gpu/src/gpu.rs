@@ -32,6 +32,17 @@ pub fn surface_format(capabilities: &wgpu::SurfaceCapabilities) -> Option<wgpu::
 }
 
 impl Gpu {
+    /// Opens a device that draws into textures alone, on any platform.
+    ///
+    /// # Errors
+    /// When there is none.
+    pub async fn headless(on_failure: impl Fn(GpuError) + Send + Sync + 'static) -> Result<Self, GpuError> {
+        if wgpu::Instance::enabled_backend_features().is_empty() {
+            return Err(GpuError::NoAdapter("no graphics interface on this platform".to_owned()));
+        }
+        Self::open(&instance(), None, on_failure).await
+    }
+
     /// Opens a device, on WebGL for one surface, elsewhere for any.
     ///
     /// `on_failure` hears when the device is lost or fails later: everything must then be built anew. It may be

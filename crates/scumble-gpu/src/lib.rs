@@ -5,6 +5,7 @@
 //! | an open device | [`gpu`] |
 //! | a scene on the GPU, drawn | [`renderer`] |
 //! | pixels on their way back | `read_back` |
+//! | Laplace's equation on pixels | [`grid`] |
 //! | whether a device draws what it should | [`probe`] |
 //! | lists of things to draw, on the GPU | `items` |
 //! | the textures that are drawn in | `samples` |
@@ -15,6 +16,7 @@
 
 pub mod error;
 pub mod gpu;
+pub mod grid;
 mod items;
 mod pipelines;
 pub mod probe;
@@ -25,6 +27,7 @@ mod shaders;
 
 pub use error::GpuError;
 pub use gpu::{Gpu, instance, surface_format};
+pub use grid::{GpuGridSolver, GridError};
 pub use probe::probe;
 pub use renderer::{Layer, Renderer};
 pub use wgpu;

@@ -74,7 +74,7 @@ impl Copy {
     }
 }
 
-fn read_back_error(error: impl ToString) -> GpuError {
+pub(crate) fn read_back_error(error: impl ToString) -> GpuError {
     GpuError::ReadBack(error.to_string())
 }
 
@@ -115,7 +115,10 @@ struct Mapping {
 /// Maps a buffer for reading.
 ///
 /// The device calls back: from the event loop on WebGPU, where `poll` does nothing, elsewhere from within `poll`.
-async fn mapped(device: &wgpu::Device, buffer: &wgpu::Buffer) -> Result<(), wgpu::BufferAsyncError> {
+pub(crate) async fn mapped(
+    device: &wgpu::Device,
+    buffer: &wgpu::Buffer,
+) -> Result<(), wgpu::BufferAsyncError> {
     let mapping = Arc::new(Mutex::new(Mapping::default()));
     let called = Arc::clone(&mapping);
     buffer.map_async(wgpu::MapMode::Read, .., move |result| {

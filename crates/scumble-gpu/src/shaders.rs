@@ -17,11 +17,19 @@ pub(crate) const SHAPE: &str = with_common!("shape.wgsl");
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::grid::kernels::SOURCES;
     use naga::ShaderStage::{Fragment, Vertex};
     use naga::back::glsl;
     use naga::valid::{Capabilities, ModuleInfo, ValidationFlags, Validator};
 
-    const ALL: [(&str, &str); 2] = [("field.wgsl", FIELD), ("shape.wgsl", SHAPE)];
+    const SCENE: [(&str, &str); 2] = [("field.wgsl", FIELD), ("shape.wgsl", SHAPE)];
+
+    /// Pieces of the grid solver's kernels that are none themselves.
+    const PIECES: [&str; 6] = ["block", "level", "links", "matrix", "parent", "pass"];
+
+    fn all() -> impl Iterator<Item = (&'static str, &'static str)> {
+        SCENE.into_iter().chain(SOURCES.iter().map(|source| (source.name, source.text)))
+    }
 
     fn validated(name: &str, source: &str) -> (naga::Module, ModuleInfo) {
         let module = naga::front::wgsl::parse_str(source)
@@ -51,7 +59,7 @@ mod tests {
 
     #[test]
     fn every_shader_is_valid_and_can_be_said_in_webgl() {
-        for (name, source) in ALL {
+        for (name, source) in all() {
             let (module, info) = validated(name, source);
             for (stage, entry) in [(Vertex, "vertex"), (Fragment, "fragment")] {
                 assert!(webgl_source(&module, &info, stage, entry).contains("void main()"), "{name}");
@@ -59,15 +67,22 @@ mod tests {
         }
     }
 
-    #[test]
-    fn every_shader_file_is_used() {
-        let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/../../shaders");
-        let mut found: Vec<String> = std::fs::read_dir(folder)
+    fn files(folder: &str) -> Vec<String> {
+        let folder = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../../shaders").join(folder);
+        let mut names: Vec<String> = std::fs::read_dir(folder)
             .unwrap()
             .map(|entry| entry.unwrap().file_name().into_string().unwrap())
-            .filter(|name| name != "common.wgsl")
+            .filter(|name| name.ends_with(".wgsl"))
             .collect();
-        found.sort();
-        assert_eq!(found, ALL.map(|(name, _)| name));
+        names.sort();
+        names
+    }
+
+    #[test]
+    fn every_shader_file_is_used() {
+        assert_eq!(files(""), ["common.wgsl", "field.wgsl", "shape.wgsl"]);
+        let mut names: Vec<_> = SOURCES.iter().map(|source| source.name).chain(PIECES).collect();
+        names.sort();
+        assert_eq!(files("grid"), names.iter().map(|name| format!("{name}.wgsl")).collect::<Vec<_>>());
     }
 }

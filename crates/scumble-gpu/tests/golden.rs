@@ -7,22 +7,13 @@ use kurbo::Affine;
 use scenes::Golden;
 use scumble_core::{Blend, Rgba8, Srgb8};
 use scumble_gpu::wgpu::TextureFormat::{self, Bgra8Unorm, Rgba8Unorm};
-use scumble_gpu::{Gpu, GpuError, Layer, Renderer, instance, probe, wgpu};
+use scumble_gpu::{Gpu, GpuError, Layer, Renderer, probe};
 use scumble_solve::{Field, FieldTriangle, Pixmap, Shape, View};
 
 /// An open device, or `None`, said aloud, where there is none.
 fn gpu() -> Option<Gpu> {
-    let missing = if wgpu::Instance::enabled_backend_features().is_empty() {
-        "no graphics interface on this platform".to_owned()
-    } else {
-        let failed = |error: GpuError| panic!("{error}");
-        match pollster::block_on(Gpu::open(&instance(), None, failed)) {
-            Ok(gpu) => return Some(gpu),
-            Err(error) => error.to_string(),
-        }
-    };
-    eprintln!("skipped: {missing}");
-    None
+    let failed = |error: GpuError| panic!("{error}");
+    pollster::block_on(Gpu::headless(failed)).map_err(|error| eprintln!("skipped: {error}")).ok()
 }
 
 fn renderer(format: TextureFormat) -> Option<Renderer> {

@@ -1,24 +1,32 @@
-//! Colour points in, colour field out: the mesh solver and a painter on the CPU.
+//! Colour points in, colour field out: the mesh solver, the grid solver on the CPU, and a painter.
 //!
 //! | noun | file |
 //! |---|---|
+//! | what no colour passes | `barriers` |
+//! | the soft brush of a shading scribble | `brush` |
 //! | triangles with colours: the solved picture | [`field`] |
+//! | the grid solver, on pixels | [`grid`] |
 //! | lines, fills and scribbles as flat shapes | [`ink`] |
 //! | the mesh solver | [`mesh`] |
 //! | the painter on the CPU | [`mod@paint`] |
 //! | all that is derived from a document | [`picture`] |
+//! | which regions a shading scribble shades | `reach` |
 //! | what a painter paints | [`scene`] |
 
+mod barriers;
+mod brush;
 pub mod field;
+pub mod grid;
 pub mod ink;
 pub mod mesh;
 pub mod paint;
 pub mod picture;
+mod reach;
 pub mod scene;
 
 pub use field::{Field, FieldTriangle};
 pub use ink::{line_shapes, scribble_shape};
 pub use mesh::{MeshSolver, SolveError};
-pub use paint::{Pixmap, paint};
+pub use paint::{Pixmap, paint, paint_grid};
 pub use picture::Picture;
 pub use scene::{Scene, Shape, View};

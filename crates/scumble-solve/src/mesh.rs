@@ -12,8 +12,6 @@
 //! own, which is there again when the source is gone. All sums are in a fixed order, so a picture is the same on every
 //! machine.
 
-mod barriers;
-mod brush;
 mod cells;
 mod cholesky;
 mod dofs;
@@ -23,7 +21,6 @@ mod fronts;
 mod order;
 mod refine;
 mod region;
-mod sources;
 mod system;
 
 use std::mem;
@@ -32,10 +29,10 @@ use std::sync::Arc;
 use scumble_core::{Blend, Boundary, Triangulation, sort};
 use thiserror::Error;
 
+use crate::barriers::Barriers;
 use crate::field::Field;
-use barriers::Barriers;
+use crate::reach::Regions;
 use region::Region;
-use sources::Reach;
 
 /// Why a drawing has no colour field.
 #[derive(Clone, Copy, Debug, Error, PartialEq, Eq)]
@@ -61,6 +58,8 @@ pub struct MeshSolver {
     closed_gaps: Vec<bool>,
     /// By the first triangle of each.
     regions: Vec<Region>,
+    /// Of the largest factor that was of no use any more.
+    memory: Vec<f64>,
     field: Field,
 }
 
@@ -69,7 +68,13 @@ impl MeshSolver {
     pub fn new(mesh: impl Into<Arc<Triangulation>>) -> Self {
         let mesh = mesh.into();
         let triangles: Vec<_> = (0..mesh.triangle_count() as u32).collect();
-        let mut solver = Self { mesh, closed_gaps: Vec::new(), regions: Vec::new(), field: Field::default() };
+        let mut solver = Self {
+            mesh,
+            closed_gaps: Vec::new(),
+            regions: Vec::new(),
+            memory: Vec::new(),
+            field: Field::default(),
+        };
         solver.regions = solver.numbered(&triangles);
         solver
     }
@@ -87,12 +92,16 @@ impl MeshSolver {
     /// Sets up the systems of the regions whose gaps or set of coloured sides changed.
     pub fn analyse(&mut self, boundary: &Boundary) {
         self.close_gaps(&boundary.closed_gaps);
-        let reaches: Vec<_> = boundary.sources.iter().map(|source| Reach::new(&self.mesh, source)).collect();
-        for region in &mut self.regions {
+        let regions = Regions::new(&self.mesh, &mut self.regions.iter().map(Region::triangles));
+        let reaches: Vec<_> = boundary.sources.iter().map(|source| regions.reach(source)).collect();
+        for (i, region) in (0..).zip(&mut self.regions) {
             let shading = boundary.sources.iter().zip(&reaches);
-            let shading = shading.filter(|(_, reach)| reach.meets(&self.mesh, region.triangles()));
+            let shading = shading.filter(|(_, reach)| reach.meets(&self.mesh, i, region.triangles()));
             let sources = shading.map(|(source, _)| source.clone()).collect();
-            region.analyse(&self.mesh, &boundary.sides, sources);
+            let memory = region.analyse(&self.mesh, &boundary.sides, sources).unwrap_or_default();
+            if memory.capacity() > self.memory.capacity() {
+                self.memory = memory;
+            }
         }
     }
 
@@ -128,7 +137,8 @@ impl MeshSolver {
     /// See [`SolveError`].
     pub fn factor(&mut self, boundary: &Boundary) -> Result<(), SolveError> {
         self.analyse(boundary);
-        self.regions.iter_mut().try_for_each(Region::factor)
+        let (mesh, memory) = (&self.mesh, &mut self.memory);
+        self.regions.iter_mut().try_for_each(|region| region.factor(mesh, memory))
     }
 
     /// The colour field. The colours of the sides are in the space `blend`; every value lies within the range of the

@@ -22,6 +22,7 @@ mod canvas;
 mod encode;
 mod field_painter;
 mod gradient;
+mod grid_painter;
 mod pixel_set;
 mod raster;
 mod shape_painter;
@@ -29,9 +30,11 @@ mod shape_painter;
 mod tests;
 
 use canvas::Canvas;
+use scumble_core::Srgb8;
 use shape_painter::Coverage;
 
-use crate::scene::{Scene, View};
+use crate::grid::GridPicture;
+use crate::scene::{Scene, Shape, View};
 
 /// A picture in sRGB with straight alpha.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -50,11 +53,23 @@ pub struct Pixmap {
 pub fn paint(scene: &Scene<'_>, view: &View) -> Pixmap {
     let mut canvas = Canvas::new(view, scene.paper);
     field_painter::paint_field(&mut canvas, scene.field, view.px_from_du, scene.paper);
-    if !scene.shapes.is_empty() {
-        let mut coverage = Coverage::new(&canvas);
-        for shape in scene.shapes {
-            coverage.paint(&mut canvas, shape, view.px_from_du);
+    paint_shapes(&mut canvas, scene.shapes, view);
+    canvas.into_pixmap()
+}
+
+/// Paints what the grid solver found for a view, and shapes over it, as [`paint`] does.
+pub fn paint_grid(picture: &GridPicture, shapes: &[Shape], view: &View, paper: Option<Srgb8>) -> Pixmap {
+    let mut canvas = Canvas::new(view, paper);
+    grid_painter::paint_grid(&mut canvas, picture, paper);
+    paint_shapes(&mut canvas, shapes, view);
+    canvas.into_pixmap()
+}
+
+fn paint_shapes(canvas: &mut Canvas, shapes: &[Shape], view: &View) {
+    if !shapes.is_empty() {
+        let mut coverage = Coverage::new(canvas);
+        for shape in shapes {
+            coverage.paint(canvas, shape, view.px_from_du);
         }
     }
-    canvas.into_pixmap()
 }

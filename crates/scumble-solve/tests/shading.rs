@@ -96,7 +96,7 @@ fn without_strength_the_picture_is_as_without_the_stroke() {
 }
 
 #[test]
-fn a_stroke_stays_in_the_region_of_its_first_point_unless_it_crosses() {
+fn a_stroke_stays_in_the_region_that_it_begins_in_unless_it_crosses() {
     let way = [(300.0, 500.0), (510.0, 500.0)];
     let differs = |crosses: bool, at: (f64, f64)| {
         let mut scribbles = fills();
@@ -115,6 +115,60 @@ fn a_stroke_stays_in_the_region_of_its_first_point_unless_it_crosses() {
         [(330.0, 500.0), (500.0, 500.0), (740.0, 500.0)].map(|at| differs(true, at)),
         [true, true, false]
     );
+}
+
+/// Where a stroke of some width shades, of the left crescent and the lens beside it.
+fn shaded(width_du: f64, points: &[(f64, f64)]) -> [bool; 2] {
+    let without = pixels(&field(&document(fills())));
+    let with = pixels(&field(&document([fills(), vec![shade(BLUE, 1.0, width_du, points)]].concat())));
+    // On either side of the line between them, which goes through (420, 500).
+    [414.0, 426.0].map(|x| difference(color_at(&with, (x, 500.0)), color_at(&without, (x, 500.0))) > 8)
+}
+
+#[test]
+fn a_stroke_that_begins_just_across_a_line_is_where_it_goes_on() {
+    let [crescent, lens] = [[true, false], [false, true]];
+    let across = |from: f64, to: f64| shaded(40.0, &[(from, 500.0), (to, 500.0)]);
+    assert_eq!(
+        [across(416.0, 422.0), across(424.0, 418.0)],
+        [crescent, lens],
+        "most of it is before the line"
+    );
+    assert_eq!(
+        [across(416.0, 426.0), across(424.0, 414.0)],
+        [lens, crescent],
+        "most of it is beyond the line"
+    );
+    assert_eq!([across(416.0, 560.0), across(424.0, 300.0)], [lens, crescent], "it goes on and on");
+    assert_eq!(
+        [across(396.0, 560.0), across(444.0, 300.0)],
+        [crescent, lens],
+        "it begins well before the line"
+    );
+    assert_eq!([shaded(40.0, &[(416.0, 500.0)]), shaded(40.0, &[(424.0, 500.0)])], [crescent, lens], "a dab");
+}
+
+#[test]
+fn a_stroke_that_grows_changes_its_region_no_more_once_it_has_gone_a_radius() {
+    // Over the line and back, along it on either side.
+    let way =
+        [(400.0, 500.0), (424.0, 500.0), (424.0, 540.0), (412.0, 490.0), (424.0, 450.0), (424.0, 300.0)];
+    let regions: Vec<_> = (2..=way.len()).map(|count| shaded(36.0, &way[..count])).collect();
+    assert!(regions.iter().all(|region| *region == [true, false]), "{regions:?}");
+}
+
+#[test]
+fn a_stroke_from_off_the_page_stays_where_it_comes_in() {
+    let drawing = Drawing {
+        curves: vec![Curve { path: Circle::new((0.0, 500.0), 200.0).to_path(1e-6), line: None }],
+        ..document(vec![]).drawing
+    };
+    let stroke = shade(BLUE, 1.0, 30.0, &[(-900.0, 500.0), (400.0, 500.0)]);
+    let scribbles = vec![fill(YELLOW, (100.0, 450.0)), stroke];
+    let pixels = pixels(&field(&Document { scribbles, ..Document::new(drawing) }));
+    assert_eq!([(100.0, 500.0), (300.0, 500.0)].map(|at| color_at(&pixels, at)[2] > 200), [true, true]);
+    assert!(difference(color_at(&pixels, (100.0, 500.0)), [0, 0, 255, 255]) <= 2);
+    assert_eq!(color_at(&pixels, (300.0, 500.0)), [255; 4]);
 }
 
 #[test]

@@ -54,6 +54,13 @@ fn profile(dimensions: f64, radius_du: f64, end_du: f64, weight: f64) -> impl Fn
     }
 }
 
+/// The least value at a corner of a triangle where a place is.
+fn value_at(field: &Field, p: Point) -> f32 {
+    let corners = field.triangles.iter().flat_map(|t| t.corners.into_iter().zip(t.colors));
+    let here = corners.filter(|([x, y], _)| p.distance(Point::new((*x).into(), (*y).into())) < 1e-3);
+    here.map(|(_, color)| color[0]).fold(1.0, f32::min)
+}
+
 /// Points of a triangle and the values there.
 fn samples(triangle: &FieldTriangle) -> impl Iterator<Item = (Point, f64)> + '_ {
     let steps = (0..=6).flat_map(|i| (0..=6 - i).map(move |j| (f64::from(i) / 6.0, f64::from(j) / 6.0)));
@@ -117,5 +124,15 @@ fn a_stroke_along_a_strip_is_that_of_the_equation_across() {
             let inside = |p: Point| Some((p.y - 512.0).abs()).filter(|&y| y <= half_du).map(&exact);
             check(&format!("radius {radius_du} of {half_du}, weight {weight}"), errors(&field, inside));
         }
+    }
+}
+
+#[test]
+fn a_dab_far_smaller_than_the_triangles_shows_at_any_of_their_corners() {
+    let map = map([Circle::new(CENTRE, 400.0).to_path(1e-6)]);
+    let nodes = map.refined().points().iter().filter(|p| p.distance(CENTRE) < 380.0).step_by(20);
+    for &node in nodes {
+        let value = value_at(&solve(&map, &[source(&[node], 0.5, 160.0)]), node);
+        assert!(value < 0.02, "{value} at {node}");
     }
 }

@@ -114,6 +114,8 @@ fn calls_that_make_no_sense() {
         (&["--size"], "--size"),
         (&["--blend", "cmyk"], "oklab or srgb"),
         (&["--engine", "magic"], "global or progressive"),
+        (&["--solver", "magic"], "mesh, gpu, cpu-grid or jeschke"),
+        (&["--solver", "cpu-grid", "--timings"], "leave out --solver"),
         (&["--gap-closing", "1.5"], "from 0 to 1"),
         (&["--gap-closing", "NaN"], "from 0 to 1"),
         (&["--gap-closing", "wide"], "from 0 to 1"),

@@ -67,6 +67,46 @@ fn a_scribble_in_a_circle_colours_its_inside_and_nothing_else() {
 }
 
 #[test]
+fn every_solver_colours_the_inside() {
+    let folder = folder("solvers");
+    let mesh = colored(&folder, &["--size", "128", "--solver", "mesh"]);
+    for solver in ["cpu-grid", "jeschke"] {
+        let picture = colored(&folder, &["--size", "128", "--solver", solver]);
+        let differences = picture.rgba.iter().zip(&mesh.rgba).map(|(a, b)| a.abs_diff(*b));
+        assert!(differences.max() <= Some(2), "{solver}");
+    }
+}
+
+#[test]
+fn the_gpu_paints_what_the_cpu_does() {
+    let folder = folder("gpu");
+    let gpu = ["color", "d.svg", "--scribbles", "s.json", "-o", "o.png", "--size", "128", "--solver", "gpu"];
+    let tried = stderr(&folder.run(&gpu));
+    if tried.contains("no graphics adapter") {
+        return eprintln!("skipped: {tried}");
+    }
+    let [on_gpu, on_cpu] =
+        ["gpu", "cpu-grid"].map(|solver| colored(&folder, &["--size", "128", "--solver", solver]).rgba);
+    assert!(on_gpu.iter().zip(&on_cpu).all(|(a, b)| a.abs_diff(*b) <= 1));
+}
+
+#[cfg(target_os = "linux")]
+#[test]
+fn without_a_graphics_driver_there_is_a_way_out() {
+    let folder = folder("no-gpu");
+    let output = std::process::Command::new(env!("CARGO_BIN_EXE_scumble"))
+        .args(["color", "d.svg", "--scribbles", "s.json", "-o", "o.png", "--size", "64", "--solver", "gpu"])
+        .envs([("VK_DRIVER_FILES", "/none.json"), ("VK_ICD_FILENAMES", "/none.json")])
+        .current_dir(folder.path())
+        .output()
+        .unwrap();
+    let message = stderr(&output);
+    assert_eq!(output.status.code(), Some(2), "{message}");
+    assert!(message.contains("no graphics adapter") && message.contains("cpu-grid"), "{message}");
+    assert_eq!(folder.names(), ["d.svg", "s.json"]);
+}
+
+#[test]
 fn lines_and_transparency_are_asked_for() {
     let folder = folder("lines");
     let on_the_line = (0.5 + 24.0 / 64.0, 0.5);

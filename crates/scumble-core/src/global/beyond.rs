@@ -33,17 +33,11 @@ impl Beyond {
         before: &Flood,
         labels: &mut [u32],
     ) {
-        let dried = self.dry(map, ways, before);
-        for triangle in dried {
-            for h in (0..3).map(|i| HalfEdge::of(triangle, i)) {
-                if let Some(twin) = map.refined().passage(h) {
-                    self.reach_through(map, ways, ranks, before, twin);
-                }
-            }
+        for triangle in self.dry(map, ways, before) {
+            let around = (0..3).filter_map(|i| map.refined().passage(HalfEdge::of(triangle, i)));
+            around.for_each(|h| self.reach_through(map, ways, ranks, before, h));
         }
-        for &h in &ways.gaps {
-            self.reach_through(map, ways, ranks, before, h);
-        }
+        ways.gaps.iter().for_each(|&h| self.reach_through(map, ways, ranks, before, h));
         let is_before = &self.is_before;
         self.flood.run_where(map, &ways.costs, ranks, |next, h| ways.is_open[h.index()] && !is_before[next]);
         for (label, &beyond) in labels.iter_mut().zip(&self.flood.labels).filter(|(label, _)| **label == NONE)

@@ -6,8 +6,8 @@
 //! open to the border of the page as to what is within is no pocket of that. From the border itself a colour goes
 //! through wide gaps, but no further: how large the place is that it comes from, nobody knows.
 //!
-//! Rooms within the page that hang together through wide gaps are a *hall*. Once colours have most of one, they have
-//! all of it: nobody leaves a hole.
+//! Rooms that hang together through wide gaps, none of them open to the border, are a *hall*. Once colours have most of
+//! one, they have all of it: nobody leaves a hole.
 //!
 //! No colour ever takes less after more was drawn, of whatever colour. Where two may go into a room, the flood decides.
 
@@ -27,7 +27,7 @@ type Door = [u32; 2];
 pub(super) struct Rooms {
     /// Without bound where a room reaches the border of the page, and nobody knows how far it goes on.
     areas_du2: Vec<f64>,
-    /// Whether a wide gap leads to such a room.
+    /// Whether a wide gap leads to such a room, or it is one.
     are_beside_border: Vec<bool>,
     /// In ascending order.
     doors: Vec<Door>,
@@ -43,11 +43,12 @@ impl Rooms {
             map.refined().half_edges().filter_map(|h| wide_gap(map, room_of, h)).collect();
         sort::sort_copies_by_key(&mut doors, |&door| sort::pair(door));
         doors.dedup();
-        let mut are_beside_border = vec![false; room_count];
+        let mut are_beside_border: Vec<bool> =
+            areas_du2.iter().map(|area_du2| area_du2.is_infinite()).collect();
         for &[from, to] in &doors {
             are_beside_border[from as usize] |= areas_du2[to as usize].is_infinite();
         }
-        let hall_of = halls(&areas_du2, &doors);
+        let hall_of = halls(&are_beside_border, &doors);
         Self { areas_du2, are_beside_border, doors, hall_of }
     }
 
@@ -114,13 +115,13 @@ fn areas_du2(map: &PlanarMap, room_of: &[u32], room_count: usize) -> Vec<f64> {
     areas_du2
 }
 
-fn halls(areas_du2: &[f64], doors: &[Door]) -> Vec<u32> {
-    let mut halls = Sets::new(areas_du2.len());
-    for door in doors.iter().filter(|door| door.iter().all(|&room| areas_du2[room as usize].is_finite())) {
+fn halls(are_beside_border: &[bool], doors: &[Door]) -> Vec<u32> {
+    let mut halls = Sets::new(are_beside_border.len());
+    for door in doors.iter().filter(|door| !door.iter().any(|&room| are_beside_border[room as usize])) {
         let [from, to] = door.map(|room| halls.find(room));
         halls.join(from, to);
     }
-    (0..areas_du2.len() as u32).map(|room| halls.find(room)).collect()
+    (0..are_beside_border.len() as u32).map(|room| halls.find(room)).collect()
 }
 
 /// The rooms that a colour has: those within the page hang together through wide gaps, and count as one.

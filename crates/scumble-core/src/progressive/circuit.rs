@@ -70,40 +70,27 @@ struct Graph<'a> {
 
 impl<'a> Graph<'a> {
     fn new(segments: &'a Segments<'a>, costs: &Costs, part: &Part, middle: &View) -> Self {
-        let mut own = Vec::new();
-        middle.jumps(&mut own);
-        let leap = |jump: &Jump| {
-            let (from, to) = (segments.after(jump.from)?, segments.before(jump.to)?);
-            Some(Leap { kind: jump.kind, from, to })
-        };
-        let mut leaps = shortest(segments, part.jumps.iter().filter_map(leap).collect());
-        // The way around that the middle sample sees is always there: some circuit can be found.
-        leaps.extend(own.iter().filter_map(leap));
-        let longest_du = leaps.iter().map(|leap| leap.length_du(segments)).fold(0.0, f64::max);
-        let mut places: Vec<Place> = leaps.iter().flat_map(|leap| [leap.from, leap.to]).collect();
-        let closed = segments.segments.iter().enumerate().filter(|(_, segment)| segment.is_closed);
-        places.extend(closed.map(|(i, _)| Place { segment: i as u32, at: 0 }));
-        sort::sort_copies_by_key(&mut places, |place| sort::pair([place.segment, place.at]));
-        places.dedup();
-        let mut graph = Self { segments, places, edges: Vec::new() };
-        for leap in &leaps {
-            let tangents = [segments.arriving(leap.from), segments.leaving(leap.to)];
-            let cost = costs.jump(leap.kind, leap.line(segments), tangents, longest_du);
-            graph.add(leap.from, leap.to, cost, true);
-        }
+        let leaps = leaps(segments, part, middle);
+        let mut graph = Self { segments, places: places(segments, &leaps), edges: Vec::new() };
+        graph.add_leaps(&leaps, costs);
         graph.add_ways();
-        let rays = [0, 1, 2, 3].map(|ray| graph.crossed(middle.eye, ray));
-        let fewest = rays.into_iter().min_by_key(|odd| odd.iter().filter(|&&odd| odd).count());
-        for (edge, odd) in graph.edges.iter_mut().zip(fewest.unwrap_or_default()) {
-            edge.is_odd = odd;
-        }
+        graph.find_odd(middle.eye);
         graph
     }
 
     fn add(&mut self, from: Place, to: Place, cost: f64, is_jump: bool) {
-        let vertex = |place: &Place| self.places.binary_search(place).unwrap_or_default() as u32;
-        let (from, to) = (vertex(&from), vertex(&to));
+        let [from, to] = [from, to].map(|place| self.places.partition_point(|&before| before < place) as u32);
         self.edges.push(Edge { from, to, cost, is_jump, is_odd: false });
+    }
+
+    fn add_leaps(&mut self, leaps: &[Leap], costs: &Costs) {
+        let segments = self.segments;
+        let longest_du = leaps.iter().map(|leap| leap.length_du(segments)).fold(0.0, f64::max);
+        for leap in leaps {
+            let tangents = [segments.arriving(leap.from), segments.leaving(leap.to)];
+            let cost = costs.jump(leap.kind, leap.line(segments), tangents, longest_du);
+            self.add(leap.from, leap.to, cost, true);
+        }
     }
 
     /// Joins neighbouring places of each segment.
@@ -118,6 +105,15 @@ impl<'a> Graph<'a> {
                     self.segments.way(from, to).iter().map(|range| self.segments.cost(range)).sum();
                 self.add(from, to, MU * cost, false);
             }
+        }
+    }
+
+    /// Finds which edges cross a ray from the centre an odd number of times: of four rays, that with the fewest.
+    fn find_odd(&mut self, center: Point) {
+        let rays = [0, 1, 2, 3].map(|ray| self.crossed(center, ray));
+        let fewest = rays.into_iter().min_by_key(|odd| odd.iter().filter(|&&odd| odd).count());
+        for (edge, odd) in self.edges.iter_mut().zip(fewest.unwrap_or_default()) {
+            edge.is_odd = odd;
         }
     }
 
@@ -199,6 +195,30 @@ impl<'a> Trace<'a> {
         }
         sides
     }
+}
+
+/// The jumps that a circuit may take.
+fn leaps(segments: &Segments, part: &Part, middle: &View) -> Vec<Leap> {
+    let leap = |jump: &Jump| {
+        let (from, to) = (segments.after(jump.from)?, segments.before(jump.to)?);
+        Some(Leap { kind: jump.kind, from, to })
+    };
+    let mut leaps = shortest(segments, part.jumps.iter().filter_map(leap).collect());
+    // The way around that the middle sample sees is always there: some circuit can be found.
+    let mut own = Vec::new();
+    middle.jumps(&mut own);
+    leaps.extend(own.iter().filter_map(leap));
+    leaps
+}
+
+/// The places where jumps begin or end, and one on each closed segment, in ascending order.
+fn places(segments: &Segments, leaps: &[Leap]) -> Vec<Place> {
+    let mut places: Vec<Place> = leaps.iter().flat_map(|leap| [leap.from, leap.to]).collect();
+    let closed = segments.segments.iter().enumerate().filter(|(_, segment)| segment.is_closed);
+    places.extend(closed.map(|(i, _)| Place { segment: i as u32, at: 0 }));
+    sort::sort_copies_by_key(&mut places, |place| sort::pair([place.segment, place.at]));
+    places.dedup();
+    places
 }
 
 /// Of all jumps from one end to the same segment, or from one segment to the same end, the shortest.

@@ -7,11 +7,8 @@
 use kurbo::Point;
 use scumble_core::Triangulation;
 
-use super::dofs::{Dofs, Side};
+use super::dofs::{Dofs, NONE, Side};
 use super::refine::{Refined, Shape};
-
-/// No triangle, or no number yet.
-const NONE: u32 = u32::MAX;
 
 /// A triangle of the finer mesh.
 #[derive(Clone, Copy, Debug)]
@@ -33,7 +30,7 @@ struct Edge {
     part: [f64; 2],
 }
 
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub(super) struct Cells {
     pub(super) points: Vec<Point>,
     /// For each point its distance from the sides, in du, as the edges go: never less than it is.
@@ -43,20 +40,23 @@ pub(super) struct Cells {
 }
 
 impl Cells {
-    /// The region as it is. Its unknowns at corners are the points, those in the middle of edges the edges.
+    /// The region as it is.
     pub(super) fn new(mesh: &Triangulation, dofs: &Dofs) -> Self {
-        let mut points = vec![Point::ORIGIN; dofs.count];
-        let mut edges = vec![Edge { cells: [NONE; 2], side: NONE, part: [0.0, 1.0] }; dofs.count];
+        let (numbers, point_count) = numbers(dofs);
+        let number = |dof: u32| numbers[dof as usize];
+        let mut points = vec![Point::ORIGIN; point_count];
+        let mut edges = vec![Edge::new(NONE, [0.0, 1.0]); dofs.count - point_count];
         let mut cells = Vec::with_capacity(2 * dofs.triangles.len());
         for (i, (&t, &[a, b, c, ab, bc, ca])) in dofs.triangles.iter().zip(&dofs.of_triangle).enumerate() {
-            for (corner, p) in [a, b, c].into_iter().zip(mesh.corners(t as usize)) {
+            let cell = Cell { parent: t, corners: [a, b, c].map(number), edges: [ab, bc, ca].map(number) };
+            for (corner, p) in cell.corners.into_iter().zip(mesh.corners(t as usize)) {
                 points[corner as usize] = p;
             }
-            [ab, bc, ca].into_iter().for_each(|edge| edges[edge as usize].replace(NONE, i as u32));
-            cells.push(Cell { parent: t, corners: [a, b, c], edges: [ab, bc, ca] });
+            cell.edges.into_iter().for_each(|edge| edges[edge as usize].replace(NONE, i as u32));
+            cells.push(cell);
         }
         for (i, side) in (0..).zip(&dofs.sides) {
-            edges[side.dofs[1] as usize].side = i;
+            edges[number(side.dofs[1]) as usize].side = i;
         }
         let side_du = vec![f64::INFINITY; points.len()];
         let mut cells = Self { points, side_du, edges, cells };
@@ -91,7 +91,7 @@ impl Cells {
     }
 
     fn is_side(&self, edge: u32) -> bool {
-        self.edges[edge as usize].cells[1] == NONE
+        self.edges[edge as usize].is_side()
     }
 
     /// Bisects a triangle, or, first, a neighbour that has to be.
@@ -130,7 +130,8 @@ impl Cells {
         self.points.push(self.points[start as usize].midpoint(self.points[end as usize]));
         self.side_du.push(self.middle_side_du(edge, [start, end]));
         let half = 0.5 * (part[0] + part[1]);
-        let halves = [[part[0], half], [half, part[1]]].map(|part| self.new_edge(side, part));
+        self.edges[edge as usize] = Edge::new(side, [part[0], half]);
+        let halves = [edge, self.new_edge(Edge::new(side, [half, part[1]]))];
         self.split_cell(cells[0], edge, middle, halves);
         if cells[1] != NONE {
             self.split_cell(cells[1], edge, middle, [halves[1], halves[0]]);
@@ -144,8 +145,8 @@ impl Cells {
         if self.is_side(edge) { 0.0 } else { self.side_du[start].min(self.side_du[end]) + half_du }
     }
 
-    fn new_edge(&mut self, side: u32, part: [f64; 2]) -> u32 {
-        self.edges.push(Edge { cells: [NONE; 2], side, part });
+    fn new_edge(&mut self, edge: Edge) -> u32 {
+        self.edges.push(edge);
         self.edges.len() as u32 - 1
     }
 
@@ -155,7 +156,7 @@ impl Cells {
         let k = place(&self.cells[i as usize], edge);
         let [a, b, c] = [0, 1, 2].map(|j| corners[(k + j) % 3]);
         let [bc, ca] = [1, 2].map(|j| edges[(k + j) % 3]);
-        let across = self.new_edge(NONE, [0.0, 1.0]);
+        let across = self.new_edge(Edge::new(NONE, [0.0, 1.0]));
         let new = self.cells.len() as u32;
         self.cells[i as usize] = Cell { parent, corners: [a, middle, c], edges: [halves[0], across, ca] };
         self.cells.push(Cell { parent, corners: [middle, b, c], edges: [halves[1], bc, across] });
@@ -165,63 +166,66 @@ impl Cells {
         }
     }
 
-    /// Numbers the unknowns.
-    pub(super) fn refined(self, coarse: &Dofs) -> Refined {
-        let mut next = 0;
-        let (mut corner_dofs, mut edge_dofs) = (vec![NONE; self.points.len()], vec![NONE; self.edges.len()]);
-        let mut number = |dof: &mut u32| {
-            if *dof == NONE {
-                *dof = next;
-                next += 1;
-            }
-        };
-        self.cells
-            .iter()
-            .flat_map(|cell| cell.corners)
-            .for_each(|corner| number(&mut corner_dofs[corner as usize]));
-        let corner_count = corner_dofs.iter().filter(|&&dof| dof != NONE).count();
-        self.cells.iter().flat_map(|cell| cell.edges).for_each(|edge| number(&mut edge_dofs[edge as usize]));
-        let of_cell = |cell: &Cell| {
-            let ([a, b, c], [ab, bc, ca]) =
-                (cell.corners.map(|i| corner_dofs[i as usize]), cell.edges.map(|i| edge_dofs[i as usize]));
-            [a, b, c, ab, bc, ca]
-        };
-        let of_triangle: Vec<_> = self.cells.iter().map(of_cell).collect();
-        let dofs = Dofs {
-            triangles: self.cells.iter().map(|cell| cell.parent).collect(),
-            sides: self.sides(coarse, &of_triangle),
-            of_triangle,
+    /// The points are the unknowns at corners, the edges those in the middle of edges.
+    pub(super) fn refined(&self, coarse: &Dofs) -> Refined {
+        let point_count = self.points.len() as u32;
+        let mut dofs = Dofs {
+            triangles: Vec::with_capacity(self.cells.len()),
+            of_triangle: Vec::with_capacity(self.cells.len()),
+            sides: Vec::with_capacity(2 * coarse.sides.len()),
             gaps: coarse.gaps.clone(),
-            corner_count,
-            count: next as usize,
+            count: self.points.len() + self.edges.len(),
+            group_ends: Vec::new(),
         };
-        let shape = |cell: &Cell| Shape {
-            corners: cell.corners.map(|i| self.points[i as usize]),
-            side_edges: (0..3).map(|k| u32::from(self.is_side(cell.edges[k])) << k).sum(),
-        };
-        Refined { dofs, shapes: self.cells.iter().map(shape).collect() }
-    }
-
-    fn sides(&self, coarse: &Dofs, of_triangle: &[[u32; 6]]) -> Vec<Side> {
-        let mut sides = Vec::new();
-        for (cell, dofs) in self.cells.iter().zip(of_triangle) {
-            for k in 0..3 {
-                let Edge { side, part, .. } = self.edges[cell.edges[k] as usize];
-                if let Some(coarse) = coarse.sides.get(side as usize) {
-                    sides.push(Side { id: coarse.id, part, dofs: [dofs[k], dofs[3 + k], dofs[(k + 1) % 3]] });
+        let mut shapes = Vec::with_capacity(self.cells.len());
+        for cell in &self.cells {
+            let [a, b, c] = cell.corners;
+            let [ab, bc, ca] = cell.edges.map(|edge| point_count + edge);
+            let corners = cell.corners.map(|i| self.points[i as usize]);
+            let mut shape = Shape { corners, side_edges: 0 };
+            for (k, side_dofs) in [[a, ab, b], [b, bc, c], [c, ca, a]].into_iter().enumerate() {
+                let edge = &self.edges[cell.edges[k] as usize];
+                shape.side_edges |= u32::from(edge.is_side()) << k;
+                if let Some(side) = coarse.sides.get(edge.side as usize) {
+                    dofs.sides.push(Side { id: side.id, part: edge.part, dofs: side_dofs });
                 }
             }
+            dofs.triangles.push(cell.parent);
+            dofs.of_triangle.push([a, b, c, ab, bc, ca]);
+            shapes.push(shape);
         }
-        sides
+        Refined { dofs, shapes }
     }
 }
 
 impl Edge {
+    fn new(side: u32, part: [f64; 2]) -> Self {
+        Self { cells: [NONE; 2], side, part }
+    }
+
+    fn is_side(&self) -> bool {
+        self.cells[1] == NONE
+    }
+
     fn replace(&mut self, old: u32, new: u32) {
         if let Some(cell) = self.cells.iter_mut().find(|cell| **cell == old) {
             *cell = new;
         }
     }
+}
+
+/// The numbers of a region's unknowns, those at corners and those in the middle of edges each from 0 on; and how many of
+/// the former there are. They depend on the triangles alone.
+fn numbers(dofs: &Dofs) -> (Vec<u32>, usize) {
+    let mut numbers = vec![NONE; dofs.count];
+    let mut next = [0, 0];
+    for (k, &dof) in dofs.of_triangle.iter().flat_map(|dofs| dofs.iter().enumerate()) {
+        if numbers[dof as usize] == NONE {
+            numbers[dof as usize] = next[k / 3];
+            next[k / 3] += 1;
+        }
+    }
+    (numbers, next[0] as usize)
 }
 
 /// The place of an edge in a triangle.

@@ -25,31 +25,46 @@ pub(super) struct Factor {
 }
 
 impl Factor {
-    /// Factors the sum of symmetric matrices of elements, of which the rows are given, or [`NONE`].
-    pub(super) fn new(fronts: &Fronts, rows: &[[u32; 6]], elements: &[Matrix]) -> Result<Self, SolveError> {
-        if fronts.entry_count() > MAX_ENTRIES {
+    /// Factors the sum of symmetric matrices of elements, of which the rows are given, or [`NONE`]. The memory of another
+    /// factor is taken where it fits: that is faster than to ask for more.
+    pub(super) fn new(
+        fronts: &Fronts,
+        rows: &[[u32; 6]],
+        element: &dyn Fn(usize) -> Matrix,
+        memory: &mut Vec<f64>,
+    ) -> Result<Self, SolveError> {
+        let count = fronts.entry_count();
+        if count > MAX_ENTRIES {
             return Err(SolveError::TooLarge);
         }
-        let mut entries = Vec::new();
-        entries.try_reserve_exact(fronts.entry_count() as usize).map_err(|_| SolveError::TooLarge)?;
-        let mut matrices: Vec<Vec<f64>> = Vec::with_capacity(fronts.list.len());
+        let is_fit = (count..4 * count).contains(&(memory.capacity() as u64));
+        let mut entries = if is_fit { mem::take(memory) } else { Vec::new() };
+        entries.clear();
+        entries.try_reserve_exact(count as usize).map_err(|_| SolveError::TooLarge)?;
+        let mut leftovers: Vec<Vec<f64>> = Vec::with_capacity(fronts.list.len());
         let mut places = Places { fronts, of_row: vec![NONE; fronts.row_count()], of_child: Vec::new() };
         for front in &fronts.list {
-            let mut matrix = zeros(front.size() * (front.size() + 1) / 2)?;
+            let start = entries.len();
+            entries.resize(start + front.entry_count(), 0.0);
+            let mut left = zeros(front.left_count())?;
+            let mut matrix = Dense::new(front, &mut entries[start..], &mut left);
             places.set(front);
-            for &element in fronts.elements(front) {
-                places.add_element(front, &rows[element as usize], &elements[element as usize], &mut matrix);
+            for &i in fronts.elements(front) {
+                places.add_element(&rows[i as usize], &element(i as usize), &mut matrix);
             }
             let mut child = front.child;
             while let Some(of_child) = fronts.list.get(child as usize) {
-                places.add_child(front, of_child, &mem::take(&mut matrices[child as usize]), &mut matrix);
+                places.add_child(of_child, &mem::take(&mut leftovers[child as usize]), &mut matrix);
                 child = of_child.sibling;
             }
-            eliminate(&mut matrix, front.size(), front.pivots.len())?;
-            entries.extend_from_slice(&matrix[..front.entry_count()]);
-            matrices.push(matrix);
+            matrix.eliminate()?;
+            leftovers.push(left);
         }
         Ok(Self { entries })
+    }
+
+    pub(super) fn into_memory(self) -> Vec<f64> {
+        self.entries
     }
 
     /// Replaces the right-hand sides by the solutions.
@@ -84,38 +99,85 @@ impl Places<'_> {
         }
     }
 
-    fn add_element(&self, front: &Front, rows: &[u32; 6], element: &Matrix, matrix: &mut [f64]) {
-        let places = rows.map(|row| self.of_row.get(row as usize).map(|&place| place as usize));
-        for (j, entries) in places.into_iter().zip(element) {
-            let Some(j) = j else { continue };
-            let start = column(front.size(), j);
-            for (i, entry) in places.into_iter().zip(entries) {
-                if let Some(i) = i.filter(|&i| i >= j) {
-                    matrix[start + i] += entry;
+    fn add_element(&self, rows: &[u32; 6], element: &Matrix, matrix: &mut Dense<'_>) {
+        let places =
+            rows.map(|row| self.of_row.get(row as usize).map_or(usize::MAX, |&place| place as usize));
+        let mut entries = element.iter();
+        for (j, &place) in places.iter().enumerate() {
+            for (&other, entry) in places[j..].iter().zip(entries.by_ref()) {
+                let [first, last] = if place < other { [place, other] } else { [other, place] };
+                if last != usize::MAX {
+                    matrix.column(first)[last - first] += entry;
                 }
             }
         }
     }
 
     /// Adds what the elimination of a child left on its boundary.
-    fn add_child(&mut self, front: &Front, child: &Front, left: &[f64], matrix: &mut [f64]) {
+    fn add_child(&mut self, child: &Front, left: &[f64], matrix: &mut Dense<'_>) {
         self.of_child.clear();
         let boundary = self.fronts.boundary(child).iter();
         self.of_child.extend(boundary.map(|&row| self.of_row[row as usize] as usize));
-        let mut left = &left[child.entry_count()..];
-        for (j, &place) in self.of_child.iter().enumerate() {
+        let mut left = left;
+        for (j, &first) in self.of_child.iter().enumerate() {
             let places = &self.of_child[j..];
             let (entries, rest) = left.split_at(places.len());
-            let column = &mut matrix[column(front.size(), place)..][..front.size()];
-            places.iter().zip(entries).for_each(|(&place, entry)| column[place] += entry);
+            let column = matrix.column(first);
+            places.iter().zip(entries).for_each(|(&place, entry)| column[place - first] += entry);
             left = rest;
         }
     }
 }
 
-/// What a place in a column adds to, to make the place in a packed matrix.
-fn column(size: usize, j: usize) -> usize {
-    j * size - j * (j + 1) / 2
+/// The lower half of the matrix of a front, column by column, each from the diagonal on.
+struct Dense<'a> {
+    size: usize,
+    pivot_count: usize,
+    /// The columns of the pivots, which become those of the factor.
+    pivots: &'a mut [f64],
+    /// Those of the boundary.
+    left: &'a mut [f64],
+}
+
+impl<'a> Dense<'a> {
+    fn new(front: &Front, pivots: &'a mut [f64], left: &'a mut [f64]) -> Self {
+        Self { size: front.size(), pivot_count: front.pivots.len(), pivots, left }
+    }
+
+    fn column(&mut self, j: usize) -> &mut [f64] {
+        match j.checked_sub(self.pivot_count) {
+            None => &mut self.pivots[start(self.size, j)..][..self.size - j],
+            Some(k) => &mut self.left[start(self.size - self.pivot_count, k)..][..self.size - j],
+        }
+    }
+
+    /// Turns the columns of the pivots into those of the factor, and takes what they add to the others from them.
+    fn eliminate(&mut self) -> Result<(), SolveError> {
+        for j in 0..self.pivot_count {
+            let (before, from) = self.pivots.split_at_mut(start(self.size, j));
+            let column = &mut from[..self.size - j];
+            subtract(before, column, self.size, j);
+            let pivot = column[0];
+            if pivot.is_nan() {
+                return Err(SolveError::NotPositive);
+            }
+            let root = if pivot > LEAST_PIVOT { pivot.sqrt() } else { 1.0 };
+            column[0] = root;
+            column[1..].iter_mut().for_each(|entry| *entry /= root);
+        }
+        let mut left = &mut *self.left;
+        for length in (1..=self.size - self.pivot_count).rev() {
+            let (column, rest) = left.split_at_mut(length);
+            subtract(self.pivots, column, self.size, self.pivot_count);
+            left = rest;
+        }
+        Ok(())
+    }
+}
+
+/// Where a column begins in the lower half of a matrix.
+fn start(size: usize, j: usize) -> usize {
+    j * (2 * size + 1 - j) / 2
 }
 
 fn zeros(count: usize) -> Result<Vec<f64>, SolveError> {
@@ -125,29 +187,10 @@ fn zeros(count: usize) -> Result<Vec<f64>, SolveError> {
     Ok(zeros)
 }
 
-/// Turns the first columns of a packed matrix into those of its factor, and takes what they add to the others from them.
-fn eliminate(matrix: &mut [f64], size: usize, pivot_count: usize) -> Result<(), SolveError> {
-    for j in 0..size {
-        let (before, from) = matrix.split_at_mut(column(size, j) + j);
-        let target = &mut from[..size - j];
-        subtract(before, target, size, j.min(pivot_count));
-        if j < pivot_count {
-            let pivot = target[0];
-            if pivot.is_nan() {
-                return Err(SolveError::NotPositive);
-            }
-            let root = if pivot > LEAST_PIVOT { pivot.sqrt() } else { 1.0 };
-            target[0] = root;
-            target[1..].iter_mut().for_each(|entry| *entry /= root);
-        }
-    }
-    Ok(())
-}
-
 /// Subtracts from the end of a column what some columns of the factor add to it.
 fn subtract(before: &[f64], target: &mut [f64], size: usize, count: usize) {
     let length = target.len();
-    let end = |p: usize| &before[column(size, p) + size - length..][..length];
+    let end = |p: usize| &before[start(size, p + 1) - length..][..length];
     let fours = count / 4 * 4;
     for p in (0..fours).step_by(4) {
         let [a, b, c, d] = [end(p), end(p + 1), end(p + 2), end(p + 3)];
@@ -203,7 +246,7 @@ fn backwards(
     local.extend_from_slice(&values[pivots.clone()]);
     local.extend(boundary.iter().map(|&row| values[row as usize]));
     for j in (0..pivots.len()).rev() {
-        let column = &columns[column(front.size(), j) + j..][..front.size() - j];
+        let column = &columns[start(front.size(), j)..][..front.size() - j];
         let mut sum = local[j];
         for (value, entry) in local[j + 1..].iter().zip(&column[1..]) {
             (0..4).for_each(|i| sum[i] -= entry * value[i]);
@@ -215,6 +258,7 @@ fn backwards(
 
 #[cfg(test)]
 mod tests {
+    use super::super::element::entry;
     use super::*;
 
     const SIZE: u32 = 90;
@@ -226,7 +270,9 @@ mod tests {
         let rows = (0..SIZE).map(|i| [0, 1, 2, 3, 4, 5].map(|k| row(i, k))).collect();
         let matrix = |i: u32| {
             let pull = 1.0 + f64::from(i % 5);
-            [0, 1, 2, 3, 4, 5].map(|j| [0, 1, 2, 3, 4, 5].map(|k| if j == k { 5.1 * pull } else { -pull }))
+            let mut matrix = [-pull; 21];
+            (0..6).for_each(|k| matrix[entry(k, k)] = 5.1 * pull);
+            matrix
         };
         (rows, (0..SIZE).map(matrix).collect())
     }
@@ -239,13 +285,15 @@ mod tests {
             let ends: Vec<_> = (1..SIZE).filter(|end| end.is_multiple_of(step)).chain([SIZE]).collect();
             let fronts = Fronts::new(&rows, &ends);
             let mut values = right.clone();
-            Factor::new(&fronts, &rows, &matrices).expect("a factor").solve(&fronts, &mut values);
+            Factor::new(&fronts, &rows, &|i| matrices[i], &mut Vec::new())
+                .expect("a factor")
+                .solve(&fronts, &mut values);
             let mut left = vec![[0.0; 4]; SIZE as usize];
             for (rows, matrix) in rows.iter().zip(&matrices) {
-                for (&i, entries) in rows.iter().zip(matrix).filter(|(row, _)| **row != NONE) {
-                    for (&j, entry) in rows.iter().zip(entries).filter(|(row, _)| **row != NONE) {
-                        (0..4).for_each(|c| left[i as usize][c] += entry * values[j as usize][c]);
-                    }
+                let pairs = (0..6).flat_map(|i| (0..6).map(move |j| (i, j)));
+                for (i, j) in pairs.filter(|&(i, j)| rows[i] != NONE && rows[j] != NONE) {
+                    let value = values[rows[j] as usize];
+                    (0..4).for_each(|c| left[rows[i] as usize][c] += matrix[entry(i, j)] * value[c]);
                 }
             }
             for (left, right) in left.as_flattened().iter().zip(right.as_flattened()) {
@@ -257,14 +305,16 @@ mod tests {
     #[test]
     fn a_part_that_nothing_holds_gets_some_value_and_what_is_no_number_none() {
         let rows = [[0, 1, NONE, NONE, NONE, NONE]];
-        let mut matrix = [[0.0; 6]; 6];
-        (matrix[0][0], matrix[0][1], matrix[1][0], matrix[1][1]) = (1.0, -1.0, -1.0, 1.0);
+        let mut matrix = [0.0; 21];
+        (matrix[entry(0, 0)], matrix[entry(0, 1)], matrix[entry(1, 1)]) = (1.0, -1.0, 1.0);
         let fronts = Fronts::new(&rows, &[1, 2]);
         let mut values = [[0.5; 4], [-0.5; 4]];
-        Factor::new(&fronts, &rows, &[matrix]).expect("a factor").solve(&fronts, &mut values);
+        Factor::new(&fronts, &rows, &|_| matrix, &mut Vec::new())
+            .expect("a factor")
+            .solve(&fronts, &mut values);
         assert_eq!(values, [[0.5; 4], [0.0; 4]]);
-        matrix[1][1] = f64::NAN;
-        let error = Factor::new(&fronts, &rows, &[matrix]).err();
+        matrix[entry(1, 1)] = f64::NAN;
+        let error = Factor::new(&fronts, &rows, &|_| matrix, &mut Vec::new()).err();
         assert_eq!(error, Some(SolveError::NotPositive));
     }
 }

@@ -8,10 +8,11 @@ use std::iter;
 
 use scumble_core::{HalfEdge, SideId, Triangulation, sort};
 
-use super::barriers::Barriers;
+use super::order::elimination_rank;
+use crate::barriers::Barriers;
 
-/// Unknown that is not numbered yet.
-const NONE: u32 = u32::MAX;
+/// Unknown that is not numbered yet, or anything else that is not there.
+pub(super) const NONE: u32 = u32::MAX;
 
 /// The triangles of one region and their unknowns, counted from 0 in each region.
 #[derive(Debug)]
@@ -24,8 +25,8 @@ pub(super) struct Dofs {
     pub(super) sides: Vec<Side>,
     /// The gaps that it has a part in, open or closed, in ascending order.
     pub(super) gaps: Vec<u32>,
-    /// Number of unknowns at corners; they are numbered first.
-    pub(super) corner_count: usize,
+    /// Where the groups of unknowns end that are eliminated together; none before they are in the order of elimination.
+    pub(super) group_ends: Vec<u32>,
     /// Number of unknowns.
     pub(super) count: usize,
 }
@@ -49,12 +50,17 @@ pub(super) fn number(barriers: Barriers<'_>, triangles: &[u32]) -> Vec<Dofs> {
 }
 
 impl Dofs {
-    /// Renumbers the unknowns: what was `i` becomes `rank[i]`; corners no longer come first.
-    pub(super) fn renumber(&mut self, rank: &[u32]) {
+    /// Renumbers the unknowns in the order of elimination, once.
+    pub(super) fn order(&mut self) {
+        if !self.group_ends.is_empty() {
+            return;
+        }
+        let (rank, group_ends) = elimination_rank(self);
         let of_sides = self.sides.iter_mut().flat_map(|side| &mut side.dofs);
         for dof in self.of_triangle.iter_mut().flatten().chain(of_sides) {
             *dof = rank[*dof as usize];
         }
+        self.group_ends = group_ends;
     }
 }
 
@@ -69,13 +75,12 @@ impl Numbers<'_> {
     fn region(&mut self, triangles: Vec<u32>) -> Dofs {
         self.next = 0;
         half_edges(&triangles).for_each(|h| self.number_sector(h));
-        let corner_count = self.next as usize;
         half_edges(&triangles).for_each(|h| self.number_middle(h));
         Dofs {
             of_triangle: triangles.iter().map(|&t| self.of_triangle[t as usize]).collect(),
             sides: self.sides(&triangles),
             gaps: gaps(self.barriers.mesh, &triangles),
-            corner_count,
+            group_ends: Vec::new(),
             count: self.next as usize,
             triangles,
         }

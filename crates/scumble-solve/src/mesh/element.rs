@@ -11,64 +11,93 @@ use kurbo::Point;
 const LEAST_FLATNESS: f64 = 1e-6;
 
 /// Half the cotangents of the angles opposite edges 01, 12, 20.
-pub(super) fn weights(corners: [Point; 3]) -> [f64; 3] {
+fn weights(corners: [Point; 3]) -> [f64; 3] {
     let edges = [0, 1, 2].map(|i| corners[(i + 1) % 3] - corners[i]);
     let longest2 = edges.iter().map(|edge| edge.hypot2()).fold(0.0, f64::max);
     let area2 = edges[0].cross(edges[1]).max(LEAST_FLATNESS * longest2);
     [0, 1, 2].map(|i| -0.5 * edges[(i + 1) % 3].dot(edges[(i + 2) % 3]) / area2)
 }
 
-/// The entries on the diagonal, for the unknowns in the order of [`super::dofs::Dofs::of_triangle`].
-pub(super) fn diagonal([a, b, c]: [f64; 3]) -> [f64; 6] {
-    let middle = 8.0 / 3.0 * (a + b + c);
-    [c + a, a + b, b + c, middle, middle, middle]
+/// A symmetric matrix for the six unknowns of a triangle, in the order of [`super::dofs::Dofs::of_triangle`]: its lower
+/// half, column by column.
+pub(super) type Matrix = [f64; 21];
+
+/// Where the entry of a row and a column is.
+pub(super) const fn entry(row: usize, column: usize) -> usize {
+    let [least, most] = if row < column { [row, column] } else { [column, row] };
+    least * 6 - least * (least + 1) / 2 + most
 }
 
-/// The entries off the diagonal: two unknowns of the triangle and what couples them.
-pub(super) fn couplings(weights: [f64; 3]) -> [(usize, usize, f64); 12] {
-    let mut couplings = [(0, 0, 0.0); 12];
-    for (i, (w, four)) in weights.into_iter().zip(couplings.as_chunks_mut::<4>().0).enumerate() {
-        let (j, k) = ((i + 1) % 3, (i + 2) % 3);
-        *four = [
-            (i, j, w / 3.0),
-            (i, 3 + i, -4.0 / 3.0 * w),
-            (j, 3 + i, -4.0 / 3.0 * w),
-            (3 + j, 3 + k, -8.0 / 3.0 * w),
-        ];
+/// The matrix of Laplace's equation.
+pub(super) fn stiffness(corners: [Point; 3]) -> Matrix {
+    let mut matrix = [0.0; 21];
+    let weights = weights(corners);
+    let middle = 8.0 / 3.0 * (weights[0] + weights[1] + weights[2]);
+    for i in 0..3 {
+        let (j, k, w) = ((i + 1) % 3, (i + 2) % 3, weights[i]);
+        matrix[entry(i, i)] = w + weights[k];
+        matrix[entry(3 + i, 3 + i)] = middle;
+        matrix[entry(i, j)] = w / 3.0;
+        matrix[entry(i, 3 + i)] = -4.0 / 3.0 * w;
+        matrix[entry(j, 3 + i)] = -4.0 / 3.0 * w;
+        matrix[entry(3 + j, 3 + k)] = -8.0 / 3.0 * w;
     }
-    couplings
+    matrix
 }
 
-/// A matrix for the six unknowns of a triangle, by row and column.
-pub(super) type Matrix = [[f64; 6]; 6];
-
-/// Points of a rule that is exact up to the fifth degree (J. Radon, 1948): barycentric coordinates, and the part of the
-/// area that each stands for. Two of the coordinates are equal.
-fn quadrature() -> [([f64; 3], f64); 7] {
-    let root = 15_f64.sqrt();
-    let triple = |s: f64| {
-        let (a, weight) = ((6.0 + s * root) / 21.0, (155.0 + s * root) / 1200.0);
-        let b = 1.0 - 2.0 * a;
-        [([b, a, a], weight), ([a, b, a], weight), ([a, a, b], weight)]
-    };
-    let ([a, b, c], [d, e, f]) = (triple(1.0), triple(-1.0));
-    [([1.0 / 3.0; 3], 9.0 / 40.0), a, b, c, d, e, f]
+/// What each of the six functions has of a matrix, all others being one.
+pub(super) fn row_sums(matrix: &Matrix) -> [f64; 6] {
+    [0, 1, 2, 3, 4, 5].map(|row| (0..6).map(|column| matrix[entry(row, column)]).sum())
 }
 
-/// The integral of products of two of the six functions, times a factor that depends on the place.
-pub(super) fn mass(corners: [Point; 3], factor: &dyn Fn(Point) -> f64) -> Matrix {
-    let [a, b, c] = corners.map(Point::to_vec2);
-    let area = 0.5 * (b - a).cross(c - a);
-    let mut mass = [[0.0; 6]; 6];
-    for (weights, part) in quadrature() {
-        let [u, v, w] = weights;
-        let scale = part * area * factor((u * a + v * b + w * c).to_point());
-        let shape = shape(weights);
-        for (row, at_row) in mass.iter_mut().zip(shape) {
-            row.iter_mut().zip(shape).for_each(|(entry, at_column)| *entry += scale * at_row * at_column);
+/// A rule for integrals over a triangle, exact up to the fifth degree (J. Radon, 1948).
+#[derive(Debug)]
+pub(super) struct Quadrature {
+    points: [QuadraturePoint; 7],
+}
+
+#[derive(Clone, Copy, Debug)]
+struct QuadraturePoint {
+    /// Barycentric coordinates.
+    place: [f64; 3],
+    /// The products of two of the six functions there, times the part of the area that the point stands for.
+    products: Matrix,
+}
+
+impl Quadrature {
+    pub(super) fn new() -> Self {
+        let root = 15_f64.sqrt();
+        let triple = |s: f64| {
+            let (a, part) = ((6.0 + s * root) / 21.0, (155.0 + s * root) / 1200.0);
+            let b = 1.0 - 2.0 * a;
+            [[b, a, a], [a, b, a], [a, a, b]].map(|place| QuadraturePoint::new(place, part))
+        };
+        let ([a, b, c], [d, e, f]) = (triple(1.0), triple(-1.0));
+        Self { points: [QuadraturePoint::new([1.0 / 3.0; 3], 9.0 / 40.0), a, b, c, d, e, f] }
+    }
+
+    /// The integral of products of two of the six functions, times a factor that depends on the place.
+    pub(super) fn mass(&self, corners: [Point; 3], factor: &dyn Fn(Point) -> f64) -> Matrix {
+        let [a, b, c] = corners.map(Point::to_vec2);
+        let area = 0.5 * (b - a).cross(c - a);
+        let mut mass = [0.0; 21];
+        for QuadraturePoint { place: [u, v, w], products } in &self.points {
+            let scale = area * factor((*u * a + *v * b + *w * c).to_point());
+            mass.iter_mut().zip(products).for_each(|(entry, product)| *entry += scale * product);
         }
+        mass
     }
-    mass
+}
+
+impl QuadraturePoint {
+    fn new(place: [f64; 3], part: f64) -> Self {
+        let shape = shape(place);
+        let mut products = [0.0; 21];
+        for (i, j) in (0..6).flat_map(|i| (0..=i).map(move |j| (i, j))) {
+            products[entry(i, j)] = part * shape[i] * shape[j];
+        }
+        Self { place, products }
+    }
 }
 
 /// The six functions at a place: each is one at its own node and zero at the others.
@@ -88,11 +117,13 @@ mod tests {
             0..3 => corners[i],
             _ => corners[i % 3].midpoint(corners[(i + 1) % 3]),
         });
-        let values = nodes.map(f);
-        let weights = weights(corners);
-        let diagonal: f64 = diagonal(weights).iter().zip(values).map(|(k, v)| k * v * v).sum();
-        let off: f64 = couplings(weights).iter().map(|&(i, j, k)| 2.0 * k * values[i] * values[j]).sum();
-        diagonal + off
+        dotted(&stiffness(corners), nodes.map(f))
+    }
+
+    /// A matrix applied to values, dotted with them.
+    fn dotted(matrix: &Matrix, values: [f64; 6]) -> f64 {
+        let pairs = (0..6).flat_map(|i| (0..6).map(move |j| (i, j)));
+        pairs.map(|(i, j)| matrix[entry(i, j)] * values[i] * values[j]).sum()
     }
 
     #[test]
@@ -114,12 +145,7 @@ mod tests {
         let corners = [Point::new(0.0, 0.0), Point::new(2.0, 0.0), Point::new(0.0, 1.0)];
         let nodes = [(0.0, 0.0), (2.0, 0.0), (0.0, 1.0), (1.0, 0.0), (1.0, 0.5), (0.0, 0.5)].map(Point::from);
         let integral = |f: fn(Point) -> f64, factor: f64| {
-            let (mass, values) = (mass(corners, &|_| factor), nodes.map(f));
-            let rows = mass
-                .iter()
-                .zip(values)
-                .map(|(row, v)| v * row.iter().zip(values).map(|(m, w)| m * w).sum::<f64>());
-            rows.sum::<f64>()
+            dotted(&Quadrature::new().mass(corners, &|_| factor), nodes.map(f))
         };
         assert!((integral(|_| 1.0, 3.0) - 3.0).abs() < 1e-14);
         assert!((integral(|p| p.x, 1.0) - 2.0 / 3.0).abs() < 1e-14);

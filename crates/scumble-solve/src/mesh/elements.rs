@@ -1,30 +1,22 @@
 //! The elements of a region: those of the mesh, or finer ones where sources shade it; and their system.
 
-use std::mem;
-
 use kurbo::Point;
 use scumble_core::{BlendColor, SoftSource, Triangulation};
 
 use super::SolveError;
-use super::brush::Brush;
-use super::dofs::Dofs;
-use super::element::{self, Matrix};
-use super::order::elimination_rank;
+use super::cells::Cells;
+use super::dofs::{Dofs, NONE};
+use super::element::{self, Matrix, Quadrature};
 use super::refine::{self, Shape};
-use super::system::{Element, System};
-
-/// The distance in which a shade on paper fades by a factor of e, in radii of the widest brush. Without it, nothing
-/// would keep a shade from flowing all over a region that has no colour.
-const FADE_RADII: f64 = 1.5;
+use super::system::System;
+use crate::brush::{self, Brush};
 
 /// Elements, and their system once one is needed.
 #[derive(Debug)]
 pub(super) struct Elements {
     pub(super) dofs: Dofs,
     shade: Option<Shade>,
-    /// Whether the unknowns are in the order of elimination.
-    is_ordered: bool,
-    /// The last system, and which sides were coloured then; `None` also where it does not fit into memory.
+    /// The last system, and which sides were coloured then.
     system: Option<(Vec<bool>, System)>,
 }
 
@@ -32,8 +24,9 @@ pub(super) struct Elements {
 #[derive(Debug)]
 struct Shade {
     shapes: Vec<Shape>,
-    /// By the element, in ascending order.
-    masses: Vec<(u32, Matrix)>,
+    /// By the element, where its mass is, or [`NONE`].
+    mass_of: Vec<u32>,
+    masses: Vec<Matrix>,
     loads: Vec<Load>,
 }
 
@@ -49,14 +42,17 @@ struct Load {
 impl Elements {
     /// Those of the mesh.
     pub(super) fn new(dofs: Dofs) -> Self {
-        Self { dofs, shade: None, is_ordered: false, system: None }
+        Self { dofs, shade: None, system: None }
     }
 
-    /// Those that sources need in a region of the mesh, which may be paper.
-    pub(super) fn shaded(mesh: &Triangulation, dofs: &Dofs, sources: &[SoftSource], is_paper: bool) -> Self {
+    /// Those that sources need in a region of some cells, which may be paper.
+    pub(super) fn shaded(coarse: &Cells, dofs: &Dofs, sources: &[SoftSource], is_paper: bool) -> Self {
         let brushes: Vec<_> = sources.iter().map(Brush::new).collect();
-        let refined = refine::refine(mesh, dofs, &brushes);
-        let mut shade = Shade { shapes: refined.shapes, masses: Vec::new(), loads: Vec::new() };
+        let refined = refine::refine(coarse, dofs, &brushes);
+        let (mass_of, finer) =
+            (vec![NONE; refined.shapes.len()], refined.shapes.len() - dofs.triangles.len());
+        let (masses, loads) = (Vec::with_capacity(finer), Vec::with_capacity(finer));
+        let mut shade = Shade { shapes: refined.shapes, mass_of, masses, loads };
         shade.shade(&brushes);
         if is_paper {
             shade.fade(&brushes);
@@ -65,10 +61,7 @@ impl Elements {
     }
 
     pub(super) fn corners(&self, mesh: &Triangulation, element: usize) -> [Point; 3] {
-        match &self.shade {
-            None => mesh.corners(self.dofs.triangles[element] as usize),
-            Some(shade) => shade.shapes[element].corners,
-        }
+        corners(mesh, &self.dofs, self.shade.as_ref(), element)
     }
 
     /// The edges of an element that bound the region, where it is not one of the mesh.
@@ -79,7 +72,7 @@ impl Elements {
     /// Sets the system up if the coloured sides are others than those of the last one.
     pub(super) fn analyse(&mut self, mesh: &Triangulation, is_colored: &[bool]) {
         if self.system.as_ref().is_none_or(|(sides, _)| sides != is_colored) {
-            self.system = self.new_system(mesh, is_colored).ok().map(|system| (is_colored.to_vec(), system));
+            self.system = Some((is_colored.to_vec(), self.new_system(mesh, is_colored)));
         }
     }
 
@@ -89,8 +82,15 @@ impl Elements {
     }
 
     /// Factors the system if that is not done yet.
-    pub(super) fn factor(&mut self) -> Result<(), SolveError> {
-        self.system.as_mut().ok_or(SolveError::TooLarge)?.1.factor()
+    pub(super) fn factor(&mut self, mesh: &Triangulation, memory: &mut Vec<f64>) -> Result<(), SolveError> {
+        let (dofs, shade) = (&self.dofs, self.shade.as_ref());
+        let system = self.system.as_mut().map(|(_, system)| system);
+        system.map_or(Ok(()), |system| system.factor(&|i| matrix(mesh, dofs, shade, i), memory))
+    }
+
+    /// The memory of the factor.
+    pub(super) fn into_memory(self) -> Option<Vec<f64>> {
+        self.system.and_then(|(_, system)| system.into_memory())
     }
 
     /// What sources of some colours add to the right-hand side: an unknown, and how much.
@@ -103,64 +103,81 @@ impl Elements {
         })
     }
 
-    fn new_system(&mut self, mesh: &Triangulation, is_colored: &[bool]) -> Result<System, SolveError> {
-        if !self.is_ordered {
-            self.dofs.renumber(&elimination_rank(&self.dofs)?);
-            self.is_ordered = true;
-        }
+    fn new_system(&mut self, mesh: &Triangulation, is_colored: &[bool]) -> System {
+        self.dofs.order();
         let mut fixed = vec![false; self.dofs.count];
         for (side, _) in self.dofs.sides.iter().zip(is_colored).filter(|(_, is_colored)| **is_colored) {
             side.dofs.iter().for_each(|&dof| fixed[dof as usize] = true);
         }
-        let mut masses = self.shade.iter().flat_map(|shade| &shade.masses).peekable();
-        let mut elements = self.dofs.of_triangle.iter().enumerate().map(|(i, &dofs)| Element {
-            corners: self.corners(mesh, i),
-            dofs,
-            mass: masses.next_if(|(element, _)| *element as usize == i).map(|(_, mass)| mass),
-        });
-        Ok(System::new(&mut elements, &fixed))
+        let (dofs, shade) = (&self.dofs, self.shade.as_ref());
+        System::new(dofs, &|i| matrix(mesh, dofs, shade, i), &fixed)
     }
 }
 
+fn corners(mesh: &Triangulation, dofs: &Dofs, shade: Option<&Shade>, element: usize) -> [Point; 3] {
+    match shade {
+        None => mesh.corners(dofs.triangles[element] as usize),
+        Some(shade) => shade.shapes[element].corners,
+    }
+}
+
+/// What an element adds to the matrix.
+fn matrix(mesh: &Triangulation, dofs: &Dofs, shade: Option<&Shade>, element: usize) -> Matrix {
+    let mut matrix = element::stiffness(corners(mesh, dofs, shade, element));
+    if let Some(mass) = shade.and_then(|shade| shade.mass(element)) {
+        add(&mut matrix, mass);
+    }
+    matrix
+}
+
 impl Shade {
-    /// Adds the pull of the paper to all elements: a source of clear colour that is everywhere, and so weak that it
-    /// shows beyond the others alone.
-    fn fade(&mut self, brushes: &[Brush]) {
-        let reach_du = FADE_RADII * brushes.iter().map(|brush| brush.radius_du).fold(0.0, f64::max);
-        let mut known = mem::take(&mut self.masses).into_iter().peekable();
-        for (element, shape) in (0..).zip(&self.shapes) {
-            let mut mass = element::mass(shape.corners, &|_| (reach_du * reach_du).recip());
-            if let Some((_, known)) = known.next_if(|(known, _)| *known == element) {
-                add(&mut mass, &known);
+    fn mass(&self, element: usize) -> Option<&Matrix> {
+        self.masses.get(self.mass_of[element] as usize)
+    }
+
+    fn add_mass(&mut self, element: usize, mass: Matrix) {
+        match self.masses.get_mut(self.mass_of[element] as usize) {
+            Some(sum) => add(sum, &mass),
+            None => {
+                self.mass_of[element] = self.masses.len() as u32;
+                self.masses.push(mass);
             }
-            self.masses.push((element, mass));
+        }
+    }
+
+    /// Adds the pull of the paper to all elements.
+    fn fade(&mut self, brushes: &[Brush]) {
+        let quadrature = Quadrature::new();
+        let strength = brush::fade_strength(brushes.iter());
+        for element in 0..self.shapes.len() {
+            let mass = quadrature.mass(self.shapes[element].corners, &|_| strength);
+            self.add_mass(element, mass);
         }
     }
 
     /// Integrates what the sources add, over each element in turn.
     fn shade(&mut self, brushes: &[Brush]) {
+        let quadrature = Quadrature::new();
         let mut near = Vec::new();
-        for (element, shape) in (0..).zip(&self.shapes) {
-            let [a, b, c] = shape.corners.map(Point::to_vec2);
+        for element in 0..self.shapes.len() {
+            let corners = self.shapes[element].corners;
+            let [a, b, c] = corners.map(Point::to_vec2);
             let middle = ((a + b + c) / 3.0).to_point();
-            let reach_du =
-                shape.corners.map(|corner| corner.distance(middle)).into_iter().fold(0.0, f64::max);
+            let reach_du = corners.map(|corner| corner.distance(middle)).into_iter().fold(0.0, f64::max);
             for (source, brush) in (0..).zip(brushes) {
                 brush.near(middle, reach_du, &mut near);
                 if near.is_empty() {
                     continue;
                 }
-                let mass = element::mass(shape.corners, &|p| brush.strength(p, &near));
-                self.loads.push(Load { element, source, values: mass.map(|row| row.iter().sum()) });
-                match self.masses.last_mut() {
-                    Some((last, sum)) if *last == element => add(sum, &mass),
-                    _ => self.masses.push((element, mass)),
-                }
+                let mass = quadrature.mass(corners, &|p| brush.strength(p, &near));
+                let load = Load { element: element as u32, source, values: element::row_sums(&mass) };
+                self.loads.push(load);
+                self.add_mass(element, mass);
             }
         }
     }
 }
 
-fn add(sum: &mut Matrix, mass: &Matrix) {
-    sum.as_flattened_mut().iter_mut().zip(mass.as_flattened()).for_each(|(sum, entry)| *sum += entry);
+fn add(sum: &mut Matrix, other: &Matrix) {
+    sum.iter_mut().zip(other).for_each(|(sum, entry)| *sum += entry);
 }

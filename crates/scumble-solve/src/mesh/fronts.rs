@@ -49,8 +49,13 @@ impl Front {
 
     /// Number of entries that it has in the factor.
     pub(super) fn entry_count(&self) -> usize {
-        let [all, boundary] = [self.size(), self.boundary.len()].map(|size| size * (size + 1) / 2);
-        all - boundary
+        let all = self.size() * (self.size() + 1) / 2;
+        all - self.left_count()
+    }
+
+    /// Number of entries that its elimination leaves on its boundary.
+    pub(super) fn left_count(&self) -> usize {
+        self.boundary.len() * (self.boundary.len() + 1) / 2
     }
 
     /// Itself with a child that comes right before it, where that makes few zeros.
@@ -76,22 +81,22 @@ impl Fronts {
         let group_of = group_of(ends);
         let (starts, elements) = by_group(rows, &group_of, ends.len());
         let mut fronts = Self { list: Vec::with_capacity(ends.len()), boundaries: Vec::new(), elements };
-        let (mut child_of, mut keys) = (vec![NONE; ends.len()], Vec::new());
+        let mut child_of = vec![NONE; ends.len()];
+        let mut rows_from = RowsFrom { end: 0, seen: vec![NONE; group_of.len()], keys: Vec::new() };
         for (group, &end) in ends.iter().enumerate() {
             let elements = starts[group] as usize..starts[group + 1] as usize;
-            keys.clear();
+            rows_from.start(end);
             for &element in &fronts.elements[elements.clone()] {
-                push_from(end, &rows[element as usize], &mut keys);
+                rows_from.add(&rows[element as usize]);
             }
             let mut child = child_of[group];
             while let Some(front) = fronts.list.get(child as usize) {
-                push_from(end, fronts.boundary(front), &mut keys);
+                rows_from.add(fronts.boundary(front));
                 child = front.sibling;
             }
-            sort::sort(&mut keys);
-            keys.dedup();
+            sort::sort(&mut rows_from.keys);
             let start = fronts.boundaries.len();
-            fronts.boundaries.extend(keys.iter().map(|&(row, _)| row as u32));
+            fronts.boundaries.extend(rows_from.keys.iter().map(|&(row, _)| row as u32));
             let parent_row = fronts.boundaries.get(start).copied().unwrap_or(NONE);
             let parent =
                 group_of.get(parent_row as usize).and_then(|&group| child_of.get_mut(group as usize));
@@ -188,7 +193,26 @@ fn first(rows: &[u32; 6]) -> u32 {
     rows.iter().copied().fold(NONE, u32::min)
 }
 
-/// Collects the rows from one on.
-fn push_from(end: u32, rows: &[u32], keys: &mut Vec<(u64, u32)>) {
-    keys.extend(rows.iter().filter(|&&row| row >= end && row != NONE).map(|&row| (row.into(), 0)));
+/// Collects the rows from one on, each of them once.
+struct RowsFrom {
+    end: u32,
+    /// For each row the end for which it was collected last.
+    seen: Vec<u32>,
+    keys: Vec<(u64, u32)>,
+}
+
+impl RowsFrom {
+    fn start(&mut self, end: u32) {
+        self.end = end;
+        self.keys.clear();
+    }
+
+    fn add(&mut self, rows: &[u32]) {
+        for &row in rows.iter().filter(|&&row| row >= self.end && row != NONE) {
+            if self.seen[row as usize] != self.end {
+                self.seen[row as usize] = self.end;
+                self.keys.push((row.into(), 0));
+            }
+        }
+    }
 }

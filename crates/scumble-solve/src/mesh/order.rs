@@ -9,12 +9,14 @@ use faer::dyn_stack::{MemBuffer, MemStack};
 use faer::sparse::SymbolicSparseColMatRef;
 use faer::sparse::linalg::amd;
 
-use super::SolveError;
 use super::dofs::Dofs;
 
-/// The place of each unknown in the order of elimination.
-pub(super) fn elimination_rank(dofs: &Dofs) -> Result<Vec<u32>, SolveError> {
-    let corner_rank = corner_rank(dofs)?;
+/// The place of each unknown in the order of elimination, and where the groups of a corner and of the edges before it
+/// end there. Corners come first among the unknowns.
+pub(super) fn elimination_rank(dofs: &Dofs) -> (Vec<u32>, Vec<u32>) {
+    let corner_count =
+        dofs.of_triangle.iter().flat_map(|dofs| &dofs[..3]).fold(0, |most, &c| most.max(c + 1));
+    let corner_rank = corner_rank(dofs, corner_count as usize);
     let mut group_of = corner_rank.clone();
     group_of.resize(dofs.count, 0);
     for dofs in &dofs.of_triangle {
@@ -23,41 +25,44 @@ pub(super) fn elimination_rank(dofs: &Dofs) -> Result<Vec<u32>, SolveError> {
             group_of[dofs[3 + i] as usize] = ends[0].min(ends[1]);
         }
     }
-    let mut ends = vec![0; dofs.corner_count];
+    let mut ends = vec![0; corner_rank.len()];
     group_of.iter().for_each(|&group| ends[group as usize] += 1);
-    for group in 1..dofs.corner_count {
+    for group in 1..ends.len() {
         ends[group] += ends[group - 1];
     }
+    let mut next = ends.clone();
     // From the end of each group on: corners come first among the unknowns, so they are last in their groups.
     let place = |&group: &u32| {
-        ends[group as usize] -= 1;
-        ends[group as usize]
+        next[group as usize] -= 1;
+        next[group as usize]
     };
-    Ok(group_of.iter().map(place).collect())
+    (group_of.iter().map(place).collect(), ends)
 }
 
-/// The place of each corner in an order of the corners alone.
-fn corner_rank(dofs: &Dofs) -> Result<Vec<u32>, SolveError> {
-    let count = dofs.corner_count;
-    let (column_starts, neighbours) = neighbours(dofs);
+/// The place of each corner in an order of the corners alone; where there is no memory to find one, as they are.
+fn corner_rank(dofs: &Dofs, count: usize) -> Vec<u32> {
+    let (column_starts, neighbours) = neighbours(dofs, count);
     let pattern =
         SymbolicSparseColMatRef::new_unsorted_checked(count, count, &column_starts, None, &neighbours);
     let scratch = amd::order_maybe_unsorted_scratch::<u32>(count, neighbours.len());
-    let mut memory = MemBuffer::try_new(scratch).map_err(|_| SolveError::TooLarge)?;
     let (mut corner_at, mut rank) = (vec![0; count], vec![0; count]);
-    let stack = MemStack::new(&mut memory);
-    amd::order_maybe_unsorted(&mut corner_at, &mut rank, pattern, amd::Control::default(), stack)
-        .map_err(|_| SolveError::TooLarge)?;
-    Ok(rank)
+    let order = |mut memory: MemBuffer| {
+        let stack = MemStack::new(&mut memory);
+        amd::order_maybe_unsorted(&mut corner_at, &mut rank, pattern, amd::Control::default(), stack).ok()
+    };
+    match MemBuffer::try_new(scratch).ok().and_then(order) {
+        Some(_) => rank,
+        None => (0..count as u32).collect(),
+    }
 }
 
 /// For each corner, the next corner of each of its triangles: where each begins in a list, and the list. An edge
 /// between two triangles is listed from both ends, one on a side from one end.
-fn neighbours(dofs: &Dofs) -> (Vec<u32>, Vec<u32>) {
+fn neighbours(dofs: &Dofs, corner_count: usize) -> (Vec<u32>, Vec<u32>) {
     let corners = || dofs.of_triangle.iter().flat_map(|&[a, b, c, ..]| [[a, b], [b, c], [c, a]]);
-    let mut starts = vec![0; dofs.corner_count + 1];
+    let mut starts = vec![0; corner_count + 1];
     corners().for_each(|[from, _]| starts[from as usize + 1] += 1);
-    for corner in 0..dofs.corner_count {
+    for corner in 0..corner_count {
         starts[corner + 1] += starts[corner];
     }
     let mut next = starts.clone();

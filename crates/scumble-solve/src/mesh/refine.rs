@@ -4,11 +4,10 @@
 //! source's: the mesh changes little where a stroke moves a little.
 
 use kurbo::Point;
-use scumble_core::Triangulation;
 
-use super::brush::Brush;
 use super::cells::Cells;
 use super::dofs::Dofs;
+use crate::brush::Brush;
 
 /// Triangles of the finest mesh of a region beyond those of the region itself: more detail than that is left out.
 const MAX_FINER: usize = 60_000;
@@ -19,8 +18,9 @@ const LONGEST_EDGE: f64 = 0.55;
 /// Where the rim is, in radii: the source is all but nothing beyond.
 const RIM: f64 = 0.85;
 
-/// What the longest edge grows by beyond the rim, for each du of distance.
-const GROWTH: f64 = 2.0;
+/// What the longest edge grows by beyond the rim, for each du of distance. The middle of a triangle is no farther from its
+/// corners than two thirds of its longest edge, so at this it is split wherever in it the brush is.
+const GROWTH: f64 = 1.5;
 
 /// Longest edge where a stroke runs over the side of a curve, in widths of the layer there, `√(1 / strength)`.
 const SIDE_EDGE: f64 = 0.75;
@@ -43,11 +43,11 @@ pub(super) struct Shape {
     pub(super) side_edges: u32,
 }
 
-/// Refines a region for sources.
-pub(super) fn refine(mesh: &Triangulation, dofs: &Dofs, brushes: &[Brush]) -> Refined {
+/// Refines a region of some cells for sources.
+pub(super) fn refine(coarse: &Cells, dofs: &Dofs, brushes: &[Brush]) -> Refined {
     let mut coarsening = 1.0;
     loop {
-        let mut cells = Cells::new(mesh, dofs);
+        let mut cells = coarse.clone();
         if cells.refine(brushes, coarsening) {
             return cells.refined(dofs);
         }

@@ -5,15 +5,18 @@ use std::mem;
 use scumble_core::{BlendColor, HalfEdge, SideColors, SideId, SoftSource, Triangulation};
 
 use super::SolveError;
-use super::barriers::Barriers;
+use super::cells::Cells;
 use super::dofs::{Dofs, Side};
 use super::elements::Elements;
+use crate::barriers::Barriers;
 use crate::field::FieldTriangle;
 
 /// A region and what is known about it so far.
 #[derive(Debug)]
 pub(super) struct Region {
     base: Elements,
+    /// Its triangles, to be bisected, once a source shades it.
+    cells: Option<Cells>,
     /// Where sources shade it: them, and the elements that they need.
     shaded: Option<(Vec<SoftSource>, Elements)>,
     /// The colours of its sides, as of the last look at them.
@@ -43,6 +46,7 @@ impl Region {
             given: vec![None; dofs.sides.len()],
             is_paper: true,
             base: Elements::new(dofs),
+            cells: None,
             shaded: None,
             coloring: Coloring::Paper,
             values: Vec::new(),
@@ -78,10 +82,15 @@ impl Region {
     }
 
     /// Takes in the colours and the sources that shade it; sets up the system if it is needed and is not that of
-    /// the last time.
-    pub(super) fn analyse(&mut self, mesh: &Triangulation, colors: &SideColors, sources: Vec<SoftSource>) {
+    /// the last time. Returns the memory of a factor that is of no use any more.
+    pub(super) fn analyse(
+        &mut self,
+        mesh: &Triangulation,
+        colors: &SideColors,
+        sources: Vec<SoftSource>,
+    ) -> Option<Vec<f64>> {
         let is_paper = given(&self.base.dofs.sides, colors).iter().all(Option::is_none);
-        self.shade(mesh, sources, is_paper);
+        let memory = self.shade(mesh, sources, is_paper);
         let given = given(&self.elements().dofs.sides, colors);
         if given != self.given {
             self.given = given;
@@ -95,29 +104,39 @@ impl Region {
             let elements = self.shaded.as_mut().map_or(&mut self.base, |(_, elements)| elements);
             elements.analyse(mesh, &is_colored);
         }
+        memory
     }
 
-    fn shade(&mut self, mesh: &Triangulation, sources: Vec<SoftSource>, is_paper: bool) {
+    fn shade(&mut self, mesh: &Triangulation, sources: Vec<SoftSource>, is_paper: bool) -> Option<Vec<f64>> {
         let was_paper = mem::replace(&mut self.is_paper, is_paper);
         let is_same = is_paper == was_paper || sources.is_empty();
         if self.sources() == sources && is_same {
-            return;
+            return None;
         }
         self.is_solved = false;
         match &mut self.shaded {
-            Some((known, _)) if are_recolored(known, &sources) && is_same => *known = sources,
-            _ if sources.is_empty() => self.shaded = None,
+            Some((known, _)) if are_recolored(known, &sources) && is_same => {
+                *known = sources;
+                None
+            }
             _ => {
-                let elements = Elements::shaded(mesh, &self.base.dofs, &sources, is_paper);
-                self.shaded = Some((sources, elements));
+                let memory = self.shaded.take().and_then(|(_, elements)| elements.into_memory());
+                let dofs = &self.base.dofs;
+                let shaded = |sources: Vec<SoftSource>| {
+                    let cells = self.cells.get_or_insert_with(|| Cells::new(mesh, dofs));
+                    let elements = Elements::shaded(cells, dofs, &sources, is_paper);
+                    (sources, elements)
+                };
+                self.shaded = Some(sources).filter(|sources| !sources.is_empty()).map(shaded);
+                memory
             }
         }
     }
 
-    /// Factors the system if one is needed and not factored yet.
-    pub(super) fn factor(&mut self) -> Result<(), SolveError> {
+    /// Factors the system if one is needed and not factored yet, and takes the memory for it.
+    pub(super) fn factor(&mut self, mesh: &Triangulation, memory: &mut Vec<f64>) -> Result<(), SolveError> {
         let elements = self.shaded.as_mut().map_or(&mut self.base, |(_, elements)| elements);
-        if self.coloring == Coloring::Blended { elements.factor() } else { Ok(()) }
+        if self.coloring == Coloring::Blended { elements.factor(mesh, memory) } else { Ok(()) }
     }
 
     /// Computes the values if the colours changed, and says whether they did. The system is factored.

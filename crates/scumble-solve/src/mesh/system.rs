@@ -3,23 +3,13 @@
 //! Unknowns on coloured sides are fixed and leave the system; what couples them to the others goes to the right-
 //! hand side. The rest keeps the region's order of elimination.
 
-use kurbo::Point;
 use scumble_core::BlendColor;
 
 use super::SolveError;
 use super::cholesky::Factor;
+use super::dofs::Dofs;
 use super::element::{self, Matrix};
 use super::fronts::{Fronts, NONE};
-
-/// What one element adds to the matrix.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Element<'a> {
-    pub(super) corners: [Point; 3],
-    /// Its unknowns at corners 0, 1, 2 and in the middle of edges 01, 12, 20.
-    pub(super) dofs: [u32; 6],
-    /// What sources add.
-    pub(super) mass: Option<&'a Matrix>,
-}
 
 /// A system, analysed; and factored once its factor is asked for.
 #[derive(Debug)]
@@ -29,30 +19,31 @@ pub(super) struct System {
     /// A row, a fixed unknown, and the entry between them.
     couplings: Vec<(u32, u32, f64)>,
     fronts: Fronts,
-    /// The rows of each element and its matrix; none once they are factored.
+    /// The rows of each element; none once they are factored.
     rows: Vec<[u32; 6]>,
-    matrices: Vec<Matrix>,
     factor: Option<Factor>,
 }
 
 impl System {
-    /// Sets up the matrix and finds the pattern of its factor.
-    pub(super) fn new<'a>(elements: &mut dyn Iterator<Item = Element<'a>>, fixed: &[bool]) -> Self {
+    /// Finds what couples the unknowns of elements, and the pattern of the factor.
+    pub(super) fn new(dofs: &Dofs, matrix: &dyn Fn(usize) -> Matrix, fixed: &[bool]) -> Self {
         let row_of = rows(fixed);
-        let count = elements.size_hint().0;
-        let (mut rows, mut matrices) = (Vec::with_capacity(count), Vec::with_capacity(count));
         let mut couplings = Vec::new();
-        let mut is_corner = vec![false; fixed.len()];
-        for element in elements {
-            element.dofs[..3].iter().for_each(|&corner| is_corner[corner as usize] = true);
-            let matrix = matrix(&element);
-            let of_element = element.dofs.map(|dof| row_of[dof as usize]);
-            couple(&element.dofs, &of_element, &matrix, &mut couplings);
-            rows.push(of_element);
-            matrices.push(matrix);
-        }
-        let fronts = Fronts::new(&rows, &group_ends(&row_of, &is_corner));
-        Self { row_of, couplings, fronts, rows, matrices, factor: None }
+        let couple = |(i, dofs): (usize, &[u32; 6])| {
+            let rows = dofs.map(|dof| row_of[dof as usize]);
+            if rows.contains(&NONE) && rows != [NONE; 6] {
+                couple(dofs, &rows, &matrix(i), &mut couplings);
+            }
+            rows
+        };
+        let rows: Vec<_> = dofs.of_triangle.iter().enumerate().map(couple).collect();
+        let fronts = Fronts::new(&rows, &group_ends(&row_of, &dofs.group_ends));
+        Self { row_of, couplings, fronts, rows, factor: None }
+    }
+
+    /// The memory of its factor.
+    pub(super) fn into_memory(self) -> Option<Vec<f64>> {
+        self.factor.map(Factor::into_memory)
     }
 
     #[cfg(test)]
@@ -60,11 +51,15 @@ impl System {
         self.factor.is_some()
     }
 
-    /// Computes the factor if that is not done yet.
-    pub(super) fn factor(&mut self) -> Result<(), SolveError> {
+    /// Computes the factor if that is not done yet; the elements are those of the analysis.
+    pub(super) fn factor(
+        &mut self,
+        matrix: &dyn Fn(usize) -> Matrix,
+        memory: &mut Vec<f64>,
+    ) -> Result<(), SolveError> {
         if self.factor.is_none() {
-            self.factor = Some(Factor::new(&self.fronts, &self.rows, &self.matrices)?);
-            (self.rows, self.matrices) = (Vec::new(), Vec::new());
+            self.factor = Some(Factor::new(&self.fronts, &self.rows, matrix, memory)?);
+            self.rows = Vec::new();
         }
         Ok(())
     }
@@ -108,34 +103,25 @@ fn rows(fixed: &[bool]) -> Vec<u32> {
     fixed.iter().map(row).collect()
 }
 
-/// Where the rows of a corner and of the edges before it end.
-fn group_ends(row_of: &[u32], is_corner: &[bool]) -> Vec<u32> {
-    let (mut ends, mut end) = (Vec::new(), 0);
-    for (row, is_corner) in row_of.iter().zip(is_corner) {
-        end += u32::from(*row != NONE);
-        if *is_corner && *ends.last().unwrap_or(&0) != end {
-            ends.push(end);
+/// Where the rows of groups of unknowns end.
+fn group_ends(row_of: &[u32], ends: &[u32]) -> Vec<u32> {
+    let (mut row_ends, mut row_end, mut start) = (Vec::with_capacity(ends.len()), 0, 0);
+    for &end in ends {
+        let rows = row_of[start..end as usize].iter().filter(|row| **row != NONE).count();
+        start = end as usize;
+        if rows > 0 {
+            row_end += rows as u32;
+            row_ends.push(row_end);
         }
     }
-    ends
-}
-
-fn matrix(element: &Element<'_>) -> Matrix {
-    let mut matrix = element.mass.copied().unwrap_or_default();
-    let weights = element::weights(element.corners);
-    (0..6).zip(element::diagonal(weights)).for_each(|(i, entry)| matrix[i][i] += entry);
-    for (i, j, entry) in element::couplings(weights) {
-        matrix[i][j] += entry;
-        matrix[j][i] += entry;
-    }
-    matrix
+    row_ends
 }
 
 /// Collects the entries between free and fixed unknowns of an element.
 fn couple(dofs: &[u32; 6], rows: &[u32; 6], matrix: &Matrix, couplings: &mut Vec<(u32, u32, f64)>) {
-    for (&row, entries) in rows.iter().zip(matrix).filter(|(row, _)| **row != NONE) {
-        for ((&dof, _), &entry) in dofs.iter().zip(rows).zip(entries).filter(|((_, row), _)| **row == NONE) {
-            couplings.push((row, dof, entry));
+    for i in (0..6).filter(|&i| rows[i] != NONE) {
+        for j in (0..6).filter(|&j| rows[j] == NONE) {
+            couplings.push((rows[i], dofs[j], matrix[element::entry(i, j)]));
         }
     }
 }

@@ -115,7 +115,7 @@ fn paint_fading(pixels: &mut [[u8; 4]], colors: &RowGradient<4>, encoder: &Encod
 }
 
 /// Adds samples of one colour, `alpha` being their alphas in all.
-fn add(sum: &mut [u32; 4], [r, g, b]: [u8; 3], alpha: u32) {
+pub(super) fn add(sum: &mut [u32; 4], [r, g, b]: [u8; 3], alpha: u32) {
     for (sum, c) in sum.iter_mut().zip([r, g, b, 1]) {
         *sum = sum.saturating_add(u32::from(c) * alpha);
     }
@@ -141,7 +141,7 @@ impl RimPixels {
 }
 
 /// The mean of the samples of a pixel.
-fn mean(mut sum: [u32; 4], paper: Option<Srgb8>) -> [u8; 4] {
+pub(super) fn mean(mut sum: [u32; 4], paper: Option<Srgb8>) -> [u8; 4] {
     const WHOLE: u32 = 255 * SAMPLES as u32;
     let bare = WHOLE.saturating_sub(sum[3]);
     if let Some(Srgb8(paper)) = paper {

@@ -11,10 +11,10 @@ pub(super) const SAMPLES: usize = 16;
 
 /// How far each sample lies from the left of its pixel: a rotated 4 × 4 grid, in which no two samples share a
 /// column or a row.
-const SAMPLE_X: [f64; SAMPLES] = sample_x();
+pub(super) const SAMPLE_X: [f64; SAMPLES] = sample_x();
 
 /// How far each sample lies below the top of its pixel.
-const SAMPLE_Y: [f64; SAMPLES] = sample_y();
+pub(super) const SAMPLE_Y: [f64; SAMPLES] = sample_y();
 
 const fn sample_x() -> [f64; SAMPLES] {
     let mut x = [0.0; SAMPLES];

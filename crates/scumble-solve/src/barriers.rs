@@ -7,19 +7,19 @@ const NONE: u32 = u32::MAX;
 
 /// A mesh and which of its gaps are closed; gaps beyond the end of the list are open.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Barriers<'a> {
-    pub(super) mesh: &'a Triangulation,
-    pub(super) closed_gaps: &'a [bool],
+pub(crate) struct Barriers<'a> {
+    pub(crate) mesh: &'a Triangulation,
+    pub(crate) closed_gaps: &'a [bool],
 }
 
 impl Barriers<'_> {
     /// Whether a half-edge is the side of a curve, on the frame, or on a closed gap.
-    pub(super) fn is_barrier(self, h: HalfEdge) -> bool {
+    pub(crate) fn is_barrier(self, h: HalfEdge) -> bool {
         self.mesh.side(h).is_some() || self.is_closed_gap(h)
     }
 
     /// The twin of a half-edge that is no barrier.
-    pub(super) fn passage(self, h: HalfEdge) -> Option<HalfEdge> {
+    pub(crate) fn passage(self, h: HalfEdge) -> Option<HalfEdge> {
         self.mesh.passage(h).filter(|_| !self.is_closed_gap(h))
     }
 
@@ -28,7 +28,7 @@ impl Barriers<'_> {
     }
 
     /// The regions of a set of triangles that ascends, by the first triangle of each; their triangles ascend.
-    pub(super) fn regions(self, triangles: &[u32]) -> Vec<Vec<u32>> {
+    pub(crate) fn regions(self, triangles: &[u32]) -> Vec<Vec<u32>> {
         let mut region_of = vec![NONE; self.mesh.triangle_count()];
         let mut regions = Vec::new();
         for &t in triangles {

@@ -1,0 +1,148 @@
+//! `scumble compare`: how far pictures on pixels are from the mesh solver's, over a set of drawings and a made one.
+//!
+//! Errors are in levels of sRGB over white paper, of which there are 255; of a pixel's channels the worst counts. They
+//! are taken at pixel centres, away from curves and from the ends of curves, junctions and changes of what a side is;
+//! near those they are reported apart.
+
+mod centers;
+mod levels;
+mod zones;
+
+use std::path::Path;
+
+use anyhow::Context;
+use scumble_core::{Boundary, PlanarMap, Settings, SideId};
+use scumble_solve::grid::{Constraints, GridSolver, JeschkeSolver, TOLERANCE};
+use scumble_solve::{Picture, View};
+
+use crate::set::{self, Kind};
+use crate::{made, stages};
+use levels::{Levels, Spread, levels};
+use zones::Zone;
+
+/// Size of the pictures.
+const SIZE_PX: u32 = 1024;
+
+/// Further steps, for the picture that the iteration tends to.
+const FURTHER_STEPS: usize = 8;
+
+/// Steps of Jeschke's solver: as in the paper, and many more.
+const JESCHKE_STEPS: [usize; 2] = [8, 64];
+
+/// Cells of the made drawing, in rows and columns: it has 10,000 pieces.
+const MADE_CELLS: u32 = 13;
+
+/// Errors of one drawing, or of all.
+#[derive(Clone, Default)]
+struct Row {
+    /// Steps of the grid solver, the most of all drawings.
+    steps: usize,
+    /// What further steps change.
+    iteration: f64,
+    away: Spread,
+    special: Spread,
+    jeschke: [Spread; JESCHKE_STEPS.len()],
+}
+
+/// Compares on all drawings of a set, or on every so many-th; with all colours or with those of half the sides.
+///
+/// # Errors
+/// When the set cannot be read or a drawing fails.
+pub(crate) fn run(set: &Path, every: usize, half: bool) -> anyhow::Result<()> {
+    print_head();
+    let mut all = Row::default();
+    for entry in set::entries(set)?.iter().step_by(every) {
+        let row = drawing(entry, half).with_context(|| format!("drawing {}", entry.id))?;
+        row.print(&entry.id);
+        all.add(&row);
+    }
+    all.print("all of them");
+    made_row(half)?.print("made, 10,000 pieces");
+    Ok(())
+}
+
+fn drawing(entry: &set::Entry, half: bool) -> anyhow::Result<Row> {
+    let mut opened = stages::open(&entry.svg()?)?;
+    let scribbles = entry.scribbles(Kind::Dense, &opened.import.drawing)?;
+    let boundary = opened.picture.color(&scribbles, &Settings::default());
+    let view = stages::page_view(&opened.import.drawing, SIZE_PX);
+    row(&mut opened.picture, boundary, &view, half)
+}
+
+fn made_row(half: bool) -> anyhow::Result<Row> {
+    let drawing = made::drawing(MADE_CELLS);
+    let mut picture = Picture::new(&drawing)?;
+    let boundary = picture.color(&made::scribbles(), &Settings::default());
+    row(&mut picture, boundary, &stages::page_view(&drawing, SIZE_PX), half)
+}
+
+fn row(picture: &mut Picture, mut boundary: Boundary, view: &View, half: bool) -> anyhow::Result<Row> {
+    if half {
+        uncolor_half(picture.map(), &mut boundary);
+    }
+    let blend = Settings::default().blend;
+    let constraints = Constraints::new(picture.map(), &boundary, view);
+    let zones = zones::zones(picture.map(), &boundary, view);
+    let mesh = levels(&centers::colors(picture.mesh().solve(&boundary, blend)?, view), blend);
+    let mut solver = GridSolver::new(&constraints);
+    let steps = solver.solve(TOLERANCE);
+    let grid = levels(solver.pixels(), blend);
+    (0..FURTHER_STEPS).for_each(|_| solver.step());
+    let iteration = Spread::of(&grid, &levels(solver.pixels(), blend), |_| true).largest();
+    let away = |i: usize| zones[i] == Zone::Away;
+    Ok(Row {
+        steps,
+        iteration,
+        away: Spread::of(&grid, &mesh, away),
+        special: Spread::of(&grid, &mesh, |i| zones[i] == Zone::Special),
+        jeschke: JESCHKE_STEPS.map(|steps| Spread::of(&jeschke(&constraints, steps, blend), &mesh, away)),
+    })
+}
+
+fn jeschke(constraints: &Constraints, steps: usize, blend: scumble_core::Blend) -> Vec<Levels> {
+    let mut solver = JeschkeSolver::new(constraints);
+    (0..steps).for_each(|_| solver.step());
+    levels(solver.pixels(), blend)
+}
+
+/// Takes their colours from about half of the sides of curves, whole sides at a time.
+fn uncolor_half(map: &PlanarMap, boundary: &mut Boundary) {
+    for (curve, right) in (0..map.curve_count()).flat_map(|curve| [(curve, false), (curve, true)]) {
+        if is_uncolored(2 * curve + usize::from(right)) {
+            let sides =
+                map.steps(curve).iter().map(|step| if right { step.left.opposite() } else { step.left });
+            sides.for_each(|side: SideId| boundary.sides[side.index()] = None);
+        }
+    }
+}
+
+/// A coin for each number: a bit of Fibonacci hashing (D. E. Knuth, *The Art of Computer Programming* 3, 6.4).
+fn is_uncolored(number: usize) -> bool {
+    (number as u32).wrapping_mul(0x9e37_79b9) >> 31 == 1
+}
+
+impl Row {
+    fn add(&mut self, other: &Self) {
+        self.steps = self.steps.max(other.steps);
+        self.iteration = self.iteration.max(other.iteration);
+        self.away.add(&other.away);
+        self.special.add(&other.special);
+        self.jeschke.iter_mut().zip(&other.jeschke).for_each(|(sum, other)| sum.add(other));
+    }
+
+    fn print(&self, name: &str) {
+        let name: String = name.chars().take(20).collect();
+        print!("{name:<20} {:>5} {:>8.2}  {}  {}", self.steps, self.iteration, self.away, self.special);
+        self.jeschke.iter().for_each(|spread| print!("  {spread}"));
+        println!();
+    }
+}
+
+fn print_head() {
+    println!("levels: mean, 99 %, largest");
+    let [few, many] = JESCHKE_STEPS.map(|steps| format!("Jeschke, {steps} steps"));
+    let columns = ["away from curves", "at ends, junctions", &few, &many];
+    print!("{:<20} {:>5} {:>8}", "drawing", "steps", "to come");
+    columns.iter().for_each(|column| print!("  {column:>20}"));
+    println!();
+}

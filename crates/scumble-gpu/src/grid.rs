@@ -1,0 +1,111 @@
+//! The grid solver on the GPU: what [`scumble_solve::grid::GridSolver`] does on the CPU, in the same steps.
+//!
+//! | noun | file |
+//! |---|---|
+//! | a shader and what it reads | `kernels` |
+//! | textures of numbers | `texels` |
+//! | passes that are drawn over and over | `tape` |
+//! | levels, and the ways through them | `levels` |
+//! | sums over all texels | `reduction` |
+//! | a step of conjugate gradients | `gradients` |
+//! | why it cannot be done | `error` |
+//!
+//! Every pass draws a texture of floats from others with a fragment shader, so that WebGL2 can do it too. The matrices
+//! of the levels come from the CPU.
+
+mod error;
+mod gradients;
+pub(crate) mod kernels;
+mod levels;
+mod reduction;
+mod tape;
+mod texels;
+
+#[cfg(test)]
+mod tests;
+
+use scumble_solve::grid::{Constraints, Hierarchy, MAX_STEPS, Texel};
+
+use crate::error::GpuError;
+use crate::gpu::Gpu;
+pub use error::GridError;
+use gradients::{Gradients, Step};
+use kernels::Kernels;
+use levels::GpuLevels;
+use tape::Recorder;
+
+/// A picture on its way to the solution, on the GPU.
+#[derive(Debug)]
+pub struct GpuGridSolver {
+    gpu: Gpu,
+    /// Every step draws into the textures that the one before has read: what is done next, and what was done last.
+    steps: [Step; 2],
+    /// By how much the last step changed each channel most.
+    change: wgpu::TextureView,
+}
+
+impl GpuGridSolver {
+    /// With a first picture.
+    ///
+    /// # Errors
+    /// When the device cannot draw floats, or not so many.
+    pub fn new(gpu: &Gpu, constraints: &Constraints) -> Result<Self, GridError> {
+        let hierarchy = Hierarchy::new(constraints);
+        check(gpu, &hierarchy)?;
+        let kernels = Kernels::new(&gpu.device);
+        let mut recorder = Recorder::new(gpu, &kernels);
+        let mut gradients = Gradients::new(gpu, GpuLevels::new(gpu, &kernels, &hierarchy), &mut recorder);
+        recorder.take().play(gpu);
+        let [first, second] = [(); 2].map(|()| gradients.step(&mut recorder));
+        Ok(Self { gpu: gpu.clone(), steps: [first, second], change: gradients.change().clone() })
+    }
+
+    /// Steps until a step changes no channel by more than `tolerance`, or [`MAX_STEPS`] are done; and how many it took.
+    ///
+    /// # Errors
+    /// When the device fails.
+    pub async fn solve(&mut self, tolerance: f32) -> Result<usize, GpuError> {
+        for steps in 1..=MAX_STEPS {
+            self.step();
+            if self.last_change().await? <= tolerance {
+                return Ok(steps);
+            }
+        }
+        Ok(MAX_STEPS)
+    }
+
+    /// One step of conjugate gradients.
+    pub fn step(&mut self) {
+        self.steps[0].tape.play(&self.gpu);
+        self.steps.swap(0, 1);
+    }
+
+    /// By how much the last step changed the value that it changed most.
+    ///
+    /// # Errors
+    /// When the device fails.
+    pub async fn last_change(&self) -> Result<f32, GpuError> {
+        self.steps[1].measure.play(&self.gpu);
+        let changes = texels::read(&self.gpu, &self.change).await?;
+        Ok(changes.into_iter().flatten().fold(0.0, |largest, change| largest.max(change.abs())))
+    }
+
+    /// Blend-space colours times opacity, and opacity, row by row.
+    ///
+    /// # Errors
+    /// When the device fails.
+    pub async fn pixels(&self) -> Result<Vec<Texel>, GpuError> {
+        texels::read(&self.gpu, &self.steps[1].values).await
+    }
+}
+
+/// Whether a device can draw what the solver needs.
+fn check(gpu: &Gpu, hierarchy: &Hierarchy) -> Result<(), GridError> {
+    let usages = gpu.adapter.get_texture_format_features(texels::FORMAT).allowed_usages;
+    if !usages.contains(wgpu::TextureUsages::RENDER_ATTACHMENT) {
+        return Err(GridError::NoFloats);
+    }
+    let longest = hierarchy.given.iter().map(|t| t.width.max(t.height)).max().unwrap_or(0);
+    let most = gpu.device.limits().max_texture_dimension_2d;
+    if longest > most as usize { Err(GridError::TooLarge { most_px: most }) } else { Ok(()) }
+}

@@ -1,0 +1,115 @@
+//! Passes that are made ready once and drawn over and over: all that a step of the solver does.
+
+use super::kernels::{Kernel, Kernels, OPERANDS};
+use crate::gpu::Gpu;
+
+/// A kernel with what it reads and where it draws.
+#[derive(Debug)]
+struct Pass {
+    pipeline: wgpu::RenderPipeline,
+    operands: wgpu::BindGroup,
+    level: Option<wgpu::BindGroup>,
+    target: wgpu::TextureView,
+}
+
+/// Passes in their order.
+#[derive(Debug, Default)]
+pub(crate) struct Tape(Vec<Pass>);
+
+impl Tape {
+    /// Has all passes drawn.
+    pub(crate) fn play(&self, gpu: &Gpu) {
+        let mut encoder = gpu.device.create_command_encoder(&Default::default());
+        self.0.iter().for_each(|pass| pass.draw(&mut encoder));
+        gpu.queue.submit([encoder.finish()]);
+    }
+}
+
+impl Pass {
+    fn draw(&self, encoder: &mut wgpu::CommandEncoder) {
+        let target = wgpu::RenderPassColorAttachment {
+            view: &self.target,
+            depth_slice: None,
+            resolve_target: None,
+            ops: wgpu::Operations {
+                load: wgpu::LoadOp::Clear(wgpu::Color::TRANSPARENT),
+                store: wgpu::StoreOp::Store,
+            },
+        };
+        let mut pass = encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
+            label: Some("kernel"),
+            color_attachments: &[Some(target)],
+            ..Default::default()
+        });
+        pass.set_pipeline(&self.pipeline);
+        pass.set_bind_group(0, &self.operands, &[]);
+        if let Some(level) = &self.level {
+            pass.set_bind_group(1, level, &[]);
+        }
+        pass.draw(0..3, 0..1);
+    }
+}
+
+/// Makes passes ready.
+#[derive(Debug)]
+pub(crate) struct Recorder<'a> {
+    gpu: &'a Gpu,
+    kernels: &'a Kernels,
+    tape: Tape,
+}
+
+impl<'a> Recorder<'a> {
+    pub(crate) fn new(gpu: &'a Gpu, kernels: &'a Kernels) -> Self {
+        Self { gpu, kernels, tape: Tape::default() }
+    }
+
+    /// What was recorded since this was last asked.
+    pub(crate) fn take(&mut self) -> Tape {
+        std::mem::take(&mut self.tape)
+    }
+
+    /// A pass of a kernel that reads no level.
+    pub(super) fn pass(
+        &mut self,
+        kernel: Kernel,
+        operands: &[&wgpu::TextureView],
+        target: &wgpu::TextureView,
+    ) {
+        let pass = self.ready(kernel, operands, target);
+        self.tape.0.push(pass);
+    }
+
+    /// A pass of a kernel that reads a level.
+    pub(crate) fn pass_on(
+        &mut self,
+        level: &wgpu::BindGroup,
+        kernel: Kernel,
+        operands: &[&wgpu::TextureView],
+        target: &wgpu::TextureView,
+    ) {
+        let pass = self.ready(kernel, operands, target);
+        self.tape.0.push(Pass { level: Some(level.clone()), ..pass });
+    }
+
+    fn ready(&self, kernel: Kernel, operands: &[&wgpu::TextureView], target: &wgpu::TextureView) -> Pass {
+        Pass {
+            pipeline: self.kernels.pipeline(kernel).clone(),
+            operands: self.operands(operands),
+            level: None,
+            target: target.clone(),
+        }
+    }
+
+    /// The last operand stands also for those that a kernel does not read.
+    fn operands(&self, operands: &[&wgpu::TextureView]) -> wgpu::BindGroup {
+        let entries: [_; OPERANDS] = std::array::from_fn(|i| wgpu::BindGroupEntry {
+            binding: i as u32,
+            resource: wgpu::BindingResource::TextureView(operands[i.min(operands.len() - 1)]),
+        });
+        self.gpu.device.create_bind_group(&wgpu::BindGroupDescriptor {
+            label: Some("operands"),
+            layout: &self.kernels.operands_layout,
+            entries: &entries,
+        })
+    }
+}

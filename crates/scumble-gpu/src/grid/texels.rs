@@ -1,0 +1,92 @@
+//! Textures of numbers: made, filled and read.
+
+use scumble_solve::grid::{Texel, Texture};
+
+use crate::error::GpuError;
+use crate::gpu::Gpu;
+use crate::read_back::{mapped, read_back_error};
+
+/// Four numbers a texel. Halves would not do: conjugate gradients live on the last bits.
+pub(super) const FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rgba32Float;
+
+/// Texels that a kernel may draw; at first zeros.
+pub(super) fn target(gpu: &Gpu, width: u32, height: u32) -> wgpu::TextureView {
+    let usage = wgpu::TextureUsages::RENDER_ATTACHMENT | wgpu::TextureUsages::COPY_SRC;
+    made(gpu, [width, height], FORMAT, usage).create_view(&Default::default())
+}
+
+/// A target like another.
+pub(super) fn alike(gpu: &Gpu, view: &wgpu::TextureView) -> wgpu::TextureView {
+    target(gpu, view.texture().width(), view.texture().height())
+}
+
+/// The same texels on the GPU, to be read and drawn.
+pub(crate) fn uploaded(gpu: &Gpu, texture: &Texture) -> wgpu::TextureView {
+    let view = target(gpu, texture.width as u32, texture.height as u32);
+    write(gpu, view.texture(), bytemuck::cast_slice(&texture.texels));
+    view
+}
+
+/// The first number of each texel on the GPU, to be read.
+pub(super) fn uploaded_first(gpu: &Gpu, texture: &Texture) -> wgpu::TextureView {
+    let size = [texture.width as u32, texture.height as u32];
+    let texels = made(gpu, size, wgpu::TextureFormat::R32Float, wgpu::TextureUsages::empty());
+    let firsts: Vec<f32> = texture.texels.iter().map(|texel| texel[0]).collect();
+    write(gpu, &texels, bytemuck::cast_slice(&firsts));
+    texels.create_view(&Default::default())
+}
+
+/// A single texel of four equal numbers.
+pub(super) fn single(gpu: &Gpu, number: f32) -> wgpu::TextureView {
+    uploaded(gpu, &Texture { width: 1, height: 1, texels: vec![[number; 4]] })
+}
+
+fn made(
+    gpu: &Gpu,
+    [width, height]: [u32; 2],
+    format: wgpu::TextureFormat,
+    usage: wgpu::TextureUsages,
+) -> wgpu::Texture {
+    gpu.device.create_texture(&wgpu::TextureDescriptor {
+        label: Some("grid"),
+        size: wgpu::Extent3d { width, height, depth_or_array_layers: 1 },
+        mip_level_count: 1,
+        sample_count: 1,
+        dimension: wgpu::TextureDimension::D2,
+        format,
+        usage: usage | wgpu::TextureUsages::TEXTURE_BINDING | wgpu::TextureUsages::COPY_DST,
+        view_formats: &[],
+    })
+}
+
+fn write(gpu: &Gpu, texture: &wgpu::Texture, bytes: &[u8]) {
+    let bytes_per_row = Some((bytes.len() as u32) / texture.height().max(1));
+    let layout = wgpu::TexelCopyBufferLayout { offset: 0, bytes_per_row, rows_per_image: None };
+    gpu.queue.write_texture(texture.as_image_copy(), bytes, layout, texture.size());
+}
+
+/// The texels of a target, row by row.
+pub(crate) async fn read(gpu: &Gpu, view: &wgpu::TextureView) -> Result<Vec<Texel>, GpuError> {
+    let texture = view.texture();
+    let row_bytes = size_of::<Texel>() as u32 * texture.width();
+    let padded_row_bytes = row_bytes.next_multiple_of(wgpu::COPY_BYTES_PER_ROW_ALIGNMENT);
+    let buffer = gpu.device.create_buffer(&wgpu::BufferDescriptor {
+        label: Some("read back"),
+        size: u64::from(padded_row_bytes) * u64::from(texture.height()),
+        usage: wgpu::BufferUsages::COPY_DST | wgpu::BufferUsages::MAP_READ,
+        mapped_at_creation: false,
+    });
+    let layout = wgpu::TexelCopyBufferLayout {
+        offset: 0,
+        bytes_per_row: Some(padded_row_bytes),
+        rows_per_image: None,
+    };
+    let mut encoder = gpu.device.create_command_encoder(&Default::default());
+    let copy = wgpu::TexelCopyBufferInfo { buffer: &buffer, layout };
+    encoder.copy_texture_to_buffer(texture.as_image_copy(), copy, texture.size());
+    gpu.queue.submit([encoder.finish()]);
+    mapped(&gpu.device, &buffer).await.map_err(read_back_error)?;
+    let bytes = buffer.get_mapped_range(..).map_err(read_back_error)?;
+    let rows = bytes.chunks_exact(padded_row_bytes as usize);
+    Ok(rows.flat_map(|row| bytemuck::pod_collect_to_vec(&row[..row_bytes as usize])).collect())
+}

@@ -1,0 +1,114 @@
+//! Levels from pixels to a single cell, and the ways through them: cycles, and the start from the coarsest.
+
+use super::constraints::Constraints;
+use super::kernels;
+use super::level::Level;
+use super::texture::Texture;
+
+/// Steps before and after each coarser level: Chebyshev's for what the coarser one cannot see, the upper three quarters
+/// of the spectrum of Jacobi's method.
+pub const STEPS: [f32; 2] = [0.561_8, 1.389_2];
+
+/// Levels, the finest first, with what cycles write.
+#[derive(Clone, Debug)]
+pub struct Hierarchy {
+    /// Down to a single cell.
+    pub levels: Vec<Level>,
+    /// By level: values, right side, and room for one more.
+    values: Vec<Texture>,
+    rights: Vec<Texture>,
+    rooms: Vec<Texture>,
+    /// Given colours, by level.
+    pub given: Vec<Texture>,
+}
+
+impl Hierarchy {
+    /// For what is given.
+    pub fn new(constraints: &Constraints) -> Self {
+        let (finest, right) = Level::finest(constraints);
+        let (mut levels, mut given) = (vec![finest], vec![right]);
+        while let (Some(level), Some(right)) = (levels.last_mut(), given.last())
+            && level.columns.max(level.rows) > 1
+        {
+            let coarse = level.coarser();
+            let mut gathered = Texture::new(coarse.holds.width, coarse.holds.height);
+            gathered.draw(|x, y| kernels::gather(level, &coarse, right, x, y));
+            given.push(gathered);
+            levels.push(coarse);
+        }
+        let room: Vec<_> = given.iter().map(|t| Texture::new(t.width, t.height)).collect();
+        Self { levels, values: room.clone(), rights: room.clone(), rooms: room, given }
+    }
+
+    /// The right side of the finest level.
+    pub(super) fn right(&self) -> &Texture {
+        &self.given[0]
+    }
+
+    /// A first picture, from the coarsest level up, with one cycle at each.
+    pub fn first_picture(&mut self) -> Texture {
+        for depth in (1..self.levels.len()).rev() {
+            self.rights[depth].clone_from(&self.given[depth]);
+            self.spread(depth);
+            self.cycle_from(depth);
+        }
+        self.spread(0);
+        self.values[0].clone()
+    }
+
+    fn spread(&mut self, depth: usize) {
+        let (fine, coarse) = self.values.split_at_mut(depth + 1);
+        let none = Texture::default();
+        let (level, given) = (&self.levels[depth], &self.given[depth]);
+        let coarse = coarse.first().unwrap_or(&none);
+        fine[depth].draw(|x, y| kernels::spread(level, given, coarse, x, y));
+    }
+
+    /// One symmetric cycle for a right side, from zero.
+    pub fn precondition(&mut self, right: &Texture) -> &Texture {
+        self.rights[0].texels.copy_from_slice(&right.texels);
+        self.cycle_from_zero(0);
+        &self.values[0]
+    }
+
+    fn cycle_from_zero(&mut self, depth: usize) {
+        let (level, right) = (&self.levels[depth], &self.rights[depth]);
+        if depth + 1 == self.levels.len() {
+            return self.values[depth].draw(|x, y| kernels::start(level, right, 1.0, x, y));
+        }
+        self.values[depth].draw(|x, y| kernels::start(level, right, STEPS[0], x, y));
+        self.relax(depth, STEPS[1]);
+        self.correct(depth);
+        self.relax(depth, STEPS[1]);
+        self.relax(depth, STEPS[0]);
+    }
+
+    fn cycle_from(&mut self, depth: usize) {
+        self.relax(depth, STEPS[0]);
+        self.relax(depth, STEPS[1]);
+        if depth + 1 < self.levels.len() {
+            self.correct(depth);
+        }
+        self.relax(depth, STEPS[1]);
+        self.relax(depth, STEPS[0]);
+    }
+
+    fn relax(&mut self, depth: usize, omega: f32) {
+        let (level, values, right) = (&self.levels[depth], &self.values[depth], &self.rights[depth]);
+        self.rooms[depth].draw(|x, y| kernels::relax(level, values, right, omega, x, y));
+        std::mem::swap(&mut self.values[depth], &mut self.rooms[depth]);
+    }
+
+    /// Corrects the values of a level by those of the next.
+    fn correct(&mut self, depth: usize) {
+        let (level, coarse) = (&self.levels[depth], &self.levels[depth + 1]);
+        let (values, right) = (&self.values[depth], &self.rights[depth]);
+        self.rooms[depth].draw(|x, y| kernels::residual(level, values, right, x, y));
+        let residual = &self.rooms[depth];
+        self.rights[depth + 1].draw(|x, y| kernels::restrict(level, coarse, residual, x, y));
+        self.cycle_from_zero(depth + 1);
+        let (level, values, coarse) = (&self.levels[depth], &self.values[depth], &self.values[depth + 1]);
+        self.rooms[depth].draw(|x, y| kernels::interpolate(level, values, coarse, x, y));
+        std::mem::swap(&mut self.values[depth], &mut self.rooms[depth]);
+    }
+}

@@ -1,0 +1,236 @@
+//! One level of the hierarchy of grids: cells in rows, and how their unknowns hang together.
+//!
+//! On the finest level a cell is a pixel with one unknown. On the coarser ones it is four cells of the level before, and
+//! has several unknowns, its *slots*: one for each part of the cell that no wall divides, so that what is on one side of
+//! a curve is never mixed with what is on the other. Parts beyond the number of slots, those that given colours hold
+//! anyway, are left to the finer level.
+//!
+//! Slot `s` of all cells lies in columns `s · columns ..` of the textures, so that slots that are hardly used lie
+//! together.
+
+use super::constraints::Constraints;
+use super::cut_links::Link;
+use super::parts;
+use super::texture::{Texel, Texture, plus, times};
+
+/// Slots of a cell of the level next to the pixels, and of all others.
+pub(super) const SLOTS: [usize; 2] = [2, 4];
+
+/// A level: the matrix of its unknowns. It is symmetric; what a row has besides its links holds it to given colours.
+#[derive(Clone, Debug)]
+pub struct Level {
+    /// Cells of a row.
+    pub columns: usize,
+    /// Rows of cells.
+    pub rows: usize,
+    /// Unknowns of a cell.
+    pub slots: usize,
+    /// Weights of the links of each unknown to the slots of the cell to the east.
+    pub east: Texture,
+    /// The same for the cell to the south.
+    pub south: Texture,
+    /// The same for the other slots of its own cell: weak links, or the two would be one.
+    pub within: Texture,
+    /// For each unknown: how strongly it is held, the diagonal of the matrix, the damping of the interpolation to it,
+    /// and which slot of the coarser cell it is a part of, counted from 1; 0 for none.
+    pub holds: Texture,
+}
+
+impl Level {
+    /// The finest level, and the right side of its equations.
+    pub(super) fn finest(constraints: &Constraints) -> (Self, Texture) {
+        let mut level = Self::empty(constraints.width_px as usize, constraints.height_px as usize, 1);
+        let mut right = Texture::new(level.columns, level.rows);
+        level.link_pixels(constraints);
+        let cuts =
+            constraints.cuts.iter().filter_map(|cut| Some((cut.pixel, 1.0 / cut.fraction, cut.color?)));
+        let pulls = constraints.pulls.iter().map(|pull| (pull.pixel, pull.strength, pull.color));
+        for (pixel, strength, color) in cuts.chain(pulls) {
+            let i = pixel as usize;
+            level.holds.texels[i][0] += strength;
+            right.texels[i] = plus(right.texels[i], times(color, strength));
+        }
+        level.sum_up();
+        (level, right)
+    }
+
+    fn link_pixels(&mut self, constraints: &Constraints) {
+        let (columns, rows) = (self.columns as i32, self.rows as i32);
+        self.east.draw(|x, _| whole(x + 1 < columns));
+        self.south.draw(|_, y| whole(y + 1 < rows));
+        for face in &constraints.faces {
+            let links = if face.link == Link::East { &mut self.east } else { &mut self.south };
+            links.texels[face.pixel as usize][0] *= face.width;
+        }
+        for cut in &constraints.cuts {
+            match cut.link {
+                Link::East => self.east.texels[cut.pixel as usize] = [0.0; 4],
+                Link::South => self.south.texels[cut.pixel as usize] = [0.0; 4],
+                Link::West | Link::North => {}
+            }
+        }
+    }
+
+    /// Whether each pixel of the finest level hangs together with one that is held.
+    pub(super) fn reached(&self) -> Vec<bool> {
+        let mut is_reached: Vec<_> = self.holds.texels.iter().map(|[hold, ..]| *hold > 0.0).collect();
+        let mut open: Vec<_> = (0..is_reached.len()).filter(|&i| is_reached[i]).collect();
+        while let Some(i) = open.pop() {
+            let (x, y) = ((i % self.columns) as i32, (i / self.columns) as i32);
+            self.for_each_link(x, y, |_, nx, ny| {
+                let other = ny as usize * self.columns + nx as usize;
+                if !is_reached[other] {
+                    is_reached[other] = true;
+                    open.push(other);
+                }
+            });
+        }
+        is_reached
+    }
+
+    fn empty(columns: usize, rows: usize, slots: usize) -> Self {
+        let texture = Texture::new(columns * slots, rows);
+        let [east, south, within] = [(); 3].map(|()| texture.clone());
+        Self { columns, rows, slots, east, south, within, holds: texture }
+    }
+
+    /// The next coarser level; marks which unknown of this one is a part of which.
+    pub(super) fn coarser(&mut self) -> Self {
+        let slots = SLOTS[usize::from(self.slots > 1)];
+        let mut coarse = Self::empty(self.columns.div_ceil(2), self.rows.div_ceil(2), slots);
+        parts::mark(self, slots);
+        let mut drawn = [(); 4].map(|()| coarse.holds.clone());
+        let [east, south, within, holds] = &mut drawn;
+        east.draw(|x, y| coarse_links(self, &coarse, [1, 0], x, y));
+        south.draw(|x, y| coarse_links(self, &coarse, [0, 1], x, y));
+        within.draw(|x, y| coarse_links(self, &coarse, [0, 0], x, y));
+        holds.draw(|x, y| coarse_hold(self, &coarse, x, y));
+        [coarse.east, coarse.south, coarse.within, coarse.holds] = drawn;
+        coarse.sum_up();
+        coarse
+    }
+
+    /// Completes the numbers of the unknowns.
+    fn sum_up(&mut self) {
+        let mut holds = Texture::new(self.holds.width, self.holds.height);
+        holds.draw(|x, y| summed(self, x, y));
+        self.holds = holds;
+    }
+
+    /// The cell and the slot of the unknown in a column of the textures.
+    #[inline]
+    pub(super) fn cell_and_slot(&self, x: i32) -> (i32, i32) {
+        let columns = self.columns as i32;
+        if self.slots == 1 { (x, 0) } else { (x % columns, x / columns) }
+    }
+
+    /// The column of an unknown.
+    #[inline]
+    pub(super) fn column(&self, cell_x: i32, slot: i32) -> i32 {
+        slot * self.columns as i32 + cell_x
+    }
+
+    /// Visits the links of an unknown: weight, and the place of the other one.
+    ///
+    /// Where there is no cell beside it, another one is looked at: its weight there is zero.
+    #[inline]
+    pub(super) fn for_each_link(&self, x: i32, y: i32, mut visit: impl FnMut(f32, i32, i32)) {
+        let (cell, slot) = self.cell_and_slot(x);
+        let [to_east, to_south, within] = [&self.east, &self.south, &self.within].map(|t| t.load(x, y));
+        for other in 0..self.slots as i32 {
+            let column = self.column(cell, other);
+            let mut visit = |weight: f32, x: i32, y: i32| {
+                if weight > 0.0 {
+                    visit(weight, x, y);
+                }
+            };
+            visit(to_east[other as usize], column + 1, y);
+            visit(to_south[other as usize], column, y + 1);
+            visit(self.east.load(column - 1, y)[slot as usize], column - 1, y);
+            visit(self.south.load(column, y - 1)[slot as usize], column, y - 1);
+            visit(within[other as usize], column, y);
+        }
+    }
+
+    /// The slot of the coarser cell that an unknown is a part of, counted from 1; 0 for none.
+    #[inline]
+    pub(super) fn parent(&self, x: i32, y: i32) -> i32 {
+        self.holds.load(x, y)[3] as i32
+    }
+
+    /// The places of the unknowns that the one in a column and a row of the coarser level is made of.
+    pub(super) fn parts(&self, coarse: &Self, x: i32, y: i32) -> impl Iterator<Item = (i32, i32)> + use<'_> {
+        let (cell, slot) = coarse.cell_and_slot(x);
+        let columns = self.columns as i32;
+        let quarters = [(0, 0), (1, 0), (0, 1), (1, 1)].into_iter();
+        let cells =
+            quarters.map(move |(dx, dy)| (2 * cell + dx, 2 * y + dy)).filter(move |&(x, _)| x < columns);
+        let places =
+            cells.flat_map(move |(x, y)| (0..self.slots as i32).map(move |s| (self.column(x, s), y)));
+        places.filter(move |&(x, y)| self.parent(x, y) == slot + 1)
+    }
+
+    /// Visits what holds an unknown of the coarser level: the unknowns that are parts of it, and those beside them that
+    /// are parts of none; with the part of their hold that reaches it.
+    pub(super) fn for_each_hold(&self, coarse: &Self, x: i32, y: i32, mut visit: impl FnMut(f32, i32, i32)) {
+        for (fx, fy) in self.parts(coarse, x, y) {
+            let [hold, diagonal, ..] = self.holds.load(fx, fy);
+            visit((diagonal - hold) / diagonal, fx, fy);
+            self.for_each_link(fx, fy, |weight, nx, ny| {
+                let [_, diagonal, _, parent] = self.holds.load(nx, ny);
+                if parent == 0.0 {
+                    visit(weight / diagonal, nx, ny);
+                }
+            });
+        }
+    }
+}
+
+/// A link to a pixel beside, if there is one.
+fn whole(is_within: bool) -> Texel {
+    [f32::from(u8::from(is_within)), 0.0, 0.0, 0.0]
+}
+
+/// The numbers of an unknown whose links and hold are known.
+fn summed(level: &Level, x: i32, y: i32) -> Texel {
+    let [hold, ..] = level.holds.load(x, y);
+    let (mut sum, mut largest) = (0.0, 0.0_f32);
+    level.for_each_link(x, y, |weight, _, _| {
+        sum += weight;
+        largest = largest.max(weight);
+    });
+    let diagonal = hold + sum;
+    let damping = diagonal.max(4.0 * largest);
+    [hold, diagonal, if damping > 0.0 { 1.0 / damping } else { 0.0 }, 0.0]
+}
+
+/// The links of a coarser unknown to the slots of a cell, its own or one beside it.
+fn coarse_links(fine: &Level, coarse: &Level, [dx, dy]: [i32; 2], x: i32, y: i32) -> Texel {
+    let (cell, slot) = coarse.cell_and_slot(x);
+    let mut sums = [0.0; 4];
+    for (fx, fy) in fine.parts(coarse, x, y) {
+        let [.., damping, _] = fine.holds.load(fx, fy);
+        fine.for_each_link(fx, fy, |weight, nx, ny| {
+            let [.., other_damping, parent] = fine.holds.load(nx, ny);
+            let (beside, _) = fine.cell_and_slot(nx);
+            let is_own = dx == 0 && dy == 0 && parent as i32 == slot + 1;
+            if parent > 0.0 && !is_own && (beside / 2, ny / 2) == (cell + dx, y + dy) {
+                sums[parent as usize - 1] += lengthened(weight, damping + other_damping);
+            }
+        });
+    }
+    sums
+}
+
+/// The weight of a link that leads on, from the middle of one part to that of the other: half of it for one as strong as
+/// the links around it; all of a weak one, such as one through a gap.
+fn lengthened(weight: f32, dampings: f32) -> f32 {
+    weight / (1.0 + 2.0 * weight * dampings)
+}
+
+/// How strongly a coarser unknown is held: by all that holds its parts, each through the links of that part.
+fn coarse_hold(fine: &Level, coarse: &Level, x: i32, y: i32) -> Texel {
+    let mut sum = 0.0;
+    fine.for_each_hold(coarse, x, y, |part, fx, fy| sum += part * fine.holds.load(fx, fy)[0]);
+    [sum, 0.0, 0.0, 0.0]
+}

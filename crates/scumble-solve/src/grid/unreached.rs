@@ -1,0 +1,34 @@
+//! Pixels that are in a region with colours, and reach none: where the way to them is narrower than a pixel, or the side
+//! that has the colour is so short that it crosses no link. They take the mean of the colours of their region.
+
+use scumble_core::BlendColor;
+
+use super::constraints::Constraints;
+use super::level::Level;
+use super::pulls::Pull;
+use super::regions::PixelRegions;
+
+/// The pulls of these pixels, given all other constraints.
+pub(super) fn pulls(regions: &PixelRegions<'_>, constraints: &Constraints) -> Vec<Pull> {
+    let (level, _) = Level::finest(constraints);
+    let is_reached = level.reached();
+    let mut pulls = Vec::new();
+    for triangles in regions.triangles() {
+        let Some(color) = mean(regions.colors(&triangles)) else { continue };
+        let spans = regions.spans(&triangles);
+        let pixels = spans.iter().flat_map(|span| {
+            span.columns.clone().map(|column| (span.row * i64::from(constraints.width_px) + column) as u32)
+        });
+        let unreached = pixels.filter(|&pixel| !is_reached[pixel as usize]);
+        pulls.extend(unreached.map(|pixel| Pull { pixel, strength: 1.0, color }));
+    }
+    pulls
+}
+
+/// The mean of colours by their lengths; `None` of none.
+fn mean(colors: impl Iterator<Item = (f64, BlendColor)>) -> Option<[f32; 4]> {
+    let (length, sum) = colors.fold((0.0, [0.0; 4]), |(all, sum), (length, color)| {
+        (all + length, [0, 1, 2, 3].map(|i| sum[i] + length * color[i]))
+    });
+    (length > 0.0).then(|| sum.map(|c| (c / length) as f32))
+}

@@ -1,0 +1,157 @@
+//! Which regions a source shades.
+//!
+//! One that crosses no lines stays in the region that it begins in. It may begin a little across a line from there: then
+//! it is where most of it lies. So that it stays there while it grows, the first region decides that a length of one
+//! radius of it lies in.
+
+use kurbo::{Point, Rect};
+use scumble_core::{SoftSource, Triangulation};
+
+use crate::brush::Brush;
+
+/// A triangle that is in no region.
+const NONE: u32 = u32::MAX;
+
+/// Lengths are taken in steps of so many radii.
+const STEP: f64 = 1.0 / 32.0;
+
+/// Where a source shows.
+#[derive(Debug)]
+pub(crate) enum Reach {
+    /// In the region of one index.
+    Region(u32),
+    /// Wherever its brush reaches.
+    Brush(Brush),
+    /// Nowhere: there is no triangle at all.
+    Nowhere,
+}
+
+impl Reach {
+    /// Whether it shades a region of an index and triangles.
+    pub(crate) fn meets(&self, mesh: &Triangulation, index: u32, triangles: &[u32]) -> bool {
+        match self {
+            Self::Nowhere => false,
+            Self::Region(region) => *region == index,
+            Self::Brush(brush) => triangles.iter().any(|&t| meets(brush, mesh.corners(t as usize))),
+        }
+    }
+}
+
+/// The regions of a mesh, by place.
+#[derive(Debug)]
+pub(crate) struct Regions<'a> {
+    mesh: &'a Triangulation,
+    bounds: Rect,
+    of_triangle: Vec<u32>,
+    count: usize,
+}
+
+impl<'a> Regions<'a> {
+    /// The regions of which these are the triangles.
+    pub(crate) fn new(mesh: &'a Triangulation, regions: &mut dyn Iterator<Item = &[u32]>) -> Self {
+        let mut of_triangle = vec![NONE; mesh.triangle_count()];
+        let mut count = 0;
+        for triangles in regions {
+            triangles.iter().for_each(|&t| of_triangle[t as usize] = count);
+            count += 1;
+        }
+        Self { mesh, bounds: bounds(mesh), of_triangle, count: count as usize }
+    }
+
+    pub(crate) fn reach(&self, source: &SoftSource) -> Reach {
+        if source.crosses {
+            return Reach::Brush(Brush::new(source));
+        }
+        let region = self.longest(source).or_else(|| self.at_start(source));
+        region.map_or(Reach::Nowhere, Reach::Region)
+    }
+
+    /// The region of the first point, or where that is off the page, of the place on it that is nearest.
+    fn at_start(&self, source: &SoftSource) -> Option<u32> {
+        let first = source.points.first().copied().unwrap_or_default();
+        let Rect { x0, y0, x1, y1 } = self.bounds;
+        self.at(Point::new(first.x.clamp(x0, x1), first.y.clamp(y0, y1)), &mut 0)
+    }
+
+    /// The first region with a radius of the stroke's length, or where there is none, the one with most of it; of
+    /// those with equally much the first. `None` where the stroke has no length on the page.
+    fn longest(&self, source: &SoftSource) -> Option<u32> {
+        let mut lengths_du = vec![0.0; self.count];
+        let (mut longest, mut hint) = (None, 0);
+        for ends in source.points.windows(2) {
+            let [from, to] = clipped([ends[0], ends[1]], self.bounds);
+            let steps = ((to - from).hypot() / (STEP * source.radius_du)).ceil();
+            let step_du = (to - from).hypot() / steps;
+            for i in 0..steps as u64 {
+                let at = from.lerp(to, (i as f64 + 0.5) / steps);
+                let Some(region) = self.at(at, &mut hint) else { continue };
+                lengths_du[region as usize] += step_du;
+                let length_du = lengths_du[region as usize];
+                if length_du >= source.radius_du {
+                    return Some(region);
+                }
+                if longest.is_none_or(|(_, most_du)| length_du > most_du) {
+                    longest = Some((region, length_du));
+                }
+            }
+        }
+        longest.map(|(region, _)| region)
+    }
+
+    /// The region at a point; the walk to it starts from the triangle of the last one.
+    fn at(&self, p: Point, hint: &mut usize) -> Option<u32> {
+        *hint = self.mesh.locate(p, *hint)?;
+        Some(self.of_triangle[*hint]).filter(|&region| region != NONE)
+    }
+}
+
+/// The part of a segment that lies in a rectangle (Y.-D. Liang, B. Barsky, *A new concept and method for line clipping*,
+/// 1984); without length where none does.
+fn clipped([from, to]: [Point; 2], rect: Rect) -> [Point; 2] {
+    let along = to - from;
+    let [mut start, mut end] = [0.0_f64, 1.0_f64];
+    for (at, along, least, most) in [(from.x, along.x, rect.x0, rect.x1), (from.y, along.y, rect.y0, rect.y1)]
+    {
+        let (a, b) = ((least - at) / along, (most - at) / along);
+        if along != 0.0 {
+            (start, end) = (start.max(a.min(b)), end.min(a.max(b)));
+        } else if at < least || at > most {
+            end = 0.0;
+        }
+    }
+    if start < end { [start, end].map(|t| from.lerp(to, t)) } else { [from, from] }
+}
+
+/// Whether a brush comes near enough to a triangle to be taken into account there.
+fn meets(brush: &Brush, corners: [Point; 3]) -> bool {
+    let [a, b, c] = corners;
+    let middle = ((a.to_vec2() + b.to_vec2() + c.to_vec2()) / 3.0).to_point();
+    let spread_du = corners.into_iter().map(|corner| corner.distance(middle)).fold(0.0, f64::max);
+    let reach_du = brush.radius_du + spread_du;
+    brush.bounds().overlaps(Rect::from_points(a, b).union_pt(c))
+        && brush.distance_du(middle, reach_du) < reach_du
+}
+
+fn bounds(mesh: &Triangulation) -> Rect {
+    let first = mesh.points().first().copied().unwrap_or_default();
+    mesh.points().iter().fold(Rect::from_points(first, first), |bounds, p| bounds.union_pt(*p))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn segments_are_clipped_to_the_part_within() {
+        let rect = Rect::new(0.0, 0.0, 10.0, 8.0);
+        let part = |from: (f64, f64), to: (f64, f64)| clipped([from.into(), to.into()], rect);
+        assert_eq!(part((2.0, 2.0), (4.0, 6.0)), [Point::new(2.0, 2.0), Point::new(4.0, 6.0)]);
+        assert_eq!(part((-5.0, 4.0), (15.0, 4.0)), [Point::new(0.0, 4.0), Point::new(10.0, 4.0)]);
+        assert_eq!(part((5.0, 4.0), (5.0, 12.0)), [Point::new(5.0, 4.0), Point::new(5.0, 8.0)]);
+        for (from, to) in [((-5.0, 9.0), (15.0, 9.0)), ((-9.0, 4.0), (-1.0, 4.0)), ((12.0, 4.0), (12.0, 4.0))]
+        {
+            let [a, b] = part(from, to);
+            assert_eq!(a, b, "{from:?} {to:?}");
+        }
+    }
+}

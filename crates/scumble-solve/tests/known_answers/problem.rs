@@ -1,0 +1,125 @@
+//! A problem with a known answer, solved by either solver.
+
+use kurbo::{Affine, BezPath, Point, Rect, Vec2};
+use scumble_core::{Blend, Boundary, Curve, Drawing, PlanarMap, Sampling};
+use scumble_solve::grid::{Constraints, GridSolver};
+use scumble_solve::{Field, FieldTriangle, MeshSolver, View};
+
+use super::DEFAULT_DU;
+
+/// Length of the page's sides.
+const PAGE_DU: f64 = 1024.0;
+
+/// Curves on a page, the colours of their sides, and the values in between.
+///
+/// Both functions take a point and another one to the side of it that is meant, for points on a curve where the
+/// value jumps.
+pub(crate) struct Problem<'a> {
+    pub(crate) curves: Vec<BezPath>,
+    /// The value along a side of a curve (0, 1, …); `None` for no colour.
+    pub(crate) side: &'a dyn Fn(usize, Point, Point) -> Option<f64>,
+    pub(crate) exact: &'a dyn Fn(Point, Point) -> f64,
+}
+
+impl Problem<'_> {
+    pub(crate) fn solve(&self, spacing_du: f64) -> Field {
+        let map = self.map(spacing_du);
+        let mut solver = MeshSolver::new(map.refined().clone());
+        solver.solve(&self.boundary(&map), Blend::Srgb).expect("a field").clone()
+    }
+
+    fn map(&self, spacing_du: f64) -> PlanarMap {
+        let curves = self.curves.iter().map(|path| Curve { path: path.clone(), line: None }).collect();
+        let drawing = Drawing { curves, ..Drawing::new(Rect::new(0.0, 0.0, PAGE_DU, PAGE_DU)) };
+        let chord_du = Sampling::default().chord_du * spacing_du / DEFAULT_DU;
+        PlanarMap::build(&drawing, &Sampling { spacing_du, chord_du }).expect("a map")
+    }
+
+    fn boundary(&self, map: &PlanarMap) -> Boundary {
+        let mut colors = vec![None; map.side_count()];
+        for curve in 0..map.curve_count() {
+            for side in map.steps(curve).iter().flat_map(|step| [step.left, step.left.opposite()]) {
+                let [a, b] = map.ends(side).map(|node| map.triangulation().points()[node as usize]);
+                let left = a.midpoint(b) + Vec2::new(a.y - b.y, b.x - a.x) * 0.1;
+                let [start, middle, end] = [a, a.midpoint(b), b].map(|at| (self.side)(curve, at, left));
+                colors[side.index()] = start
+                    .zip(middle)
+                    .zip(end)
+                    .map(|((start, middle), end)| [start, middle, end].map(|v| [v, v, v, 1.0]));
+            }
+        }
+        colors.into()
+    }
+
+    /// The largest error at the nodes of the field and at points within its triangles.
+    pub(crate) fn largest_error(&self, spacing_du: f64) -> f64 {
+        self.largest_error_where(spacing_du, |_| true)
+    }
+
+    pub(crate) fn largest_error_where(&self, spacing_du: f64, place: impl Fn(Point) -> bool) -> f64 {
+        let field = self.solve(spacing_du);
+        assert!(!field.triangles.is_empty());
+        let error = |triangle: &FieldTriangle| {
+            let inside = at(triangle, [1.0 / 3.0; 3]);
+            let samples = samples(triangle).into_iter().filter(|(p, _)| place(*p));
+            samples.map(|(p, value)| 255.0 * (value - (self.exact)(p, inside)).abs()).fold(0.0, f64::max)
+        };
+        field.triangles.iter().map(error).fold(0.0, f64::max)
+    }
+
+    /// Checks that the error falls to this part of itself, or less, each time the mesh width is halved.
+    pub(crate) fn assert_falls(&self, spacings_du: &[f64], part: f64) {
+        let errors: Vec<_> = spacings_du.iter().map(|&spacing_du| self.largest_error(spacing_du)).collect();
+        assert!(errors.windows(2).all(|pair| pair[1] <= part * pair[0]), "{errors:?}");
+    }
+
+    /// The values that the grid solver gives the pixels that get a colour, with the places of their centres.
+    pub(crate) fn solve_grid(&self, size_px: u32) -> Vec<(Point, f64)> {
+        let map = self.map(DEFAULT_DU);
+        let px_from_du = Affine::scale(f64::from(size_px) / PAGE_DU);
+        let view = View { px_from_du, width_px: size_px, height_px: size_px };
+        let mut solver = GridSolver::new(&Constraints::new(&map, &self.boundary(&map), &view));
+        solver.solve(1e-5);
+        let center = |i: u32| Point::new(f64::from(i % size_px) + 0.5, f64::from(i / size_px) + 0.5);
+        let pixels = (0..).zip(solver.pixels()).filter(|(_, pixel)| pixel[3] > 0.5);
+        pixels.map(|(i, pixel)| (px_from_du.inverse() * center(i), f64::from(pixel[0]))).collect()
+    }
+
+    /// The largest error of the grid solver at places.
+    pub(crate) fn largest_grid_error(&self, size_px: u32, place: impl Fn(Point) -> bool) -> f64 {
+        let pixels = self.solve_grid(size_px);
+        assert!(!pixels.is_empty());
+        let there = pixels.into_iter().filter(|(p, _)| place(*p));
+        there.map(|(p, value)| 255.0 * (value - (self.exact)(p, p)).abs()).fold(0.0, f64::max)
+    }
+}
+
+/// The value of a triangle at its corners, in the middle of its edges, and at ten points between.
+fn samples(triangle: &FieldTriangle) -> Vec<(Point, f64)> {
+    let mut weights = vec![[1.0 / 3.0, 1.0 / 3.0, 1.0 / 3.0]];
+    for [a, b, c] in [[0, 1, 2], [1, 2, 0], [2, 0, 1]] {
+        for (wa, wb, wc) in [(1.0, 0.0, 0.0), (0.5, 0.5, 0.0), (0.75, 0.125, 0.125), (0.625, 0.375, 0.0)] {
+            let mut weight = [0.0; 3];
+            (weight[a], weight[b], weight[c]) = (wa, wb, wc);
+            weights.push(weight);
+        }
+    }
+    weights.into_iter().map(|weight| (at(triangle, weight), value(triangle, weight))).collect()
+}
+
+pub(crate) fn at(triangle: &FieldTriangle, weight: [f64; 3]) -> Point {
+    let corners = triangle.corners.map(|[x, y]| Vec2::new(x.into(), y.into()));
+    (weight[0] * corners[0] + weight[1] * corners[1] + weight[2] * corners[2]).to_point()
+}
+
+fn value(triangle: &FieldTriangle, [a, b, c]: [f64; 3]) -> f64 {
+    let shape = [
+        a * (2.0 * a - 1.0),
+        b * (2.0 * b - 1.0),
+        c * (2.0 * c - 1.0),
+        4.0 * a * b,
+        4.0 * b * c,
+        4.0 * c * a,
+    ];
+    shape.iter().zip(triangle.colors).map(|(shape, color)| shape * f64::from(color[0])).sum()
+}

@@ -1,0 +1,5 @@
+// Products of what is in first and in second, summed over a block of texels.
+
+fn term(place: vec2<i32>) -> vec4<f32> {
+    return load(first, place) * load(second, place);
+}

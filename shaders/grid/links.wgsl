@@ -1,0 +1,28 @@
+// The sum of linked_value, which each kernel has its own, over what is linked to an unknown, by the weights of the links.
+// Where there is no cell beside it, another one is looked at: its weight there is zero.
+fn linked(place: vec2<i32>) -> vec4<f32> {
+    let cell = place.x % level.columns;
+    let slot = place.x / level.columns;
+    let to_east = textureLoad(east, place, 0);
+    let to_south = textureLoad(south, place, 0);
+    let inside = load(within, place);
+    var sum = vec4(0.0);
+    for (var other = 0; other < level.slots; other++) {
+        let across = vec2(other * level.columns + cell, place.y);
+        let western = across - vec2(1, 0);
+        let northern = across - vec2(0, 1);
+        sum += weighted(to_east[other], across + vec2(1, 0));
+        sum += weighted(to_south[other], across + vec2(0, 1));
+        sum += weighted(load(east, western)[slot], western);
+        sum += weighted(load(south, northern)[slot], northern);
+        sum += weighted(inside[other], across);
+    }
+    return sum;
+}
+
+fn weighted(weight: f32, place: vec2<i32>) -> vec4<f32> {
+    if weight > 0.0 {
+        return weight * linked_value(place);
+    }
+    return vec4(0.0);
+}

@@ -1,0 +1,21 @@
+// Shared by the kernels of the grid solver, each a pass that computes every texel of its target from texels of others.
+// Their twins on the CPU have the same names. What a pass reads is first, second and third.
+
+@group(0) @binding(0) var first: texture_2d<f32>;
+@group(0) @binding(1) var second: texture_2d<f32>;
+@group(0) @binding(2) var third: texture_2d<f32>;
+
+// One triangle that covers the target.
+@vertex
+fn vertex(@builtin(vertex_index) corner: u32) -> @builtin(position) vec4<f32> {
+    let far = vec2<f32>(vec2(corner & 1u, corner >> 1u));
+    return vec4(4.0 * far - 1.0, 0.0, 1.0);
+}
+
+// A texel, zeros beyond the border.
+fn load(texels: texture_2d<f32>, place: vec2<i32>) -> vec4<f32> {
+    if any(place < vec2(0)) || any(place >= vec2<i32>(textureDimensions(texels))) {
+        return vec4(0.0);
+    }
+    return textureLoad(texels, place, 0);
+}
