@@ -6,6 +6,9 @@ const VERSION = 1;
 /** A storage that has not answered after this long is taken for one that does not work. */
 const PATIENCE_MS = 5_000;
 
+const OPENING_TRIES = 5;
+const OPENING_PAUSE_MS = 200;
+
 /**
  * @typedef {object} Entry
  * @property {string} id
@@ -171,8 +174,29 @@ function abort(transaction) {
 }
 
 function opened() {
-  /** @type {Promise<IDBDatabase>} */
-  const opening = new Promise((resolve, reject) => {
+  const opening = openedAfter(OPENING_TRIES);
+  opening.catch(() => (database = undefined));
+  return opening;
+}
+
+/**
+ * @param {number} tries
+ * @returns {Promise<IDBDatabase>}
+ */
+async function openedAfter(tries) {
+  try {
+    return await openedOnce();
+  } catch (fault) {
+    // After a crash the files of the storage may be in use still.
+    if (tries === 1 || /** @type {any} */ (fault)?.name !== "UnknownError") throw fault;
+    await new Promise((wake) => setTimeout(wake, OPENING_PAUSE_MS));
+    return openedAfter(tries - 1);
+  }
+}
+
+/** @returns {Promise<IDBDatabase>} */
+function openedOnce() {
+  return new Promise((resolve, reject) => {
     const request = indexedDB.open(NAME, VERSION);
     request.onupgradeneeded = () => {
       request.result.createObjectStore("entries", { keyPath: "id" });
@@ -185,8 +209,6 @@ function opened() {
     request.onerror = () => reject(request.error);
     setTimeout(() => reject(new Error("the storage does not open")), PATIENCE_MS);
   });
-  opening.catch(() => (database = undefined));
-  return opening;
 }
 
 /**

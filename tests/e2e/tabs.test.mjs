@@ -7,7 +7,7 @@ import { Editor, start } from "./harness.mjs";
 const ROOMS = 200;
 const IN_LEFT_ROOM = /** @type {[number, number][]} */ ([[30, 30], [50, 60], [70, 40]]);
 /** Edits of both tabs together; EDITS=1000 in the environment asks for more than is usual. */
-const EDITS = Number(process.env.EDITS ?? 200);
+const EDITS = Number(process.env.EDITS ?? 100);
 
 /** Clicks of a pen all over the canvas, each kept before the next: timers would be slowed in a tab that is not in front. */
 const clicks = (/** @type {number} */ count) => `(async () => {
