@@ -54,8 +54,9 @@ export async function claim(id) {
   let writer = 0;
   await change(["entries", "ended"], (stores) =>
     whereThere(id, stores, (entry) => {
-      writer = entry.writer + 1;
-      stores.ended.put(true, [id, entry.writer]);
+      const before = Number(entry.writer) || 0;
+      writer = before + 1;
+      stores.ended.put(true, [id, before]);
       stores.entries.put({ ...entry, writer });
     }));
   return writer;
