@@ -191,7 +191,8 @@ function puppeteerTab(page) {
     faults,
     goto: (url) => page.goto(url),
     evaluate: (expression) => /** @type {Promise<any>} */ (page.evaluate(expression)),
-    waitFor: (expression) => page.waitForFunction(expression),
+    // Frames, which it would look at by itself, do not come in a tab that is not in front.
+    waitFor: (expression) => page.waitForFunction(expression, { polling: 20 }),
     click: (role, name) => page.locator(`::-p-aria([role="${role}"][name="${name}"])`).click(),
     choose: async (list, option) => (await page.$(`::-p-aria([role="combobox"][name="${list}"])`))?.select(option),
     mouse: page.mouse,
