@@ -6,6 +6,9 @@ const VERSION = 1;
 /** A storage that has not answered after this long is taken for one that does not work. */
 const PATIENCE_MS = 5_000;
 
+/** Firefox commits also what has failed, once it is told to commit; others are not known to do better. */
+const COMMITS_WELL = navigator.userAgent.includes("Chrome/");
+
 const OPENING_TRIES = 5;
 const OPENING_PAUSE_MS = 200;
 
@@ -74,12 +77,13 @@ export const picture = (id) => read(["pictures"], (stores) => stores.pictures.ge
 export async function write(entry, work) {
   try {
     await change(["entries", "works", "ended"], (stores) => {
-      // All of it fails where the mark is there. So the storage checks by itself: a page that is busy hears of it late.
+      // All of it fails where the mark is there. So the storage checks by itself, while the page is busy.
       const mark = [entry.id, entry.writer];
       stores.ended.add(true, mark);
       stores.ended.delete(mark);
       stores.entries.put(entry);
-      stores.works.put(work, entry.id).transaction?.commit();
+      stores.works.put(work, entry.id);
+      if (COMMITS_WELL) stores.works.transaction.commit();
     });
     return true;
   } catch (fault) {
