@@ -7,6 +7,10 @@ import { say } from "./messages.js";
  * @typedef {object} Drawing
  * @property {string} name
  * @property {any} [handle] the file that it is saved to again, where the browser gives such
+ * @property {boolean} [isBrought] whether it is from a file or a link
+ * @property {string} [id] what the browser's storage has it as, if it does
+ * @property {number} [writer] whose it is there, by a number
+ * @property {number} [kept] the revision that is there
  * @property {number} revision
  * @property {number} saved the revision that was opened or saved last
  */
@@ -29,23 +33,18 @@ export class Drawings {
     return this.#shown;
   }
 
-  /** Whether none has been opened: there is the blank one of the start alone. */
-  get areNone() {
-    return this.#all.size <= 1;
-  }
-
-  /** Whether any of them has been changed since it was saved. */
-  get areUnsaved() {
-    return [...this.#all.values()].some(isUnsaved);
+  /** Whether any of them has been changed since it was saved, and is not kept by the browser either. */
+  get areAtRisk() {
+    return [...this.#all.values()].some((drawing) => isUnsaved(drawing) && !isKept(drawing));
   }
 
   /**
    * What belongs to the drawing that the module is about to open.
-   * @param {string} name
-   * @param {any} [handle]
+   * @param {Partial<Drawing> & {name: string}} drawing
    */
-  expect(name, handle) {
-    this.#coming = { name, handle, revision: 0, saved: 0 };
+  expect(drawing) {
+    this.#coming = { revision: 0, saved: 0, ...drawing };
+    return this.#coming;
   }
 
   /**
@@ -73,6 +72,16 @@ export class Drawings {
 /** @param {Drawing} drawing */
 export function isUnsaved(drawing) {
   return drawing.revision !== drawing.saved;
+}
+
+/** Whether the browser's storage has it as it is. @param {Drawing} drawing */
+export function isKept(drawing) {
+  return drawing.revision === drawing.kept;
+}
+
+/** Whether there is something to keep: of samples and blank pages only what somebody has done to them. @param {Drawing} drawing */
+export function isWork(drawing) {
+  return drawing.id !== undefined || drawing.revision > 0 || drawing.isBrought === true;
 }
 
 /** The name of a file without its last extension. @param {string} name */

@@ -9,6 +9,7 @@
  * @property {(name: string, args?: unknown) => unknown[]} command
  * @property {() => unknown[]} frame
  * @property {() => Uint8Array} work
+ * @property {() => {width: number, height: number, rgba: Uint8Array}} thumbnail
  *
  * @typedef {"down" | "erase" | "move" | "up" | "cancel"} Phase
  * @typedef {(value: any) => void} Handler
@@ -73,9 +74,19 @@ export class Engine {
     this.#askFrame();
   }
 
+  /** Whether the module has started and not stopped. */
+  get isRunning() {
+    return this.#app !== undefined;
+  }
+
   /** The exact bytes of the work; nothing once the module has stopped. */
   work() {
     return this.#call((app) => app.work());
+  }
+
+  /** A small picture of the drawing; nothing once the module has stopped. */
+  thumbnail() {
+    return this.#call((app) => app.thumbnail());
   }
 
   /** @param {(app: App) => unknown[]} call */

@@ -1,17 +1,21 @@
 // The start of the page, and the wiring of its parts.
 
 import { followed } from "./cursor.js";
-import { Drawings, isUnsaved, stem } from "./drawings.js";
+import { Drawings, isKept, isUnsaved, stem } from "./drawings.js";
 import { Engine } from "./engine.js";
 import { choose, download, keep, receive } from "./files.js";
 import { formats } from "./formats.js";
+import { Keeper } from "./keeper.js";
 import { listen } from "./keys.js";
 import { label, say } from "./messages.js";
+import { Opening } from "./opening.js";
 import { png } from "./png.js";
 import { Pointers } from "./pointer.js";
-import { Samples, sampleWork } from "./samples.js";
+import { Recent } from "./recent.js";
+import { Samples } from "./samples.js";
 import { closeShare, copyLink, isLink, sendLink, showLink } from "./share.js";
-import { connect, pickColor, shown, showName, swatch, tell, warn } from "./toolbar.js";
+import { putAside } from "./storage.js";
+import { connect, done, failed, pickColor, shown, showName, showUnkept, swatch, tell, warn } from "./toolbar.js";
 
 /** An arrow key moves the view by this much, in CSS pixels. */
 const STEP_PX = 48;
@@ -24,7 +28,10 @@ const canvas = () => /** @type {HTMLCanvasElement} */ (document.getElementById("
 /** @type {Record<string, import("./engine.js").Handler>} */
 const handlers = {
   ...shown,
-  sheet: (state) => drawings.follow(state),
+  sheet: (state) => {
+    drawings.follow(state);
+    keeper.follow(drawings.shown);
+  },
   tool: both(shown.tool, followed.tool),
   color: both(shown.color, followed.color),
   "brush-size": both(shown["brush-size"], followed["brush-size"]),
@@ -49,14 +56,13 @@ const handlers = {
     download(name, await png(width, height, rgba));
     done(say("exported", { name }));
   },
-  stopped: () => warn(say("error-stopped")),
+  stopped: () => {
+    warn(say("error-stopped"));
+    // What does this as it is opened would do it again.
+    const { id, revision } = drawings.shown;
+    if (id && revision === 0) putAside(id).catch(console.warn);
+  },
 };
-
-/** Says what was done; a warning about something before it has had its time. @param {string} text */
-function done(text) {
-  warn("");
-  tell(text);
-}
 
 /**
  * @param {(value: any) => void} first
@@ -70,72 +76,28 @@ function both(first, second) {
 }
 
 const engine = new Engine(handlers);
-const drawings = new Drawings((drawing) => showName(drawing.name, isUnsaved(drawing)));
-const samples = new Samples(open);
+const drawings = new Drawings(nameShown);
+const keeper = new Keeper({
+  work: () => engine.work(),
+  picture: async () => {
+    const picture = engine.thumbnail();
+    return picture && png(picture.width, picture.height, picture.rgba);
+  },
+  kept: nameShown,
+  copied: (copy, before) => {
+    nameShown();
+    tell(say("copied-beside", { name: copy.name, before }));
+  },
+  failing: showUnkept,
+});
+const opening = new Opening(engine, drawings, keeper);
+const samples = new Samples((sample) => opening.sample(sample));
+const recent = new Recent((id) => opening.kept(id));
 const pointers = new Pointers(stage, engine);
 
-/** Counts what has been asked for: what comes after something else was asked for is dropped. */
-let asked = 0;
-
-/**
- * Opens what is on its way.
- * @param {string} name
- * @param {Promise<import("./formats.js").Opened>} coming
- * @param {any} [handle] the file that it can be saved to again
- * @returns what went wrong, if anything did; the page has been told
- */
-async function open(name, coming, handle) {
-  const ticket = ++asked;
-  try {
-    const { work, notes } = await whole(coming);
-    if (ticket !== asked) return undefined;
-    drawings.expect(name, handle);
-    engine.command("open", { work, notes });
-    return undefined;
-  } catch (fault) {
-    if (ticket === asked) failed(fault);
-    return fault;
-  }
-}
-
-/**
- * Work with its lines, which come from a sample where it has only the name of that.
- * @param {Promise<import("./formats.js").Opened>} coming
- */
-async function whole(coming) {
-  const opened = await coming;
-  if (!opened.lacks) return opened;
-  return { work: await formats.onSample(opened.work, await sampleWork(opened.lacks)), notes: opened.notes };
-}
-
-/** @param {import("./files.js").Coming} coming */
-function openFile({ name, bytes, handle }) {
-  open(name, bytes.then(formats.open), handle);
-}
-
-/** @param {string} text a link, or SVG */
-function openText(text) {
-  if (isLink(text)) openLink(text);
-  else openFile({ name: "SVG", bytes: Promise.resolve(new TextEncoder().encode(text)) });
-}
-
-/**
- * Opens a link beside the work that is there.
- * @param {string} link
- * @returns what went wrong, if anything did
- */
-async function openLink(link) {
-  const before = drawings.shown;
-  const fault = await open(say("shared-drawing"), formats.openLink(link));
-  if (drawings.shown !== before && before.revision > 0) tell(say("opened-beside", { before: before.name }));
-  return fault;
-}
-
-/** Opens the link in the address, which is then the page's own again: its drawing may become another. */
-function openAddress() {
-  const link = location.hash;
-  history.replaceState(null, "", location.pathname + location.search);
-  return openLink(link);
+function nameShown() {
+  const { shown } = drawings;
+  showName(shown.name, isUnsaved(shown), isKept(shown));
 }
 
 async function share() {
@@ -157,6 +119,7 @@ async function save() {
     const place = await keep({ name: `${stem(name)}.scumble`, handle }, () => formats.save(work));
     if (!place) return;
     drawings.keep(drawing, revision, place);
+    if (drawing === drawings.shown) keeper.keep(drawing);
     done(say("saved", place));
   } catch (fault) {
     drawing.handle = undefined;
@@ -164,23 +127,26 @@ async function save() {
   }
 }
 
-/** @param {unknown} fault with a sentence for people */
-function failed(fault) {
-  warn(say("failed", { sentence: /** @type {Error} */ (fault).message }));
+async function showRecent() {
+  await keeper.pictureNow();
+  await recent.show(drawings.shown.id).catch(() => failed(new Error(say("error-storage"))));
 }
 
 /** What the page does by itself; all other actions are commands of the module. @type {Record<string, () => void>} */
 const actions = {
-  open: () => void choose(openFile).catch(failed),
+  open: () => void choose((file) => opening.file(file)).catch(failed),
   save,
   share,
   "close-share": closeShare,
   "copy-link": copyLink,
   "send-link": sendLink,
+  recent: showRecent,
+  "close-recent": () => recent.close(),
   samples: () => samples.show(),
   "close-samples": () => samples.close(),
   "pick-color": pickColor,
   dismiss: () => warn(""),
+  "dismiss-unkept": () => showUnkept(false),
   cancel: () => pointers.cancel(),
   "pan-left": () => engine.command("pan", [STEP_PX, 0]),
   "pan-right": () => engine.command("pan", [-STEP_PX, 0]),
@@ -214,18 +180,6 @@ function followSize() {
   tellSize();
 }
 
-/** Opens the link in the address, or else the first sample, unless something has been opened meanwhile. */
-async function begin() {
-  try {
-    const list = samples.list();
-    const fault = isLink(location.hash) ? await openAddress() : undefined;
-    if (drawings.areNone && (asked === 0 || fault)) await samples.choose((await list)[0]);
-    if (fault) failed(fault);
-  } catch (fault) {
-    failed(fault);
-  }
-}
-
 async function start() {
   label(document);
   connect(act, (command, args) => engine.command(command, args));
@@ -238,14 +192,14 @@ async function start() {
   followSize();
   matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => engine.command("desk", desk()));
   listen(act, (held) => pointers.holdSpace(held));
-  receive(openFile, openText);
-  window.addEventListener("hashchange", () => void (isLink(location.hash) && openAddress()));
+  receive((file) => opening.file(file), (text) => opening.text(text));
+  window.addEventListener("hashchange", () => void (isLink(location.hash) && opening.address()));
   window.addEventListener("beforeunload", (event) => {
-    if (drawings.areUnsaved) event.preventDefault();
+    if (drawings.areAtRisk) event.preventDefault();
   });
-  const isFresh = !isLink(location.hash);
-  await begin();
-  if (isFresh) tell(say("start"));
+  window.addEventListener("pagehide", () => keeper.hurry());
+  document.addEventListener("visibilitychange", () => document.hidden && keeper.hurry());
+  await opening.begin(samples.list()).catch(failed);
 }
 
 start();

@@ -3,7 +3,6 @@
 import { say } from "./messages.js";
 
 /** @typedef {{ file: string, name: string, credit: string }} Sample */
-/** @typedef {import("./formats.js").Opened} Opened */
 
 const FOLDER = new URL("../samples/", import.meta.url);
 
@@ -11,7 +10,7 @@ export class Samples {
   #dialog = /** @type {HTMLDialogElement} */ (document.getElementById("samples"));
   #open;
 
-  /** @param {(name: string, coming: Promise<Opened>) => Promise<unknown>} open */
+  /** @param {(sample: Sample) => unknown} open */
   constructor(open) {
     this.#open = open;
     this.#dialog.addEventListener("click", (event) => {
@@ -50,16 +49,14 @@ export class Samples {
     name.textContent = sample.name;
     credit.textContent = sample.credit;
     button.append(image, name, credit);
-    button.addEventListener("click", () => this.choose(sample));
+    button.addEventListener("click", () => {
+      this.#dialog.close();
+      this.#open(sample);
+    });
     item.append(button);
     return item;
   }
 
-  /** @param {Sample} sample */
-  choose(sample) {
-    this.#dialog.close();
-    return this.#open(sample.name, sampleWork(sample.file).then((work) => ({ work, notes: "" })));
-  }
 }
 
 /**

@@ -237,10 +237,12 @@ function showPercent(slider, figure, percent) {
 /**
  * @param {string} drawing what it is called
  * @param {boolean} unsaved
+ * @param {boolean} kept whether the browser has it as it is, for those who look at the page from outside
  */
-export function showName(drawing, unsaved) {
+export function showName(drawing, unsaved, kept) {
   document.title = say("title", { name: drawing, unsaved });
   control("drawing").textContent = drawing;
+  control("drawing").dataset.kept = String(kept);
   control("unsaved").hidden = !unsaved;
 }
 
@@ -253,4 +255,21 @@ export function tell(text) {
 export function warn(text) {
   control("alert").hidden = text === "";
   /** @type {HTMLElement} */ (control("alert").querySelector("p")).textContent = text;
+}
+
+/** Says what was done; a warning about something before it has had its time. @param {string} text */
+export function done(text) {
+  warn("");
+  tell(text);
+}
+
+/** @param {unknown} fault with a sentence for people */
+export function failed(fault) {
+  warn(say("failed", { sentence: /** @type {Error} */ (fault).message }));
+}
+
+/** Says that the browser keeps nothing, or no more. @param {boolean} isSo */
+export function showUnkept(isSo) {
+  control("unkept").hidden = !isSo;
+  /** @type {HTMLElement} */ (control("unkept").querySelector("p")).textContent = isSo ? say("unkept") : "";
 }

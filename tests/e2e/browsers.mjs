@@ -2,6 +2,8 @@
  * Starts the two browsers headless, with the switches that give them WebGPU (and Chromium WebGL 2) without a GPU, and
  * gives their pages one face: Playwright drives Chromium, Puppeteer drives Firefox over WebDriver BiDi.
  */
+import { once } from "node:events";
+import { readdir } from "node:fs/promises";
 import { chromium } from "playwright-core";
 import puppeteer from "puppeteer-core";
 
@@ -21,7 +23,14 @@ const CHROMIUM_FLAGS = [
   "--disable-sync",
 ];
 
-const FIREFOX_PREFERENCES = { "dom.webgpu.enabled": true, "gfx.webgpu.ignore-blocklist": true };
+/** How Puppeteer starts each. @type {import("puppeteer-core").LaunchOptions} */
+const CHROMIUM = { browser: "chrome", executablePath: "/usr/bin/chromium", args: CHROMIUM_FLAGS };
+/** @type {import("puppeteer-core").LaunchOptions} */
+const FIREFOX = {
+  browser: "firefox",
+  executablePath: "/usr/bin/firefox-esr",
+  extraPrefsFirefox: { "dom.webgpu.enabled": true, "gfx.webgpu.ignore-blocklist": true },
+};
 
 /** The system's dialogs for files, which nobody can answer here, are left out: the page has other ways. */
 const withoutDialogs = () => {
@@ -46,12 +55,22 @@ const VIEWPORT = { width: 1200, height: 800 };
  * @property {(act: () => Promise<void>) => Promise<string>} download the path of the file that an act downloads
  * @property {string[]} faults what went wrong in the page: uncaught errors and errors on the console
  * @property {(see: (url: string) => void) => void} onRequest
+ * @property {(script: string) => Promise<unknown>} prepare runs a script in each page that is opened from now on, before its own
+ * @property {(bytes: number) => Promise<unknown>} limitStorage
+ * @property {() => Promise<Tab>} beside another page with the same history
+ * @property {() => Promise<void>} close
  */
 
 /**
  * @typedef {object} Browser
  * @property {() => Promise<Tab>} open a page without a history
  * @property {() => Promise<void>} close
+ */
+
+/**
+ * @typedef {object} Mortal a browser with one page, whose history is in a folder
+ * @property {Tab} tab
+ * @property {() => Promise<void>} kill ends it as a crash would
  */
 
 /**
@@ -66,20 +85,17 @@ export function launch(name) {
 async function launchChromium() {
   const browser = await chromium.launch({ executablePath: "/usr/bin/chromium", args: CHROMIUM_FLAGS });
   return {
-    open: async () => {
-      const page = await browser.newPage({ viewport: VIEWPORT });
-      await page.addInitScript(withoutDialogs);
-      return chromiumTab(page);
-    },
+    open: async () => chromiumTab(await (await browser.newContext({ viewport: VIEWPORT })).newPage()),
     close: () => browser.close(),
   };
 }
 
 /**
  * @param {import("playwright-core").Page} page
- * @returns {Tab}
+ * @returns {Promise<Tab>}
  */
-function chromiumTab(page) {
+async function chromiumTab(page) {
+  await page.addInitScript(withoutDialogs);
   /** @type {string[]} */
   const faults = [];
   page.on("pageerror", (error) => faults.push(String(error)));
@@ -111,28 +127,62 @@ function chromiumTab(page) {
       return (await download).path();
     },
     onRequest: (see) => void page.on("request", (request) => see(request.url())),
+    prepare: (script) => page.addInitScript(script),
+    limitStorage: async (bytes) => {
+      const devtools = await page.context().newCDPSession(page);
+      await devtools.send("Storage.overrideQuotaForOrigin", { origin: new URL(page.url()).origin, quotaSize: bytes });
+    },
+    beside: async () => chromiumTab(await page.context().newPage()),
+    close: () => page.close(),
   };
 }
 
 /** @returns {Promise<Browser>} */
 async function launchFirefox() {
-  const browser = await puppeteer.launch({
-    browser: "firefox",
-    executablePath: "/usr/bin/firefox-esr",
-    extraPrefsFirefox: FIREFOX_PREFERENCES,
-    defaultViewport: VIEWPORT,
-  });
+  const browser = await puppeteer.launch({ ...FIREFOX, defaultViewport: VIEWPORT });
   return {
-    open: async () => firefoxTab(await browser.newPage()),
+    open: async () => puppeteerTab(await (await browser.createBrowserContext()).newPage()),
     close: () => browser.close(),
   };
+}
+
+/**
+ * A browser of its own, whose pages leave their history in a folder.
+ * @param {"chromium" | "firefox"} name
+ * @param {string} folder
+ * @returns {Promise<Mortal>}
+ */
+export async function launchIn(name, folder) {
+  const browser = await puppeteer.launch({
+    ...(name === "chromium" ? CHROMIUM : FIREFOX),
+    userDataDir: folder,
+    defaultViewport: VIEWPORT,
+  });
+  const process = /** @type {import("node:child_process").ChildProcess} */ (browser.process());
+  return {
+    tab: puppeteerTab(await browser.newPage()),
+    kill: async () => {
+      const gone = once(process, "exit");
+      process.kill("SIGKILL");
+      await gone;
+      await areBack(folder);
+    },
+  };
+}
+
+/** Waits until Puppeteer has put the settings back that it found in a folder. @param {string} folder */
+async function areBack(folder) {
+  for (let tries = 0; tries < 100; tries++) {
+    if (!(await readdir(folder)).some((file) => file.endsWith(".puppeteer"))) return;
+    await new Promise((wake) => setTimeout(wake, 20));
+  }
 }
 
 /**
  * @param {import("puppeteer-core").Page} page
  * @returns {Tab}
  */
-function firefoxTab(page) {
+function puppeteerTab(page) {
   /** @type {string[]} */
   const faults = [];
   page.on("pageerror", (error) => faults.push(String(error)));
@@ -141,7 +191,8 @@ function firefoxTab(page) {
     faults,
     goto: (url) => page.goto(url),
     evaluate: (expression) => /** @type {Promise<any>} */ (page.evaluate(expression)),
-    waitFor: (expression) => page.waitForFunction(expression),
+    // Frames, which it would look at by itself, do not come in a tab that is not in front.
+    waitFor: (expression) => page.waitForFunction(expression, { polling: 20 }),
     click: (role, name) => page.locator(`::-p-aria([role="${role}"][name="${name}"])`).click(),
     choose: async (list, option) => (await page.$(`::-p-aria([role="combobox"][name="${list}"])`))?.select(option),
     mouse: page.mouse,
@@ -161,5 +212,11 @@ function firefoxTab(page) {
       throw new Error("downloads are tested in Chromium");
     },
     onRequest: (see) => void page.on("request", (request) => see(request.url())),
+    prepare: (script) => page.evaluateOnNewDocument(script),
+    limitStorage: async () => {
+      throw new Error("storage is limited in Chromium");
+    },
+    beside: async () => puppeteerTab(await page.browserContext().newPage()),
+    close: () => page.close(),
   };
 }

@@ -19,7 +19,7 @@ export const TARGETS = [
   { browser: "firefox", renderer: "webgpu" },
 ];
 
-const DIST = fileURLToPath(new URL("../../dist", import.meta.url));
+export const DIST = fileURLToPath(new URL("../../dist", import.meta.url));
 
 /** Longer side of any page in drawing units. */
 const PAGE_DU = 1024;
@@ -39,6 +39,8 @@ export async function start(name) {
   return {
     url,
     newTab: () => browser.open(),
+    /** The page in a tab, as it comes up again. @param {Tab} tab */
+    reopen: (tab) => Editor.open(tab, `${url}?renderer=cpu`, "cpu"),
     /** @param {Target["renderer"]} renderer */
     open: async (renderer) => Editor.open(await browser.open(), `${url}?renderer=${renderer}`, renderer),
     close: async () => {
@@ -90,6 +92,16 @@ export class Editor {
     await this.tab.evaluate(`document.getElementById("status").textContent = ""`);
     await act();
     await this.tab.waitFor(`document.getElementById("status").textContent.includes(${JSON.stringify(words)})`);
+  }
+
+  /** Waits until the browser keeps the drawing as it is. */
+  kept() {
+    return this.tab.waitFor(`document.getElementById("drawing").dataset.kept === "true"`);
+  }
+
+  /** What the drawing is called. @returns {Promise<string>} */
+  name() {
+    return this.tab.evaluate(`document.getElementById("drawing").textContent`);
   }
 
   /** @param {string} name */

@@ -111,7 +111,9 @@ fn path(tape: &mut Tape, path: &mut BezPath) {
         tape.check(is_in_part || is_start);
         is_in_part = !matches!(element, PathEl::ClosePath);
     });
-    *path = BezPath::from_vec(elements);
+    if matches!(elements.first(), None | Some(PathEl::MoveTo(_))) {
+        *path = BezPath::from_vec(elements);
+    }
 }
 
 /// Points of each kind of path element, in the order of their numbers.

@@ -11,7 +11,7 @@ use wasm_bindgen::{JsCast, JsError, JsValue};
 use wasm_bindgen_futures::spawn_local;
 use web_sys::{HtmlCanvasElement, console};
 
-use crate::boundary::{color, command_from_js, field, js_from_effects};
+use crate::boundary::{color, command_from_js, field, js_from_effects, js_from_picture};
 use crate::command::Phase;
 use crate::effect::Effect;
 use crate::screen::{CPU, Screen};
@@ -100,6 +100,11 @@ impl App {
     /// The exact bytes of the work, with what the pen has done since it came down.
     pub fn work(&self) -> Vec<u8> {
         self.shared.borrow().session.work()
+    }
+
+    /// A small picture of the drawing: `width`, `height` and `rgba`, as of one that is exported.
+    pub fn thumbnail(&self) -> JsValue {
+        js_from_picture(&self.shared.borrow_mut().session.thumbnail())
     }
 
     fn export(&self) {

@@ -133,7 +133,7 @@ fn js_from_effect(effect: Effect) -> (&'static str, JsValue) {
         Effect::Undone => ("undone", object(&[])),
         Effect::Redone => ("redone", object(&[])),
         Effect::Failed(sentence) => ("failed", object(&[("sentence", sentence.into())])),
-        Effect::Exported(picture) => ("exported", exported(&picture)),
+        Effect::Exported(picture) => ("exported", js_from_picture(&picture)),
         Effect::Renderer(name) => ("renderer", name.into()),
         Effect::Lost(next) => ("lost", next.map_or(JsValue::NULL, JsValue::from)),
     }
@@ -158,7 +158,8 @@ fn js_from_settings(settings: Settings) -> JsValue {
     ])
 }
 
-fn exported(picture: &Pixmap) -> JsValue {
+/// Size in pixels, and the pixels.
+pub(crate) fn js_from_picture(picture: &Pixmap) -> JsValue {
     object(&[
         ("width", picture.width_px.into()),
         ("height", picture.height_px.into()),

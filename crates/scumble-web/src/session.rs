@@ -6,8 +6,9 @@
 use std::mem::take;
 
 use kurbo::{Affine, Rect};
+use scumble_core::drawing::LONGER_SIDE_DU;
 use scumble_core::{Document, Drawing, Editor, MapError, Srgb8, Work, exact};
-use scumble_solve::{Field, Picture, View};
+use scumble_solve::{Field, Picture, Pixmap, View, paint};
 
 use crate::brush::Brush;
 use crate::command::{Command, Setting, Tool};
@@ -25,6 +26,9 @@ const SHELF_SIZE: usize = 8;
 
 /// The page that is there before a drawing is opened, in du.
 const BLANK: Rect = Rect::new(0.0, 0.0, 1024.0, 768.0);
+
+/// The longer side of a drawing's picture in a list.
+const THUMBNAIL_PX: f64 = 240.0;
 
 const DAMAGED: &str = "what the browser kept of the drawing is damaged; open it from a file";
 
@@ -171,10 +175,20 @@ impl Session {
 
     /// The picture for a file: the whole page, one pixel a du, with lines if they are shown and without scribbles.
     pub fn export(&mut self) -> Export<'_> {
+        self.export_at(1.0)
+    }
+
+    /// The picture for a list of drawings: as in a file, but small.
+    pub fn thumbnail(&mut self) -> Pixmap {
+        let export = self.export_at(THUMBNAIL_PX / LONGER_SIDE_DU);
+        paint(&export.painting().scene(), &export.view)
+    }
+
+    fn export_at(&mut self, px_per_du: f64) -> Export<'_> {
         self.refresh();
         let drawing = &self.sheet.editor.document().drawing;
-        let size = drawing.size_du();
-        let mut layers = Layers::at_scale(1.0);
+        let size_px = drawing.size_du() * px_per_du;
+        let mut layers = Layers::at_scale(px_per_du);
         if self.lines_shown {
             layers.add_lines(drawing, self.sheet.picture.map());
         }
@@ -182,9 +196,9 @@ impl Session {
             layers,
             field: &self.field,
             view: View {
-                px_from_du: Affine::IDENTITY,
-                width_px: size.width.round().max(1.0) as u32,
-                height_px: size.height.round().max(1.0) as u32,
+                px_from_du: Affine::scale(px_per_du),
+                width_px: size_px.width.round().max(1.0) as u32,
+                height_px: size_px.height.round().max(1.0) as u32,
             },
         }
     }

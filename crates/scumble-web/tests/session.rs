@@ -116,6 +116,19 @@ fn the_exported_picture_is_the_canvas_at_100_percent() {
 }
 
 #[test]
+fn the_thumbnail_is_the_whole_page_small_and_leaves_the_canvas_as_it_was() {
+    let mut page = Page::open(SQUARE);
+    page.stroke(RED, &ACROSS);
+    let before = page.color_at(OUTSIDE);
+    let thumbnail = page.session.thumbnail();
+    assert_eq!(thumbnail.width_px.max(thumbnail.height_px), 240);
+    assert_eq!(thumbnail.rgba.len() as u32, 4 * thumbnail.width_px * thumbnail.height_px);
+    let at = |(x, y): (f64, f64)| pixel(&thumbnail, Point::new(x * 240.0 / 1024.0, y * 240.0 / 1024.0));
+    assert_eq!((at(INSIDE), at(OUTSIDE)), (RED, WHITE));
+    assert_eq!(page.color_at(OUTSIDE), before);
+}
+
+#[test]
 fn lines_and_scribbles_can_be_hidden() {
     let mut page = Page::open(SQUARE);
     page.session.command(Command::Set(Setting::Blend(Blend::Srgb)));

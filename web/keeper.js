@@ -1,0 +1,212 @@
+// Keeps drawings in the browser's storage after each gesture. One that another tab has written meanwhile is gone on
+// with as a copy, so that no tab writes over another's work.
+
+import { isKept, isWork } from "./drawings.js";
+import { hold } from "./hold.js";
+import { say } from "./messages.js";
+import * as storage from "./storage.js";
+
+/** @typedef {import("./drawings.js").Drawing} Drawing */
+/** @typedef {{work: Uint8Array, revision: number}} State a drawing as it is to be written */
+
+/** After a failure it is tried again this much later. */
+const RETRY_MS = 5_000;
+
+/** A drawing's picture is made once nothing has been done for so long. */
+const REST_MS = 1_000;
+
+const ID_BYTES = 16;
+
+/** Where a tab remembers its drawing while the page is loaded again. */
+const SHOWN = "scumble-shown";
+
+/**
+ * @typedef {object} Page
+ * @property {() => Uint8Array | undefined} work the exact bytes of the drawing that is shown
+ * @property {() => Promise<Blob | undefined>} picture a small picture of it
+ * @property {(drawing: Drawing) => void} kept called when a drawing was written
+ * @property {(drawing: Drawing, before: string) => void} copied called when a drawing goes on as a copy of another
+ * @property {(fails: boolean) => void} failing called when keeping begins to fail, and when it works again
+ */
+
+export class Keeper {
+  #page;
+  /** @type {Map<Drawing, State>} The last states of drawings, as long as they are not written. */
+  #late = new Map();
+  #fails = false;
+  /** @type {Drawing | undefined} The one that is shown, where its picture is not as it is. */
+  #unpictured;
+  /** @type {ReturnType<typeof setTimeout> | undefined} */
+  #retry;
+  /** @type {ReturnType<typeof setTimeout> | undefined} */
+  #rest;
+
+  /** @param {Page} page */
+  constructor(page) {
+    this.#page = page;
+  }
+
+  /**
+   * Keeps the drawing that is shown, if there is something to keep.
+   * @param {Drawing} drawing
+   */
+  follow(drawing) {
+    if (isKept(drawing) && !this.#late.has(drawing)) this.#see(drawing);
+    else if (isWork(drawing)) this.keep(drawing);
+  }
+
+  /**
+   * Writes the drawing that is shown.
+   * @param {Drawing} drawing
+   */
+  keep(drawing) {
+    const work = this.#page.work();
+    if (!work) return;
+    const state = { work, revision: drawing.revision };
+    this.#late.set(drawing, state);
+    this.#pictureLater(drawing);
+    this.#write(drawing, state);
+  }
+
+  /** Does at once what was to be done later: the page may go away. */
+  hurry() {
+    if (this.#fails) for (const [drawing, state] of this.#late) this.#write(drawing, state);
+    this.pictureNow();
+  }
+
+  /** Makes the picture of the drawing that is shown, as before another is. */
+  async pictureNow() {
+    clearTimeout(this.#rest);
+    const drawing = this.#unpictured;
+    this.#unpictured = undefined;
+    if (!drawing) return;
+    try {
+      const picture = await this.#page.picture();
+      if (picture && drawing.id) await storage.writePicture(drawing.id, new Uint8Array(await picture.arrayBuffer()));
+    } catch (fault) {
+      console.warn(fault);
+    }
+  }
+
+  /**
+   * Notes that a drawing is shown, which is kept as it is.
+   * @param {Drawing} drawing
+   */
+  #see(drawing) {
+    if (!drawing.id) return;
+    sessionStorage.setItem(SHOWN, drawing.id);
+    storage.see(drawing.id).catch(console.warn);
+    this.#pictureLater(drawing);
+  }
+
+  /** @param {Drawing} drawing */
+  #pictureLater(drawing) {
+    this.#unpictured = drawing;
+    clearTimeout(this.#rest);
+    this.#rest = setTimeout(() => this.pictureNow(), REST_MS);
+  }
+
+  /**
+   * Each state is sent to the storage as it comes, whatever has become of the one before: a page that is busy hears of
+   * that late. Only the last one tells whether the drawing is kept.
+   * @param {Drawing} drawing
+   * @param {State} state
+   */
+  async #write(drawing, state) {
+    try {
+      const isOurs = await storage.write(entryOf(drawing, state.revision), state.work);
+      if (this.#late.get(drawing) !== state) return;
+      if (isOurs) this.#kept(drawing, state);
+      else this.#copy(drawing, state);
+    } catch (fault) {
+      console.warn(fault);
+      if (this.#late.get(drawing) === state) this.#failed();
+    }
+  }
+
+  /**
+   * @param {Drawing} drawing
+   * @param {State} state
+   */
+  #kept(drawing, { revision }) {
+    this.#late.delete(drawing);
+    drawing.kept = revision;
+    this.#page.kept(drawing);
+    this.#tell(false);
+  }
+
+  /**
+   * @param {Drawing} drawing
+   * @param {State} state
+   */
+  #copy(drawing, state) {
+    const before = drawing.name;
+    Object.assign(drawing, { id: undefined, writer: undefined, ...copyOf(before) });
+    this.#page.copied(drawing, before);
+    this.#write(drawing, state);
+  }
+
+  #failed() {
+    this.#tell(true);
+    clearTimeout(this.#retry);
+    this.#retry = setTimeout(() => this.hurry(), RETRY_MS);
+  }
+
+  /** @param {boolean} fails */
+  #tell(fails) {
+    if (this.#fails !== fails) this.#page.failing(fails);
+    this.#fails = fails;
+  }
+}
+
+/**
+ * What the storage's list says of a drawing.
+ * @param {Drawing} drawing
+ * @param {number} revision of it that is written
+ * @returns {storage.Entry}
+ */
+function entryOf(drawing, revision) {
+  const id = (drawing.id ??= claimed());
+  const { name, handle, saved, writer = 0 } = drawing;
+  sessionStorage.setItem(SHOWN, id);
+  return { id, name, writer, seen: Date.now(), isUnsaved: revision !== saved, handle };
+}
+
+/** What a drawing has of another that it is a copy of: not the file, which it would write over. @param {string} name */
+function copyOf(name) {
+  return { name: say("copy", { name }), handle: undefined };
+}
+
+/** A new drawing's id, held for this tab. */
+function claimed() {
+  const bytes = crypto.getRandomValues(new Uint8Array(ID_BYTES));
+  const id = [...bytes].map((byte) => byte.toString(16).padStart(2, "0")).join("");
+  hold(id);
+  return id;
+}
+
+/**
+ * Drawings to begin with, best first: the one that this tab had before the page was loaded again, then those that were
+ * seen last. What could not be opened is not among them.
+ */
+export async function lastIds() {
+  const own = sessionStorage.getItem(SHOWN);
+  const ids = (await storage.entries()).filter(({ isAside }) => !isAside).map(({ id }) => id);
+  return ids.sort((a, b) => Number(b === own) - Number(a === own));
+}
+
+/**
+ * A drawing to go on with: itself, or a copy of one that another tab has.
+ * @param {string} id
+ * @returns {Promise<{drawing: Partial<Drawing> & {name: string}, work: unknown} | undefined>} nothing where it is gone
+ */
+export async function take(id) {
+  const isOurs = await hold(id);
+  const writer = isOurs ? await storage.claim(id) : undefined;
+  // What is read now is what was written last: nobody else writes it any more.
+  const { entry, work } = await storage.drawing(id);
+  if (!entry) return undefined;
+  const { name, handle, isUnsaved } = entry;
+  const identity = isOurs ? { id, name, writer, handle, kept: 0 } : copyOf(name);
+  return { drawing: { ...identity, saved: isUnsaved ? -1 : 0 }, work };
+}

@@ -1,0 +1,182 @@
+// The ways by which a drawing comes into the page: files, links, samples, and those that the browser has kept.
+
+import { formats } from "./formats.js";
+import { lastIds, take } from "./keeper.js";
+import { say } from "./messages.js";
+import { sampleWork } from "./samples.js";
+import { isLink } from "./share.js";
+import { putAside } from "./storage.js";
+import { failed, tell } from "./toolbar.js";
+
+/** @typedef {Partial<import("./drawings.js").Drawing> & {name: string}} Coming what is known of a drawing before it is there */
+/** @typedef {import("./formats.js").Opened} Opened */
+
+export class Opening {
+  #engine;
+  #drawings;
+  #keeper;
+  /** Counts what has been asked for: what comes after something else was asked for is dropped. */
+  #asked = 0;
+
+  /**
+   * @param {import("./engine.js").Engine} engine
+   * @param {import("./drawings.js").Drawings} drawings
+   * @param {import("./keeper.js").Keeper} keeper
+   */
+  constructor(engine, drawings, keeper) {
+    this.#engine = engine;
+    this.#drawings = drawings;
+    this.#keeper = keeper;
+  }
+
+  /** @param {import("./files.js").Coming} file */
+  file({ name, bytes, handle }) {
+    return this.#open({ name, handle, isBrought: true }, bytes.then(formats.open));
+  }
+
+  /** @param {string} text a link, or SVG */
+  text(text) {
+    if (isLink(text)) return this.#link(text);
+    return this.file({ name: "SVG", bytes: Promise.resolve(new TextEncoder().encode(text)) });
+  }
+
+  /** @param {import("./samples.js").Sample} sample */
+  sample({ name, file }) {
+    return this.#open({ name }, sampleWork(file).then((work) => ({ work, notes: "" })));
+  }
+
+  /** Opens the link in the address, which is then the page's own again: its drawing may become another. */
+  address() {
+    const link = location.hash;
+    history.replaceState(null, "", location.pathname + location.search);
+    return this.#link(link);
+  }
+
+  /**
+   * Goes on with a drawing that the browser has kept, or with a copy where another tab has it.
+   * @param {string} id
+   * @returns what went wrong, if anything did; the page has been told
+   */
+  async kept(id) {
+    const ticket = ++this.#asked;
+    try {
+      const { drawing, work } = await taken(id);
+      if (ticket !== this.#asked) return undefined;
+      if (!(work instanceof Uint8Array) || !this.#show(drawing, work, "")) throw await damaged(id);
+      if (!drawing.id) tell(say("opened-copy", drawing));
+      return undefined;
+    } catch (fault) {
+      return ticket === this.#asked ? told(fault) : undefined;
+    }
+  }
+
+  /**
+   * Opens the link in the address, or else what was open last, or else a sample; unless something has been opened
+   * meanwhile.
+   * @param {Promise<import("./samples.js").Sample[]>} samples
+   */
+  async begin(samples) {
+    const fault = isLink(location.hash) ? await this.address() : undefined;
+    if (this.#asked > 0 && !fault) return;
+    const ticket = this.#asked;
+    // A storage that does not work is told of when there is something to keep.
+    const ids = await lastIds().catch((fault) => (console.warn(fault), []));
+    if (ticket === this.#asked) await this.#first(ids, samples, fault);
+  }
+
+  /**
+   * Opens the first drawing that can be opened, or else a sample.
+   * @param {string[]} ids
+   * @param {Promise<import("./samples.js").Sample[]>} samples
+   * @param {unknown} fault what has gone wrong before
+   */
+  async #first(ids, samples, fault) {
+    for (const id of ids) {
+      const own = await this.kept(id);
+      if (!own) return fault && failed(fault);
+      fault ??= own;
+      if (!this.#engine.isRunning) return undefined;
+    }
+    const ticket = this.#asked;
+    const [sample] = await samples;
+    if (ticket !== this.#asked) return undefined;
+    await this.sample(sample);
+    return fault ? failed(fault) : tell(say("start"));
+  }
+
+  /**
+   * Opens a link beside the work that is there.
+   * @param {string} link
+   */
+  async #link(link) {
+    const before = this.#drawings.shown;
+    const fault = await this.#open({ name: say("shared-drawing"), isBrought: true }, formats.openLink(link));
+    if (this.#drawings.shown !== before && before.revision > 0) tell(say("opened-beside", { before: before.name }));
+    return fault;
+  }
+
+  /**
+   * Opens what is on its way.
+   * @param {Coming} drawing
+   * @param {Promise<Opened>} coming
+   * @returns what went wrong, if anything did; the page has been told
+   */
+  async #open(drawing, coming) {
+    const ticket = ++this.#asked;
+    try {
+      const { work, notes } = await whole(coming);
+      if (ticket === this.#asked) this.#show(drawing, work, notes);
+      return undefined;
+    } catch (fault) {
+      return ticket === this.#asked ? told(fault) : undefined;
+    }
+  }
+
+  /**
+   * @param {Coming} drawing
+   * @param {Uint8Array} work
+   * @param {string} notes
+   * @returns whether the module could open it
+   */
+  #show(drawing, work, notes) {
+    this.#keeper.pictureNow();
+    const expected = this.#drawings.expect(drawing);
+    this.#engine.command("open", { work, notes });
+    return this.#drawings.shown === expected;
+  }
+}
+
+/**
+ * Work with its lines, which come from a sample where it has only the name of that.
+ * @param {Promise<Opened>} coming
+ */
+async function whole(coming) {
+  const opened = await coming;
+  if (!opened.lacks) return opened;
+  return { work: await formats.onSample(opened.work, await sampleWork(opened.lacks)), notes: opened.notes };
+}
+
+/** @param {unknown} fault */
+function told(fault) {
+  failed(fault);
+  return fault;
+}
+
+/** @param {string} id */
+async function taken(id) {
+  const taken = await take(id).catch((fault) => {
+    console.warn(fault);
+    throw new Error(say("error-storage"));
+  });
+  if (!taken) throw new Error(say("error-gone"));
+  return taken;
+}
+
+/**
+ * Keeps what cannot be opened out of the way of the page's start.
+ * @param {string} id
+ */
+async function damaged(id) {
+  await putAside(id).catch(console.warn);
+  return new Error(say("error-kept"));
+}

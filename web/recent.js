@@ -1,0 +1,127 @@
+// The drawings that the browser keeps: a dialog of their pictures, to go on with or to be deleted.
+
+import { hold, letGo } from "./hold.js";
+import { name, say } from "./messages.js";
+import * as storage from "./storage.js";
+
+export class Recent {
+  #dialog = /** @type {HTMLDialogElement} */ (document.getElementById("recent"));
+  #list = /** @type {HTMLUListElement} */ (this.#dialog.querySelector("ul"));
+  #none = /** @type {HTMLElement} */ (this.#dialog.querySelector(".none"));
+  #open;
+
+  /** @param {(id: string) => void} open */
+  constructor(open) {
+    this.#open = open;
+    this.#dialog.addEventListener("click", (event) => {
+      if (event.target === this.#dialog) this.close();
+    });
+  }
+
+  /**
+   * Shows what there is.
+   * @param {string | undefined} shown the drawing that is open
+   */
+  async show(shown) {
+    const entries = await storage.entries();
+    this.#list.replaceChildren(...entries.map((entry) => this.#item(entry, entry.id === shown)));
+    this.#none.hidden = entries.length > 0;
+    this.#dialog.showModal();
+  }
+
+  close() {
+    this.#dialog.close();
+  }
+
+  /**
+   * @param {storage.Entry} entry
+   * @param {boolean} isShown
+   */
+  #item(entry, isShown) {
+    const item = document.createElement("li");
+    const image = new Image();
+    image.alt = "";
+    showPicture(image, entry.id);
+    const open = button(say("open-kept", entry), () => {
+      this.close();
+      if (!isShown) this.#open(entry.id);
+    });
+    open.append(image, element("span", entry.name), element("small", note(entry, isShown)));
+    item.append(open);
+    if (!isShown) item.append(this.#removal(entry, item));
+    return item;
+  }
+
+  /**
+   * @param {storage.Entry} entry
+   * @param {HTMLElement} item
+   */
+  #removal(entry, item) {
+    const remove = button(say("delete", entry), async () => {
+      if (!confirm(say("delete-really", entry))) return;
+      const isDone = await removed(entry.id).catch(() => false);
+      if (!isDone) return remove.after(element("small", say("delete-not")));
+      const next = item.nextElementSibling ?? item.previousElementSibling ?? this.#dialog;
+      item.remove();
+      this.#none.hidden = this.#list.childElementCount > 0;
+      next.querySelector("button")?.focus();
+    });
+    remove.className = "icon delete";
+    remove.append(/** @type {Node} */ (this.#dialog.querySelector("header svg")?.cloneNode(true)));
+    return remove;
+  }
+}
+
+/**
+ * Deletes a drawing, unless another tab has it.
+ * @param {string} id
+ * @returns {Promise<boolean>} whether it is gone
+ */
+async function removed(id) {
+  if (!(await hold(id))) return false;
+  await storage.remove(id);
+  letGo(id);
+  return true;
+}
+
+/**
+ * @param {storage.Entry} entry
+ * @param {boolean} isShown
+ */
+function note(entry, isShown) {
+  if (isShown) return say("open-now");
+  return entry.isAside ? say("damaged") : new Date(entry.seen).toLocaleString();
+}
+
+/**
+ * @param {string} label
+ * @param {() => void} act
+ */
+function button(label, act) {
+  const button = document.createElement("button");
+  button.type = "button";
+  name(button, label);
+  button.addEventListener("click", act);
+  return button;
+}
+
+/**
+ * @param {string} tag
+ * @param {string} text
+ */
+function element(tag, text) {
+  const element = document.createElement(tag);
+  element.textContent = text;
+  return element;
+}
+
+/**
+ * @param {HTMLImageElement} image
+ * @param {string} id
+ */
+async function showPicture(image, id) {
+  const picture = await storage.picture(id).catch(() => undefined);
+  if (!picture) return;
+  image.src = URL.createObjectURL(new Blob([picture], { type: "image/png" }));
+  image.addEventListener("load", () => URL.revokeObjectURL(image.src), { once: true });
+}
