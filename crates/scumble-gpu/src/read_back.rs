@@ -33,28 +33,13 @@ pub(crate) struct Copy {
 impl Copy {
     /// Has a texture copied.
     pub(crate) fn new(gpu: &Gpu, texture: &wgpu::Texture, x_px: u32, y_px: u32) -> Self {
-        let padded_row_bytes = (4 * texture.width()).next_multiple_of(wgpu::COPY_BYTES_PER_ROW_ALIGNMENT);
-        let buffer = gpu.device.create_buffer(&wgpu::BufferDescriptor {
-            label: Some("read back"),
-            size: u64::from(padded_row_bytes) * u64::from(texture.height()),
-            usage: wgpu::BufferUsages::COPY_DST | wgpu::BufferUsages::MAP_READ,
-            mapped_at_creation: false,
-        });
-        let layout = wgpu::TexelCopyBufferLayout {
-            offset: 0,
-            bytes_per_row: Some(padded_row_bytes),
-            rows_per_image: None,
-        };
-        let target = wgpu::TexelCopyBufferInfo { buffer: &buffer, layout };
-        let mut encoder = gpu.device.create_command_encoder(&Default::default());
-        encoder.copy_texture_to_buffer(texture.as_image_copy(), target, texture.size());
-        gpu.queue.submit([encoder.finish()]);
+        let (buffer, padded_row_bytes) = copied(gpu, texture, 4);
         Self {
             x_px: x_px as usize,
             y_px: y_px as usize,
             buffer,
             width_px: texture.width() as usize,
-            padded_row_bytes: padded_row_bytes as usize,
+            padded_row_bytes,
             format: texture.format(),
         }
     }
@@ -72,6 +57,28 @@ impl Copy {
         }
         Ok(())
     }
+}
+
+/// Has the rows of a texture copied, each padded to so many bytes.
+pub(crate) fn copied(gpu: &Gpu, texture: &wgpu::Texture, texel_bytes: u32) -> (wgpu::Buffer, usize) {
+    let padded_row_bytes =
+        (texel_bytes * texture.width()).next_multiple_of(wgpu::COPY_BYTES_PER_ROW_ALIGNMENT);
+    let buffer = gpu.device.create_buffer(&wgpu::BufferDescriptor {
+        label: Some("read back"),
+        size: u64::from(padded_row_bytes) * u64::from(texture.height()),
+        usage: wgpu::BufferUsages::COPY_DST | wgpu::BufferUsages::MAP_READ,
+        mapped_at_creation: false,
+    });
+    let layout = wgpu::TexelCopyBufferLayout {
+        offset: 0,
+        bytes_per_row: Some(padded_row_bytes),
+        rows_per_image: None,
+    };
+    let target = wgpu::TexelCopyBufferInfo { buffer: &buffer, layout };
+    let mut encoder = gpu.device.create_command_encoder(&Default::default());
+    encoder.copy_texture_to_buffer(texture.as_image_copy(), target, texture.size());
+    gpu.queue.submit([encoder.finish()]);
+    (buffer, padded_row_bytes as usize)
 }
 
 pub(crate) fn read_back_error(error: impl ToString) -> GpuError {

@@ -4,7 +4,7 @@ use scumble_solve::grid::{Texel, Texture};
 
 use crate::error::GpuError;
 use crate::gpu::Gpu;
-use crate::read_back::{mapped, read_back_error};
+use crate::read_back::{copied, mapped, read_back_error};
 
 /// Four numbers a texel. Halves would not do: conjugate gradients live on the last bits.
 pub(super) const FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rgba32Float;
@@ -68,25 +68,10 @@ fn write(gpu: &Gpu, texture: &wgpu::Texture, bytes: &[u8]) {
 /// The texels of a target, row by row.
 pub(crate) async fn read(gpu: &Gpu, view: &wgpu::TextureView) -> Result<Vec<Texel>, GpuError> {
     let texture = view.texture();
-    let row_bytes = size_of::<Texel>() as u32 * texture.width();
-    let padded_row_bytes = row_bytes.next_multiple_of(wgpu::COPY_BYTES_PER_ROW_ALIGNMENT);
-    let buffer = gpu.device.create_buffer(&wgpu::BufferDescriptor {
-        label: Some("read back"),
-        size: u64::from(padded_row_bytes) * u64::from(texture.height()),
-        usage: wgpu::BufferUsages::COPY_DST | wgpu::BufferUsages::MAP_READ,
-        mapped_at_creation: false,
-    });
-    let layout = wgpu::TexelCopyBufferLayout {
-        offset: 0,
-        bytes_per_row: Some(padded_row_bytes),
-        rows_per_image: None,
-    };
-    let mut encoder = gpu.device.create_command_encoder(&Default::default());
-    let copy = wgpu::TexelCopyBufferInfo { buffer: &buffer, layout };
-    encoder.copy_texture_to_buffer(texture.as_image_copy(), copy, texture.size());
-    gpu.queue.submit([encoder.finish()]);
+    let row_bytes = size_of::<Texel>() * texture.width() as usize;
+    let (buffer, padded_row_bytes) = copied(gpu, texture, size_of::<Texel>() as u32);
     mapped(&gpu.device, &buffer).await.map_err(read_back_error)?;
     let bytes = buffer.get_mapped_range(..).map_err(read_back_error)?;
-    let rows = bytes.chunks_exact(padded_row_bytes as usize);
-    Ok(rows.flat_map(|row| bytemuck::pod_collect_to_vec(&row[..row_bytes as usize])).collect())
+    let rows = bytes.chunks_exact(padded_row_bytes);
+    Ok(rows.flat_map(|row| bytemuck::pod_collect_to_vec(&row[..row_bytes])).collect())
 }
