@@ -61,9 +61,9 @@ pub(crate) fn spread(
     let (boundary, color_ms) = timed(|| picture.color(scribbles, settings));
     let solver = picture.mesh();
     let ((), analyse_ms) = timed(|| solver.analyse(&boundary));
-    let (factored, factor_ms) = timed(|| solver.factor(&boundary));
+    let (factored, factor_ms) = timed(|| solver.factor());
     factored?;
-    let (solved, solve_ms) = timed(|| solver.solve(&boundary, settings.blend).map(|_| ()));
+    let (solved, solve_ms) = timed(|| solver.spread(settings.blend).map(|_| ()));
     solved?;
     Ok((boundary, SpreadTimes { color_ms, analyse_ms, factor_ms, solve_ms }))
 }

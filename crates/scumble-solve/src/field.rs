@@ -12,7 +12,7 @@ pub struct Field {
 }
 
 /// A triangle with a colour at each corner and in the middle of each edge, blended quadratically between.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[repr(C)]
 pub struct FieldTriangle {
     /// Corners in du, turning left.

@@ -30,7 +30,7 @@ use scumble_core::{Blend, Boundary, Triangulation, sort};
 use thiserror::Error;
 
 use crate::barriers::Barriers;
-use crate::field::Field;
+use crate::field::{Field, FieldTriangle};
 use crate::reach::Regions;
 use region::Region;
 
@@ -49,8 +49,8 @@ pub enum SolveError {
 
 /// Spreads the colours of sides over a mesh, and remembers what it can for the next time.
 ///
-/// The three stages can be called one by one, with the same boundary, to time them; each does the earlier ones if
-/// they are missing, and each looks only at the regions whose boundary changed.
+/// [`MeshSolver::solve`] does it all; its three stages can be called one by one, to time them. Each looks only at the
+/// regions whose boundary changed.
 #[derive(Debug)]
 pub struct MeshSolver {
     mesh: Arc<Triangulation>,
@@ -61,6 +61,8 @@ pub struct MeshSolver {
     /// Of the largest factor that was of no use any more.
     memory: Vec<f64>,
     field: Field,
+    /// How many triangles of the field are those of each region; none where the regions are others.
+    emitted: Vec<usize>,
 }
 
 impl MeshSolver {
@@ -74,6 +76,7 @@ impl MeshSolver {
             regions: Vec::new(),
             memory: Vec::new(),
             field: Field::default(),
+            emitted: Vec::new(),
         };
         solver.regions = solver.numbered(&triangles);
         solver
@@ -112,6 +115,7 @@ impl MeshSolver {
             return;
         }
         self.closed_gaps = closed_gaps.to_vec();
+        self.emitted.clear();
         let regions = mem::take(&mut self.regions).into_iter();
         let (touched, kept): (Vec<_>, Vec<_>) = regions.partition(|region| region.touches(&is_changed));
         let mut triangles: Vec<_> = touched.iter().flat_map(Region::triangles).copied().collect();
@@ -131,14 +135,27 @@ impl MeshSolver {
         Barriers { mesh: &self.mesh, closed_gaps: &self.closed_gaps }
     }
 
-    /// Factors the systems that are not factored yet.
+    /// Factors the systems of the last analysis that are not factored yet.
     ///
     /// # Errors
     /// See [`SolveError`].
-    pub fn factor(&mut self, boundary: &Boundary) -> Result<(), SolveError> {
-        self.analyse(boundary);
+    pub fn factor(&mut self) -> Result<(), SolveError> {
         let (mesh, memory) = (&self.mesh, &mut self.memory);
         self.regions.iter_mut().try_for_each(|region| region.factor(mesh, memory))
+    }
+
+    /// The colour field of the last analysis, factored if it is not yet; see [`MeshSolver::solve`].
+    ///
+    /// # Errors
+    /// See [`SolveError`].
+    pub fn spread(&mut self, blend: Blend) -> Result<&Field, SolveError> {
+        self.factor()?;
+        let is_changed: Vec<_> = self.regions.iter_mut().map(Region::solve).collect();
+        if is_changed.contains(&true) {
+            self.emit(&is_changed);
+        }
+        self.field.blend = blend;
+        Ok(&self.field)
     }
 
     /// The colour field. The colours of the sides are in the space `blend`; every value lies within the range of the
@@ -148,19 +165,26 @@ impl MeshSolver {
     /// # Errors
     /// See [`SolveError`].
     pub fn solve(&mut self, boundary: &Boundary, blend: Blend) -> Result<&Field, SolveError> {
-        self.factor(boundary)?;
-        let mut changed = false;
-        for region in &mut self.regions {
-            changed |= region.solve();
+        self.analyse(boundary);
+        self.spread(blend)
+    }
+
+    /// Puts the triangles of the regions that changed into their places in the field; all, where places moved.
+    fn emit(&mut self, is_changed: &[bool]) {
+        let counts: Vec<_> = self.regions.iter().map(Region::emitted_count).collect();
+        let is_moved = counts != self.emitted;
+        let mut triangles = mem::take(&mut self.field.triangles);
+        triangles.resize(counts.iter().sum(), FieldTriangle::default());
+        let mut rest = &mut triangles[..];
+        for ((region, &count), &is_changed) in self.regions.iter().zip(&counts).zip(is_changed) {
+            let (own, others) = rest.split_at_mut(count);
+            if is_changed || is_moved {
+                region.emit(self.barriers(), own);
+            }
+            rest = others;
         }
-        if changed {
-            let mut triangles = mem::take(&mut self.field.triangles);
-            triangles.clear();
-            self.regions.iter().for_each(|region| region.emit(self.barriers(), &mut triangles));
-            self.field.triangles = triangles;
-        }
-        self.field.blend = blend;
-        Ok(&self.field)
+        self.field.triangles = triangles;
+        self.emitted = counts;
     }
 }
 
@@ -198,7 +222,8 @@ mod tests {
             let boundary = Boundary { closed_gaps: vec![closed], ..sides.clone().into() };
             solver.close_gaps(&boundary.closed_gaps);
             let kept = solver.regions.iter().filter(|region| region.is_factored()).count();
-            solver.factor(&boundary).expect("factors");
+            solver.analyse(&boundary);
+            solver.factor().expect("factors");
             (kept, solver.regions.len())
         };
         assert_eq!(

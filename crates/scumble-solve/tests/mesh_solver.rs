@@ -306,8 +306,8 @@ proptest! {
         let boundary = colors.clone().into();
         let mut staged = MeshSolver::new(map.refined().clone());
         staged.analyse(&boundary);
-        prop_assert_eq!(staged.factor(&boundary), Ok(()));
-        prop_assert_eq!(staged.solve(&boundary, Blend::Srgb), Ok(&solved(&map, &colors)));
+        prop_assert_eq!(staged.factor(), Ok(()));
+        prop_assert_eq!(staged.spread(Blend::Srgb), Ok(&solved(&map, &colors)));
     }
 
     #[test]

@@ -2,7 +2,7 @@
 
 use std::mem;
 
-use scumble_core::{BlendColor, HalfEdge, SideColors, SideId, SoftSource, Triangulation};
+use scumble_core::{BlendColor, HalfEdge, SideColors, SoftSource, Triangulation};
 
 use super::SolveError;
 use super::cells::Cells;
@@ -89,7 +89,7 @@ impl Region {
         colors: &SideColors,
         sources: Vec<SoftSource>,
     ) -> Option<Vec<f64>> {
-        let is_paper = given(&self.base.dofs.sides, colors).iter().all(Option::is_none);
+        let is_paper = self.base.dofs.sides.iter().all(|side| color(colors, side).is_none());
         let memory = self.shade(mesh, sources, is_paper);
         let given = given(&self.elements().dofs.sides, colors);
         if given != self.given {
@@ -153,24 +153,27 @@ impl Region {
         changed
     }
 
-    /// Adds the triangles of a coloured region.
-    pub(super) fn emit(&self, barriers: Barriers<'_>, triangles: &mut Vec<FieldTriangle>) {
-        if self.coloring == Coloring::Paper {
-            return;
-        }
+    /// How many triangles it has in the field.
+    pub(super) fn emitted_count(&self) -> usize {
+        if self.coloring == Coloring::Paper { 0 } else { self.elements().dofs.triangles.len() }
+    }
+
+    /// Writes its triangles, as many as there are.
+    pub(super) fn emit(&self, barriers: Barriers<'_>, triangles: &mut [FieldTriangle]) {
         let colors = |dofs: &[u32; 6]| match self.coloring {
             Coloring::Flat(color) => [color.map(|c| c as f32); 6],
             _ => dofs.map(|dof| self.values[dof as usize]),
         };
         let elements = self.elements();
         let dofs = &elements.dofs;
-        triangles.extend(dofs.triangles.iter().zip(&dofs.of_triangle).enumerate().map(
-            |(i, (&t, of_triangle))| FieldTriangle {
+        let own = dofs.triangles.iter().zip(&dofs.of_triangle).enumerate();
+        for ((i, (&t, of_triangle)), triangle) in own.zip(triangles) {
+            *triangle = FieldTriangle {
                 corners: elements.corners(barriers.mesh, i).map(|p| [p.x as f32, p.y as f32]),
                 colors: colors(of_triangle),
                 side_edges: elements.side_edges(i).unwrap_or_else(|| side_edges(barriers, t as usize)),
-            },
-        ));
+            };
+        }
     }
 
     /// The unknowns of the coloured sides, with their colours.
@@ -207,8 +210,13 @@ impl Region {
 }
 
 fn given(sides: &[Side], colors: &SideColors) -> Vec<Option<[BlendColor; 3]>> {
-    let color = |id: SideId| colors.get(id.index()).copied().flatten();
-    sides.iter().map(|side| color(side.id).map(|colors| colors_of_part(colors, side.part))).collect()
+    let part = |side: &Side| color(colors, side).map(|colors| colors_of_part(*colors, side.part));
+    sides.iter().map(part).collect()
+}
+
+/// The colours of the side of a curve that a side is a part of.
+fn color<'a>(colors: &'a SideColors, side: &Side) -> Option<&'a [BlendColor; 3]> {
+    colors.get(side.id.index()).and_then(Option::as_ref)
 }
 
 /// The colours at the start, the middle and the end of a part of a side.
