@@ -70,7 +70,8 @@ scumble render FILE -o OUT.png
     [--samples DIR]         where the samples are, for a file that only names one
 
 scumble convert A B
-    turns a .svg, .scumble or .json file into a .scumble or .json file
+    turns a .svg, .scumble or .json file, or diffusion curves (.xml), into a .scumble or .json file, or the colours of its
+    picture into diffusion curves (.xml)
 
 scumble link FILE
     prints a link to a .scumble file, or to a drawing, as its last line

@@ -125,7 +125,7 @@ pub(crate) fn parse(mut arguments: Arguments) -> anyhow::Result<Command> {
         Some("convert") => {
             let [from, to] = rest(arguments, ["A", "B"])?;
             let to = PathBuf::from(to);
-            works::check_writable(&to)?;
+            works::check_convertible(&to)?;
             Ok(Command::Convert { from: from.into(), to })
         }
         Some("link") => link(arguments).map(Command::Link),

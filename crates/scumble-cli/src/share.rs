@@ -29,7 +29,7 @@ fn stats(work: &Work, Link { fragment, sizes }: &Link) -> String {
     let line_points = if work.sample.is_some() { 0 } else { line_points(drawing) };
     let lines = if work.sample.is_some() { 0 } else { drawing.curves.len() + drawing.fills.len() };
     let color_points = work.document.scribbles.iter().map(|scribble| scribble.points.len()).sum();
-    let colors = work.document.scribbles.len() + work.color_points.len();
+    let colors = work.document.scribbles.len() + work.document.color_points.len();
     let rest = sizes.all - sizes.head - sizes.lines - sizes.colors;
     let rows = [
         row("page, settings", 0, 0, sizes.head),

@@ -1,15 +1,15 @@
 //! What is opened, without a browser.
 
-use scumble_core::{Document, Work, exact as exact_bytes};
-use scumble_io::{FileError, ImportError, LinkError, import_svg, read_file};
+use scumble_core::{Work, exact as exact_bytes};
+use scumble_io::{FileError, ImportError, LinkError, import_drawing, read_file};
 use thiserror::Error;
 
 /// Why something cannot be opened, or kept.
 #[derive(Clone, Debug, Error, PartialEq, Eq)]
 pub enum OpenError {
-    /// Meant as an SVG drawing.
+    /// Meant as a drawing of another program.
     #[error(transparent)]
-    Svg(#[from] ImportError),
+    Drawing(#[from] ImportError),
     /// Meant as a file of ours.
     #[error(transparent)]
     File(#[from] FileError),
@@ -21,7 +21,8 @@ pub enum OpenError {
     Damaged,
 }
 
-/// The work in a file, which is one of ours where it begins as JSON does, and else an SVG; and what was left out.
+/// The work in a file, which is one of ours where it begins as JSON does, and else another program's drawing; and what
+/// was left out.
 ///
 /// # Errors
 /// Where it is neither, damaged, or beyond the limits.
@@ -30,8 +31,8 @@ pub fn file(bytes: &[u8]) -> Result<(Work, String), OpenError> {
     if text.trim_ascii_start().starts_with(b"{") {
         return Ok((read_file(bytes)?, String::new()));
     }
-    let import = import_svg(bytes)?;
-    Ok((Work::new(Document::new(import.drawing)), import.notes.to_string()))
+    let (document, notes) = import_drawing(bytes)?;
+    Ok((Work::new(document), notes))
 }
 
 /// The work that some exact bytes stand for.

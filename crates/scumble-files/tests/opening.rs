@@ -41,7 +41,7 @@ fn what_was_saved_opens_as_it_was_whatever_stands_before_it() {
 #[test]
 fn what_is_neither_is_an_error_of_the_kind_that_it_looks_like() {
     assert!(matches!(opening::file(b"{}"), Err(OpenError::File(_))));
-    assert!(matches!(opening::file(b"<html/>"), Err(OpenError::Svg(_))));
+    assert!(matches!(opening::file(b"<html/>"), Err(OpenError::Drawing(_))));
     assert!(matches!(opening::exact(b"{}"), Err(OpenError::Damaged)));
 }
 

@@ -76,6 +76,19 @@ pub enum ImportError {
     /// Width or height is zero, negative, or no number.
     #[error("the page of the drawing has no area; give it a viewBox or a size above zero")]
     NoPage,
+    /// Diffusion curves on a page without a size.
+    #[error(
+        "the diffusion curves have no page; give <curve_set> an image_width and an image_height above zero"
+    )]
+    NoImageSize,
+    /// Diffusion curves of which none has four points.
+    #[error(
+        "there is no diffusion curve that can be used; give each at least four control points with x and y"
+    )]
+    NoDiffusionCurves,
+    /// Too many diffusion curves.
+    #[error("the drawing has more than 100,000 curves; simplify it or split it")]
+    TooManyCurves,
     /// Nothing to colour between.
     #[error("the drawing has no lines and no shapes to colour{}", but_has(.0))]
     NoCurves(ImportNotes),

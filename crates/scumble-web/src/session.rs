@@ -233,7 +233,7 @@ impl Session {
         self.eraser = None;
         self.viewport.show_page(sheet.editor.document().drawing.frame());
         self.stale = Stale::ALL;
-        self.tell(Effect::Palette(sheet.kept.palette.clone()));
+        self.tell(Effect::Palette(sheet.editor.document().palette.clone()));
         std::mem::replace(&mut self.sheet, sheet)
     }
 

@@ -162,13 +162,13 @@ fn work_that_is_damaged_leaves_the_drawing_as_it_was() {
 fn work_comes_back_with_all_that_was_opened_with_it() {
     let mut page = Page::open(SQUARE);
     let mut work = exact::read(&page.session.work()).expect("work");
-    work.palette = vec![RED.into(), Paint::Clear];
+    work.document.palette = vec![RED.into(), Paint::Clear];
     work.sample = Some("square.svg".into());
     let notes = "left out: 1 text".to_owned();
     page.session.command(Command::Open { work: exact::write(&work), notes: notes.clone() });
     let effects = page.session.take_effects();
     assert!(
-        effects.contains(&Effect::Palette(work.palette.clone()))
+        effects.contains(&Effect::Palette(work.document.palette.clone()))
             && effects.contains(&Effect::Opened { notes })
     );
     page.stroke(RED, &ACROSS);

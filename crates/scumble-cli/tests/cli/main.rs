@@ -5,6 +5,7 @@
 mod bad_input;
 mod color;
 mod corpus;
+mod curves;
 mod eval;
 mod folder;
 mod samples;
