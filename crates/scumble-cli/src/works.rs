@@ -4,7 +4,7 @@ use std::path::Path;
 
 use anyhow::{Context, bail, ensure};
 use scumble_core::{Document, Work};
-use scumble_io::{import_drawing, import_svg, read_file, write_curve_set, write_file};
+use scumble_io::{PaletteKind, import_drawing, import_svg, read_file, write_curve_set, write_file};
 use scumble_solve::Picture;
 
 use crate::files;
@@ -57,13 +57,18 @@ pub(crate) fn check_writable(path: &Path) -> anyhow::Result<()> {
 /// # Errors
 /// When it is not.
 pub(crate) fn check_convertible(path: &Path) -> anyhow::Result<()> {
-    let is_known = matches!(&*extension(path), "scumble" | "json" | "xml");
+    let is_known = matches!(&*extension(path), "scumble" | "json" | "xml") || palette_kind(path).is_some();
+    let name = path.display();
     ensure!(
         is_known,
-        "{} cannot be written; name a file that ends in .scumble, .json or .xml",
-        path.display()
+        "{name} cannot be written; name a file that ends in .scumble, .json, .xml, .gpl, .ase or .hex"
     );
     Ok(())
+}
+
+/// The kind of palette that a file's name is that of.
+pub(crate) fn palette_kind(path: &Path) -> Option<PaletteKind> {
+    PaletteKind::of_extension(&extension(path))
 }
 
 /// Puts the lines of a sample where work has only its name.

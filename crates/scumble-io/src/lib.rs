@@ -14,6 +14,7 @@
 //! | diffusion curves as XML | `curve_set` |
 //! | a drawing of either kind | `drawing_file` |
 //! | scribbles as JSON | `scribbles` |
+//! | palettes | `palette` |
 //! | pictures as PNG | `picture_file` |
 //! | work as a `.scumble` file | `work_file`, `json` |
 //! | … as a link | `link`, `packed` |
@@ -31,6 +32,7 @@ mod outline;
 mod packed;
 mod page;
 mod paint;
+mod palette;
 mod picture_file;
 mod scribbles;
 mod style_sheet;
@@ -40,10 +42,11 @@ mod work_file;
 
 pub use curve_set::write_curve_set;
 pub use drawing_file::import_drawing;
-pub use error::{FileError, ImportError, LinkError, ScribblesError};
+pub use error::{FileError, ImportError, LinkError, PaletteError, ScribblesError};
 pub use link::{Link, MAX_LINK, read_link, write_link};
 pub use notes::{CurveNotes, CurveSetNotes, ImportNotes, ScribbleNotes};
 pub use packed::PackedSizes;
+pub use palette::{PaletteKind, ReadPalette, read_palette, write_palette};
 pub use picture_file::{PictureFileError, write_png};
 pub use scribbles::{ReadScribbles, read_scribbles};
 pub use svg::{Import, import_svg};

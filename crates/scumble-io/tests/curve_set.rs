@@ -7,38 +7,7 @@ use scumble_core::{Blend, ColorPoint, Document, Paint, Srgb8};
 use scumble_io::{ImportError, import_drawing};
 
 /// Two cubics straight to the right on row 30, then one curve down column 10; 200 pixels wide and 100 high.
-const CURVES: &str = r#"<!DOCTYPE CurveSetXML>
-<curve_set image_width="200" image_height="100" nb_curves="2" >
- <curve nb_control_points="7" nb_left_colors="3" nb_right_colors="1" nb_blur_points="2" lifetime="32" >
-  <control_points_set>
-   <control_point x="30" y="10" />
-   <control_point x="30" y="20" />
-   <control_point x="30" y="30" />
-   <control_point x="30" y="40" />
-   <control_point x="30" y="70" />
-   <control_point x="30" y="100" />
-   <control_point x="30" y="130" />
-  </control_points_set>
-  <left_colors_set>
-   <left_color G="2" R="3" globalID="0" B="1" />
-   <left_color G="20" R="30" globalID="15" B="10" />
-   <left_color G="200" R="250" globalID="999" B="100" />
-  </left_colors_set>
-  <right_colors_set>
-   <right_color G="5" R="6" globalID="10" B="4" />
-  </right_colors_set>
-  <blur_points_set>
-   <best_scale value="0" globalID="0" />
-   <best_scale value="0" globalID="20" />
-  </blur_points_set>
- </curve>
- <curve>
-  <control_points_set>
-   <control_point x="1" y="10" /><control_point x="2" y="10" /><control_point x="3" y="10" /><control_point x="4" y="10" />
-  </control_points_set>
- </curve>
-</curve_set>
-"#;
+const CURVES: &str = include_str!("foreign/curves.xml");
 
 fn read(text: &str) -> Document {
     import_drawing(text.as_bytes()).unwrap().0

@@ -8,5 +8,6 @@ mod corpus;
 mod curves;
 mod eval;
 mod folder;
+mod palettes;
 mod samples;
 mod share;

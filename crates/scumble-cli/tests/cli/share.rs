@@ -124,7 +124,7 @@ fn files_turn_into_each_other() {
     assert_eq!(folder.read("again.scumble"), folder.read("w.scumble"));
     assert!(text(&folder, "d.scumble").contains("\"curves\""));
     run(&folder, &["render", "d.svg", "-o", "d.png", "--lines", "--size", "64"]);
-    refused(&folder, &["convert", "w.json", "w.svg"], "ends in .scumble, .json or .xml");
+    refused(&folder, &["convert", "w.json", "w.svg"], "ends in .scumble, .json, .xml");
     refused(&folder, &["convert", "w.json", "./w.json"], "name another file");
     refused(&folder, &["convert", "s.json", "x.scumble"], "not a Scumble file");
     refused(&folder, &["convert", "missing.scumble", "x.scumble"], "cannot be read");
