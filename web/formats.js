@@ -8,7 +8,7 @@ import { say } from "./messages.js";
  * @property {Uint8Array<ArrayBuffer>} work empty for a palette
  * @property {string} notes what was left out, in words
  * @property {string} [lacks] the sample whose lines are to be put into it
- * @property {string} [palette] colours apart by spaces
+ * @property {string[]} [palette] colours as #rrggbb
  */
 
 const MODULE = new URL("../pkg/files/scumble_files.js", import.meta.url);

@@ -136,7 +136,7 @@ export class Opening {
 
   /**
    * Gives the drawing that is shown another palette.
-   * @param {string} palette colours apart by spaces
+   * @param {string[]} palette
    * @param {string} name of its file
    * @param {string} notes
    */

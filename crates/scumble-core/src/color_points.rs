@@ -72,11 +72,7 @@ pub fn curve_colors(
         let label = labels.sides.get(side.index()).copied().flatten()?;
         scribbles.get(label as usize).map(|scribble| scribble.color)
     };
-    let mut spans = color_spans(map, color_of);
-    let mut set = spans_by_hand(map, by_hand);
-    spans.retain(|span| set.binary_search_by_key(&span.side(), ColorSpan::side).is_err());
-    spans.append(&mut set);
-    spans
+    color_spans(map, color_of, &sorted(by_hand))
 }
 
 /// Length of the transition between two runs, in du; shorter where a run is shorter.
@@ -103,27 +99,19 @@ pub struct ColorSpan {
     pub stops: Vec<Stop>,
 }
 
-impl ColorSpan {
-    /// See [`side_key`].
-    fn side(&self) -> u64 {
-        side_key(self.curve, self.is_left)
+/// Points by their sides, and along each; without those at no place.
+fn sorted(points: &[ColorPoint]) -> Vec<ColorPoint> {
+    let mut points: Vec<_> = points.iter().copied().filter(|p| p.at_du.is_finite()).collect();
+    let keys: [fn(&ColorPoint) -> u64; 2] = [|p| sort::float(p.at_du), |p| side_key(p.curve, p.is_left)];
+    for key in keys {
+        sort::sort_copies_by_key(&mut points, key);
     }
+    points
 }
 
 /// A number for one side of a curve.
 fn side_key(curve: u32, is_left: bool) -> u64 {
     u64::from(curve) << 1 | u64::from(is_left)
-}
-
-/// One span, from end to end of its curve, for each side with colours that were set by hand; in the order of
-/// [`side_key`].
-fn spans_by_hand(map: &PlanarMap, points: &[ColorPoint]) -> Vec<ColorSpan> {
-    let is_sound = |p: &&ColorPoint| p.at_du.is_finite() && (p.curve as usize) < map.curve_count();
-    let mut points: Vec<_> = points.iter().filter(is_sound).copied().collect();
-    let side = |p: &ColorPoint| side_key(p.curve, p.is_left);
-    sort::sort_copies_by_key(&mut points, |p| sort::float(p.at_du));
-    sort::sort_copies_by_key(&mut points, side);
-    points.chunk_by(|a, b| side(a) == side(b)).filter_map(|points| span_by_hand(map, points)).collect()
 }
 
 /// The span of one side's points: before the first and after the last the colour stays.
@@ -137,11 +125,23 @@ fn span_by_hand(map: &PlanarMap, points: &[ColorPoint]) -> Option<ColorSpan> {
     Some(ColorSpan { curve: first.curve, is_left: first.is_left, stops })
 }
 
-/// The coloured stretches of all curves, where `color_of` gives the colour of a side that has one.
-pub(crate) fn color_spans(map: &PlanarMap, color_of: impl Fn(SideId) -> Option<Paint>) -> Vec<ColorSpan> {
+/// The coloured stretches of all curves, where `color_of` gives the colour of a side that has one, but for those with
+/// points that were set by hand, which come in the order of their sides.
+pub(crate) fn color_spans(
+    map: &PlanarMap,
+    color_of: impl Fn(SideId) -> Option<Paint>,
+    mut by_hand: &[ColorPoint],
+) -> Vec<ColorSpan> {
     let mut spans = Vec::new();
     for curve in 0..map.curve_count() {
         for is_left in [false, true] {
+            let is_own = |p: &&ColorPoint| side_key(p.curve, p.is_left) == side_key(curve as u32, is_left);
+            let (own, others) = by_hand.split_at(by_hand.iter().take_while(is_own).count());
+            by_hand = others;
+            if let Some(span) = span_by_hand(map, own) {
+                spans.push(span);
+                continue;
+            }
             let colors: Vec<_> = map.steps(curve).iter().map(|step| color_of(side(step, is_left))).collect();
             let seam = if map.is_closed(curve) { seam(&colors) } else { 0 };
             let runs = runs(map.steps(curve), &colors, seam);
@@ -271,7 +271,7 @@ mod tests {
 
     fn inner(map: &PlanarMap, color: impl Fn(usize) -> Option<Paint>) -> Vec<ColorSpan> {
         let index_of = |side: SideId| map.steps(0).iter().position(|step| step.left == side);
-        color_spans(map, |side| index_of(side).and_then(&color))
+        color_spans(map, |side| index_of(side).and_then(&color), &[])
     }
 
     #[test]

@@ -147,10 +147,10 @@ impl Sampler<'_> {
         if !scale.is_finite() {
             return;
         }
-        let arcs = self.stretches[first..].iter_mut().flat_map(|stretch| &mut stretch.arc_du);
-        // What begins in the segment before begins where that ends.
-        arcs.filter(|arc_du| **arc_du > start_du)
-            .for_each(|arc_du| *arc_du = start_du + scale * (*arc_du - start_du));
+        for arc_du in self.stretches[first..].iter_mut().flat_map(|stretch| &mut stretch.arc_du) {
+            // What begins in the segment before begins where that ends.
+            *arc_du += (scale - 1.0) * (*arc_du - start_du).max(0.0);
+        }
         self.arc_du = start_du + length_du;
     }
 

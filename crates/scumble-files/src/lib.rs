@@ -26,9 +26,9 @@ pub struct Opened {
     /// The name of the sample whose lines are to be put into it ([`on_sample`]), where it came without lines.
     #[wasm_bindgen(getter_with_clone)]
     pub lacks: Option<String>,
-    /// The colours of a palette, apart by spaces.
+    /// The colours of a palette, as #rrggbb.
     #[wasm_bindgen(getter_with_clone)]
-    pub palette: Option<String>,
+    pub palette: Option<Vec<String>>,
 }
 
 impl Opened {
@@ -37,8 +37,8 @@ impl Opened {
     }
 
     fn palette(colors: &[Srgb8], notes: String) -> Self {
-        let colors: Vec<_> = colors.iter().map(Srgb8::to_string).collect();
-        Self { work: Vec::new(), notes, lacks: None, palette: Some(colors.join(" ")) }
+        let palette = colors.iter().map(Srgb8::to_string).collect();
+        Self { work: Vec::new(), notes, lacks: None, palette: Some(palette) }
     }
 }
 

@@ -102,7 +102,7 @@ fn points_that_belong_nowhere_change_nothing() {
         ColorPoint { curve: u32::MAX, at_du: f64::INFINITY, ..sound[0] },
     ];
     let places = [(512.0, 512.0), (500.0, 250.0), (100.0, 100.0)];
-    let expected = colors(&document(&[circle.clone()], sound.clone()), places);
+    let expected = colors(&document(std::slice::from_ref(&circle), sound.clone()), places);
     let with_odd = document(&[circle], [&sound[..], &odd].concat());
     assert_eq!(colors(&with_odd, places), expected);
 }

@@ -43,7 +43,7 @@ pub(crate) fn command_from_js(name: &str, args: &JsValue) -> Option<Command> {
         "engine" => Command::Set(Setting::Engine(engine_from_name(&args.as_string()?)?)),
         "gap-closing" => Command::Set(Setting::GapClosing(args.as_f64()?)),
         "spread" => Command::Set(Setting::Spread(args.as_bool()?)),
-        "palette" => Command::Palette(palette(&args.as_string()?)?),
+        "palette" => Command::Palette(palette(args)?),
         "settle" => Command::Settle,
         "lines" => Command::Lines(args.as_bool()?),
         "scribbles" => Command::Scribbles(args.as_bool()?),
@@ -84,9 +84,9 @@ pub(crate) fn color(value: &JsValue) -> Option<Srgb8> {
     value.as_string()?.parse().ok()
 }
 
-/// Colours apart by spaces.
-fn palette(colors: &str) -> Option<Vec<Paint>> {
-    colors.split(' ').map(|color| color.parse().ok()).collect()
+/// A list of colours written as #rrggbb.
+fn palette(value: &JsValue) -> Option<Vec<Paint>> {
+    value.dyn_ref::<Array>()?.iter().map(|value| color(&value).map(Paint::Color)).collect()
 }
 
 fn numbers<const N: usize>(value: &JsValue) -> Option<[f64; N]> {

@@ -10,7 +10,7 @@ use scumble_web::command::{Command, Phase, Setting, Tool, ViewChange};
 use scumble_web::effect::{Effect, SheetState};
 use scumble_web::painting::Changed;
 
-use page::{DESK, Page, SQUARE, open, pixel};
+use page::{DESK, Page, SQUARE, pixel};
 
 const RED: Srgb8 = Srgb8([230, 25, 75]);
 const BLUE: Srgb8 = Srgb8([0, 90, 200]);
@@ -171,7 +171,7 @@ fn a_palette_is_of_its_drawing_and_undo_takes_it_back() {
     let effects = page.session.take_effects();
     assert!(effects.contains(&Effect::Palette(vec![])) && effects.contains(&Effect::Undone), "{effects:?}");
     page.session.command(Command::Redo);
-    page.session.command(open(SQUARE, &[]));
+    page.session.command(page::open(SQUARE, &[]));
     assert!(page.session.take_effects().contains(&Effect::Palette(vec![])));
     page.session.command(Command::Undo);
     assert!(page.session.take_effects().contains(&Effect::Palette(palette)));

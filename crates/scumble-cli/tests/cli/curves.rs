@@ -46,6 +46,15 @@ fn pictures_come_back() {
 }
 
 #[test]
+fn a_closed_curve_of_two_colours_is_cut_once_at_most() {
+    let two = r##"{"scribbles":[{"color":"#e6194b","width":1.5,"points":[[46,38],[48,40]]},
+        {"color":"#4363d8","width":1.5,"points":[[36,62],[38,66]]}]}"##;
+    let folder = comes_back("curves-two", CIRCLE, two, &["--blend", "srgb"]);
+    let curves = text(&folder, "w.xml").matches("<curve ").count();
+    assert!(curves <= 2, "{curves}");
+}
+
+#[test]
 fn what_was_read_is_written_as_it_was() {
     let folder = comes_back("curves-again", OPEN, COLORS, &["--blend", "srgb"]);
     run(&folder, &["convert", "w.xml", "kept.scumble"]);

@@ -1,7 +1,6 @@
 //! One curve's colours, and the parts into which they cut it.
 
-use kurbo::BezPath;
-use kurbo::ParamCurve;
+use kurbo::{BezPath, CubicBez, ParamCurve};
 use scumble_core::arc::Arc;
 use scumble_core::color_points::{ColorSpan, Knot, color_at};
 use scumble_core::{Blend, BlendColor, Paint};
@@ -15,7 +14,7 @@ const INSET_DU: f64 = 0.05;
 /// A round is that much longer or shorter than the curve at most, in du, where all of the curve is on the page.
 const SAME_LENGTH_DU: f64 = 0.5;
 
-/// Places that are this close to each other are one, in cubics.
+/// Places that are this close to each other are one, in cubics or in du.
 const SAME_PLACE: f64 = 1e-9;
 
 /// A curve with the coloured stretches of its left and its right side.
@@ -38,11 +37,13 @@ impl Stretches {
             let side = &mut this.sides[usize::from(!span.is_left)];
             let end_du = this.arc.length_du();
             let last_du = if (round_du - end_du).abs() < SAME_LENGTH_DU { round_du } else { end_du };
+            let is_around = ends_du(&knots)[1] - ends_du(&knots)[0] > last_du - SAME_PLACE;
+            let inset_du = if is_around { 0.0 } else { INSET_DU };
             // A span may go on into the next round; one that has all of the first needs no second.
             for ahead_du in [0.0, round_du] {
                 side.extend(clipped(&knots, [ahead_du, ahead_du + last_du]).map(|mut stretch| {
                     stretch.iter_mut().for_each(|knot| knot.0 -= ahead_du);
-                    inset(&mut stretch, [last_du, end_du]);
+                    inset(&mut stretch, inset_du, [last_du, end_du]);
                     stretch
                 }));
                 let has_all = |stretch: &Stretch| ends_du(stretch) == [0.0, end_du];
@@ -91,7 +92,7 @@ impl Stretches {
         places
     }
 
-    fn cubic(&self, [from, to]: [f64; 2]) -> Option<kurbo::CubicBez> {
+    fn cubic(&self, [from, to]: [f64; 2]) -> Option<CubicBez> {
         let segment = (0.5 * (from + to)).floor();
         let cubic = self.arc.segments().get(segment as usize)?;
         Some(cubic.subsegment((from - segment).max(0.0)..(to - segment).min(1.0)))
@@ -122,9 +123,9 @@ fn clipped(knots: &[Knot], [from_du, to_du]: [f64; 2]) -> Option<Stretch> {
 }
 
 /// Moves the ends of a stretch inwards, but for one at an end of the curve, of which the map knew the last one's place.
-fn inset(stretch: &mut Stretch, [last_du, end_du]: [f64; 2]) {
+fn inset(stretch: &mut Stretch, inset_du: f64, [last_du, end_du]: [f64; 2]) {
     let [from_du, to_du] = ends_du(stretch);
-    let inset_du = INSET_DU.min(0.25 * (to_du - from_du));
+    let inset_du = inset_du.min(0.25 * (to_du - from_du));
     let from_du = if from_du > 0.0 { from_du + inset_du } else { 0.0 };
     let to_du = if to_du < last_du { to_du - inset_du } else { end_du };
     if let (Some(first), Some(last)) = (stretch.first().copied(), stretch.last().copied()) {
