@@ -7,7 +7,11 @@ import { say } from "./messages.js";
 
 /** Files of ours, as the browser's dialogs name them. */
 const OURS = { description: "Scumble", accept: { "application/x-scumble": [".scumble"] } };
-const DRAWINGS = { description: "Scumble, SVG", accept: { ...OURS.accept, "image/svg+xml": [".svg"] } };
+/** What can be opened: drawings, diffusion curves, palettes. */
+const OPENED = {
+  description: "Scumble, SVG, XML, GPL, ASE, HEX",
+  accept: { ...OURS.accept, "image/svg+xml": [".svg"], "text/xml": [".xml"], "text/plain": [".gpl", ".ase", ".hex"] },
+};
 
 const browser = /** @type {any} */ (window);
 const input = () => /** @type {HTMLInputElement} */ (document.getElementById("file"));
@@ -57,7 +61,7 @@ function receiveDrops(take) {
  */
 export async function choose(open) {
   if (!browser.showOpenFilePicker) return input().click();
-  const [handle] = (await asked(() => browser.showOpenFilePicker({ types: [DRAWINGS] }))) ?? [];
+  const [handle] = (await asked(() => browser.showOpenFilePicker({ types: [OPENED] }))) ?? [];
   if (!handle) return;
   const isOurs = handle.name.toLowerCase().endsWith(".scumble");
   open({ ...reading(await handle.getFile()), handle: isOurs ? handle : undefined });

@@ -5,9 +5,10 @@ import { say } from "./messages.js";
 
 /**
  * @typedef {object} Opened see `crates/scumble-files/src/lib.rs`
- * @property {Uint8Array<ArrayBuffer>} work
+ * @property {Uint8Array<ArrayBuffer>} work empty for a palette
  * @property {string} notes what was left out, in words
  * @property {string} [lacks] the sample whose lines are to be put into it
+ * @property {string[]} [palette] colours as #rrggbb
  */
 
 const MODULE = new URL("../pkg/files/scumble_files.js", import.meta.url);
@@ -18,7 +19,7 @@ let module;
 let attempts = 0;
 
 export const formats = {
-  /** A `.scumble` file or an SVG. @type {(file: Uint8Array) => Promise<Opened>} */
+  /** A drawing of ours or of another program, or a palette. @type {(file: Uint8Array) => Promise<Opened>} */
   open: (file) => call("open", file),
   /** A link. @type {(link: string) => Promise<Opened>} */
   openLink: (link) => call("openLink", link),

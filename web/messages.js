@@ -104,6 +104,7 @@ const english = {
   "start": "Pick a colour and scribble it into the drawing",
   "opened": ({ name }) => `Opened ${name}`,
   "opened-in-part": ({ name, notes }) => `Opened ${name}; ${notes}`,
+  "palette-taken": ({ name, notes }) => `The palette has the colours of ${name}${notes && "; "}${notes}`,
   "saved": ({ name }) => `Saved ${name}`,
   "scribble-added": ({ count }) => `Scribble added, ${count} in the drawing`,
   "scribbles-erased": ({ erased, count }) =>

@@ -6,7 +6,7 @@ import { say } from "./messages.js";
 import { sampleWork } from "./samples.js";
 import { isLink } from "./share.js";
 import { putAside } from "./storage.js";
-import { failed, tell } from "./toolbar.js";
+import { done, failed, tell } from "./toolbar.js";
 
 /** @typedef {Partial<import("./drawings.js").Drawing> & {name: string}} Coming what is known of a drawing before it is there */
 /** @typedef {import("./formats.js").Opened} Opened */
@@ -29,7 +29,7 @@ export class Opening {
     this.#keeper = keeper;
   }
 
-  /** @param {import("./files.js").Coming} file */
+  /** @param {import("./files.js").Coming} file a drawing, or a palette for the one that is shown */
   file({ name, bytes, handle }) {
     return this.#open({ name, handle, isBrought: true }, bytes.then(formats.open));
   }
@@ -124,12 +124,25 @@ export class Opening {
   async #open(drawing, coming) {
     const ticket = ++this.#asked;
     try {
-      const { work, notes } = await whole(coming);
-      if (ticket === this.#asked) this.#show(drawing, work, notes);
+      const { work, notes, palette } = await whole(coming);
+      if (ticket !== this.#asked) return undefined;
+      if (palette) this.#take(palette, drawing.name, notes);
+      else this.#show(drawing, work, notes);
       return undefined;
     } catch (fault) {
       return ticket === this.#asked ? told(fault) : undefined;
     }
+  }
+
+  /**
+   * Gives the drawing that is shown another palette.
+   * @param {string[]} palette
+   * @param {string} name of its file
+   * @param {string} notes
+   */
+  #take(palette, name, notes) {
+    this.#engine.command("palette", palette);
+    done(say("palette-taken", { name, notes }));
   }
 
   /**
@@ -149,6 +162,7 @@ export class Opening {
 /**
  * Work with its lines, which come from a sample where it has only the name of that.
  * @param {Promise<Opened>} coming
+ * @returns {Promise<Opened>}
  */
 async function whole(coming) {
   const opened = await coming;

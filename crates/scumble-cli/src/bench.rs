@@ -68,8 +68,8 @@ impl Report {
     fn drawing(&mut self, entry: &Entry, with_baseline: bool) -> anyhow::Result<()> {
         let (svg, read_ms) = timed(|| entry.svg());
         let mut opened = stages::open(&svg?)?;
-        let scribbles = entry.scribbles(Kind::Dense, &opened.import.drawing)?;
-        self.gaps.push(growth::map(&opened.import.drawing)?.2);
+        let scribbles = entry.scribbles(Kind::Dense, &opened.document.drawing)?;
+        self.gaps.push(growth::map(&opened.document.drawing)?.2);
         for (candidate, times) in CANDIDATES.into_iter().zip(&mut self.labels) {
             times.take(candidate, opened.picture.map(), &scribbles);
         }
@@ -92,7 +92,7 @@ impl Report {
     }
 
     fn first_scribble(&mut self, opened: &mut Opened, first: &[Scribble]) -> anyhow::Result<f64> {
-        let (_, times) = stages::spread(&mut opened.picture, first, &Settings::default())?;
+        let (_, times) = stages::spread(&mut opened.picture, first, &[], &Settings::default())?;
         self.color.push(times.color_ms);
         self.analyse.push(times.analyse_ms);
         self.factor.push(times.factor_ms);
@@ -103,11 +103,12 @@ impl Report {
     /// Adds one scribble at a time; gives the colours with all of them.
     fn more_scribbles(&mut self, opened: &mut Opened, scribbles: &[Scribble]) -> anyhow::Result<Boundary> {
         for count in 2..=scribbles.len() {
-            let (_, times) = stages::spread(&mut opened.picture, &scribbles[..count], &Settings::default())?;
+            let (_, times) =
+                stages::spread(&mut opened.picture, &scribbles[..count], &[], &Settings::default())?;
             self.new_scribble.push(times.total_ms());
         }
         self.repaint.push(paint_ms(opened, scribbles)?);
-        Ok(opened.picture.color(scribbles, &Settings::default()))
+        Ok(opened.picture.color(scribbles, &[], &Settings::default()))
     }
 
     /// Gives the last scribble another colour.
@@ -116,7 +117,7 @@ impl Report {
         if let Some(Scribble { color: Paint::Color(color), .. }) = recolored.last_mut() {
             color.0[1] ^= 0x40;
         }
-        let (_, times) = stages::spread(&mut opened.picture, &recolored, &Settings::default())?;
+        let (_, times) = stages::spread(&mut opened.picture, &recolored, &[], &Settings::default())?;
         self.recolor.push(times.total_ms());
         Ok(())
     }
@@ -130,7 +131,7 @@ impl Report {
         solved.context("the pixel multigrid did not converge")?;
         self.baseline.push(baseline_ms);
         let mut fresh = scumble_solve::MeshSolver::new(opened.picture.map().refined().clone());
-        let view = stages::page_view(&opened.import.drawing, SIZE_PX);
+        let view = stages::page_view(&opened.document.drawing, SIZE_PX);
         let (painted, ours_ms) = timed(|| {
             let field = fresh.solve(boundary, Blend::Oklab)?;
             Ok::<_, scumble_solve::SolveError>(stages::paint_page(field, &[], &view, Some(PAPER)))
@@ -189,8 +190,8 @@ fn times_of(candidate: Candidate, map: &PlanarMap, scribbles: &[Scribble]) -> La
 }
 
 fn paint_ms(opened: &mut Opened, scribbles: &[Scribble]) -> anyhow::Result<f64> {
-    let boundary = opened.picture.color(scribbles, &Settings::default());
-    let view = stages::page_view(&opened.import.drawing, SIZE_PX);
+    let boundary = opened.picture.color(scribbles, &[], &Settings::default());
+    let view = stages::page_view(&opened.document.drawing, SIZE_PX);
     let field = opened.picture.mesh().solve(&boundary, Blend::Oklab)?;
     let (_, paint_ms) = timed(|| stages::paint_page(field, &[], &view, Some(PAPER)));
     Ok(paint_ms)

@@ -3,7 +3,7 @@
 mod on_pixels;
 
 use anyhow::ensure;
-use scumble_core::{Boundary, Document, Drawing, Scribble, Work};
+use scumble_core::{Boundary, Document, Scribble, Work};
 use scumble_io::{ReadScribbles, read_scribbles, write_png};
 use scumble_solve::{Pixmap, SolveError};
 use serde::Serialize;
@@ -54,18 +54,20 @@ pub(crate) fn run(options: &ColorOptions) -> anyhow::Result<()> {
     }
     let mut opened = stages::open(&files::read(&options.drawing)?)?;
     let ReadScribbles { scribbles, notes } =
-        read_scribbles(&files::read(&options.scribbles)?, drawing(&opened))?;
-    files::warn(&options.drawing, &opened.import.notes.to_string());
+        read_scribbles(&files::read(&options.scribbles)?, &opened.document.drawing)?;
+    files::warn(&options.drawing, &opened.notes);
     files::warn(&options.scribbles, &notes.to_string());
     if options.solver != Solver::Mesh {
-        let boundary = opened.picture.color(&scribbles, &options.settings);
+        let by_hand = &opened.document.color_points;
+        let boundary = opened.picture.color(&scribbles, by_hand, &options.settings);
         write(&on_pixels::paint(&opened, &boundary, options)?, options)?;
         return save(&opened, scribbles, options);
     }
     let (colors, times) = spread(&mut opened, &scribbles, options)?;
     let blend = options.settings.blend;
-    let Opened { import, picture, .. } = &mut opened;
-    let (pixmap, paint_ms) = timed(|| render::paint(&import.drawing, picture, &colors, blend, &options.look));
+    let Opened { document, picture, .. } = &mut opened;
+    let drawing = &document.drawing;
+    let (pixmap, paint_ms) = timed(|| render::paint(drawing, picture, &colors, blend, &options.look));
     write(&pixmap?, options)?;
     if options.timings {
         println!("{}", serde_json::to_string(&timings(&mut opened, &times, paint_ms))?);
@@ -80,12 +82,8 @@ fn write(pixmap: &Pixmap, options: &ColorOptions) -> anyhow::Result<()> {
 /// Keeps the drawing with its scribbles, if it is to be kept.
 fn save(opened: &Opened, scribbles: Vec<Scribble>, options: &ColorOptions) -> anyhow::Result<()> {
     let Some(path) = &options.save else { return Ok(()) };
-    let drawing = drawing(opened).clone();
-    works::write(path, &Work::new(Document { drawing, scribbles, settings: options.settings }))
-}
-
-fn drawing(opened: &Opened) -> &Drawing {
-    &opened.import.drawing
+    let settings = options.settings;
+    works::write(path, &Work::new(Document { scribbles, settings, ..opened.document.clone() }))
 }
 
 /// Spreads the colours: of all scribbles at once or, where each is to be timed, of one more at a time.
@@ -94,20 +92,23 @@ fn spread(
     scribbles: &[Scribble],
     options: &ColorOptions,
 ) -> Result<(Boundary, Vec<SpreadTimes>), SolveError> {
+    let Opened { document, picture, .. } = opened;
+    let mut spread =
+        |scribbles| stages::spread(picture, scribbles, &document.color_points, &options.settings);
     let mut times = Vec::new();
     if options.timings {
         for count in 1..scribbles.len() {
-            times.push(stages::spread(&mut opened.picture, &scribbles[..count], &options.settings)?.1);
+            times.push(spread(&scribbles[..count])?.1);
         }
     }
-    let (boundary, last) = stages::spread(&mut opened.picture, scribbles, &options.settings)?;
+    let (boundary, last) = spread(scribbles)?;
     times.extend((!scribbles.is_empty()).then_some(last));
     Ok((boundary, times))
 }
 
 fn timings(opened: &mut Opened, times: &[SpreadTimes], paint_ms: f64) -> Timings {
     let counts = Counts {
-        curves: drawing(opened).curves.len(),
+        curves: opened.document.drawing.curves.len(),
         pieces: opened.picture.map().pieces().len(),
         triangles: opened.picture.mesh().triangle_count(),
         unknowns: opened.picture.mesh().unknown_count(),

@@ -63,16 +63,16 @@ pub(crate) fn run(set: &Path, every: usize, half: bool) -> anyhow::Result<()> {
 
 fn drawing(entry: &set::Entry, half: bool) -> anyhow::Result<Row> {
     let mut opened = stages::open(&entry.svg()?)?;
-    let scribbles = entry.scribbles(Kind::Dense, &opened.import.drawing)?;
-    let boundary = opened.picture.color(&scribbles, &Settings::default());
-    let view = stages::page_view(&opened.import.drawing, SIZE_PX);
+    let scribbles = entry.scribbles(Kind::Dense, &opened.document.drawing)?;
+    let boundary = opened.picture.color(&scribbles, &[], &Settings::default());
+    let view = stages::page_view(&opened.document.drawing, SIZE_PX);
     row(&mut opened.picture, boundary, &view, half)
 }
 
 fn made_row(half: bool) -> anyhow::Result<Row> {
     let drawing = made::drawing(MADE_CELLS);
     let mut picture = Picture::new(&drawing)?;
-    let boundary = picture.color(&made::scribbles(), &Settings::default());
+    let boundary = picture.color(&made::scribbles(), &[], &Settings::default());
     row(&mut picture, boundary, &stages::page_view(&drawing, SIZE_PX), half)
 }
 

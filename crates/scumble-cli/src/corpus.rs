@@ -50,7 +50,7 @@ fn evenly_spaced(paths: Vec<PathBuf>, take: Option<usize>) -> Vec<PathBuf> {
 
 fn try_drawing(path: &Path) -> Outcome {
     match color_twice(path) {
-        Ok((opened, spread)) => match lost_curves(&opened.import.drawing, opened.picture.map()) {
+        Ok((opened, spread)) => match lost_curves(&opened.document.drawing, opened.picture.map()) {
             lost if lost.is_empty() => Outcome::Sound(Box::new(opened), spread),
             lost => Outcome::Faulty(format!("lost curves {lost:?}")),
         },
@@ -61,8 +61,8 @@ fn try_drawing(path: &Path) -> Outcome {
 
 fn color_twice(path: &Path) -> anyhow::Result<(Opened, SpreadTimes)> {
     let mut opened = stages::open(&crate::files::read(path)?)?;
-    let scribbles = scribbles_on(&opened.import.drawing);
-    let (_, times) = stages::spread(&mut opened.picture, &scribbles, &Settings::default())?;
+    let scribbles = scribbles_on(&opened.document.drawing);
+    let (_, times) = stages::spread(&mut opened.picture, &scribbles, &[], &Settings::default())?;
     Ok((opened, times))
 }
 

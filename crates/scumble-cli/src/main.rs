@@ -14,6 +14,7 @@
 //! | folders of drawings with scribbles and truth | `set` |
 //! | `scumble render`: the picture of a file | `render` |
 //! | `scumble link`, `open`, `convert` | `share` |
+//! | `scumble palette`; palettes in and out of files | `palettes` |
 //! | work in and out of files of any kind | `works` |
 //! | from a file to a picture, stage by stage | `stages` |
 //! | times and their percentiles | `clock` |
@@ -29,6 +30,7 @@ mod eval;
 mod files;
 mod made;
 mod options;
+mod palettes;
 mod render;
 mod rivals;
 mod set;
@@ -70,7 +72,11 @@ scumble render FILE -o OUT.png
     [--samples DIR]         where the samples are, for a file that only names one
 
 scumble convert A B
-    turns a .svg, .scumble or .json file into a .scumble or .json file
+    turns a .svg, .scumble or .json file, or diffusion curves (.xml), into a .scumble or .json file, or the colours of its
+    picture into diffusion curves (.xml), or its palette, or another (.gpl, .ase, .hex), into a palette of any kind
+
+scumble palette FILE --from PALETTE -o OUT.scumble
+    gives a drawing the colours of a palette: GIMP's (.gpl), Adobe Swatch Exchange (.ase) or a list of #rrggbb (.hex)
 
 scumble link FILE
     prints a link to a .scumble file, or to a drawing, as its last line
@@ -134,6 +140,7 @@ fn run() -> anyhow::Result<ExitCode> {
         Command::Convert { from, to } => share::convert(&from, &to)?,
         Command::Link(options) => share::link(&options)?,
         Command::Open(options) => share::open(&options)?,
+        Command::Palette(options) => palettes::run(&options)?,
     }
     Ok(ExitCode::SUCCESS)
 }

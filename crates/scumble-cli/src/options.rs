@@ -28,6 +28,7 @@ pub(crate) enum Command {
     Convert { from: PathBuf, to: PathBuf },
     Link(LinkOptions),
     Open(OpenOptions),
+    Palette(PaletteOptions),
 }
 
 /// What `scumble color` is to make.
@@ -93,6 +94,15 @@ pub(crate) struct OpenOptions {
     pub(crate) samples: Option<PathBuf>,
 }
 
+/// What `scumble palette` is to write.
+#[derive(Debug)]
+pub(crate) struct PaletteOptions {
+    pub(crate) file: PathBuf,
+    /// The palette.
+    pub(crate) from: PathBuf,
+    pub(crate) output: PathBuf,
+}
+
 /// Reads a command line.
 ///
 /// # Errors
@@ -125,11 +135,12 @@ pub(crate) fn parse(mut arguments: Arguments) -> anyhow::Result<Command> {
         Some("convert") => {
             let [from, to] = rest(arguments, ["A", "B"])?;
             let to = PathBuf::from(to);
-            works::check_writable(&to)?;
+            works::check_convertible(&to)?;
             Ok(Command::Convert { from: from.into(), to })
         }
         Some("link") => link(arguments).map(Command::Link),
         Some("open") => open(arguments).map(Command::Open),
+        Some("palette") => palette(arguments).map(Command::Palette),
         Some(other) => bail!("there is no command “{other}”; see --help"),
     }
 }
@@ -178,10 +189,23 @@ fn link(mut arguments: Arguments) -> anyhow::Result<LinkOptions> {
     Ok(LinkOptions { file: file.into(), base, stats })
 }
 
-fn open(mut arguments: Arguments) -> anyhow::Result<OpenOptions> {
+fn palette(mut arguments: Arguments) -> anyhow::Result<PaletteOptions> {
+    let output = work_file(&mut arguments)?;
+    let from = arguments.opt_value_from_os_str("--from", path).map_err(advise)?;
+    let from = from.context("--from is missing; name a palette, for example --from colours.gpl")?;
+    let [file] = rest(arguments, ["FILE"])?;
+    Ok(PaletteOptions { file: file.into(), from, output })
+}
+
+fn work_file(arguments: &mut Arguments) -> anyhow::Result<PathBuf> {
     let output: Option<PathBuf> = arguments.opt_value_from_os_str("-o", path).map_err(advise)?;
     let output = output.context("-o is missing; name the file to write, for example -o drawing.scumble")?;
     works::check_writable(&output)?;
+    Ok(output)
+}
+
+fn open(mut arguments: Arguments) -> anyhow::Result<OpenOptions> {
+    let output = work_file(&mut arguments)?;
     let samples = arguments.opt_value_from_os_str("--samples", path).map_err(advise)?;
     let [link] = rest(arguments, ["LINK"])?;
     Ok(OpenOptions { link: link.to_string_lossy().into_owned(), output, samples })

@@ -22,9 +22,9 @@ pub(crate) fn run(options: &RenderOptions) -> anyhow::Result<()> {
     ensure!(!is_same, "{} is read; name another file for the picture", options.file.display());
     let mut work = works::read(&options.file)?;
     works::fetch_lines(&mut work, options.samples.as_deref())?;
-    let Document { drawing, scribbles, settings } = &work.document;
+    let Document { drawing, scribbles, color_points, settings, .. } = &work.document;
     let mut picture = Picture::new(drawing)?;
-    let (boundary, _) = stages::spread(&mut picture, scribbles, settings)?;
+    let (boundary, _) = stages::spread(&mut picture, scribbles, color_points, settings)?;
     let pixmap = paint(drawing, &mut picture, &boundary, settings.blend, &options.look)?;
     files::write(&options.output, &write_png(pixmap.width_px, pixmap.height_px, &pixmap.rgba)?)
 }

@@ -7,7 +7,7 @@ use scumble_core::{Curve, Drawing, Work};
 use scumble_io::{Link, read_link, write_link};
 
 use crate::options::{LinkOptions, OpenOptions};
-use crate::{files, works};
+use crate::{files, palettes, works};
 
 /// Prints a link, as the last line.
 ///
@@ -29,7 +29,7 @@ fn stats(work: &Work, Link { fragment, sizes }: &Link) -> String {
     let line_points = if work.sample.is_some() { 0 } else { line_points(drawing) };
     let lines = if work.sample.is_some() { 0 } else { drawing.curves.len() + drawing.fills.len() };
     let color_points = work.document.scribbles.iter().map(|scribble| scribble.points.len()).sum();
-    let colors = work.document.scribbles.len() + work.color_points.len();
+    let colors = work.document.scribbles.len() + work.document.color_points.len();
     let rest = sizes.all - sizes.head - sizes.lines - sizes.colors;
     let rows = [
         row("page, settings", 0, 0, sizes.head),
@@ -79,5 +79,8 @@ pub(crate) fn open(options: &OpenOptions) -> anyhow::Result<()> {
 /// When the file is bad; then nothing is written.
 pub(crate) fn convert(from: &Path, to: &Path) -> anyhow::Result<()> {
     ensure!(!files::is_same(from, to), "{} is read; name another file to write", from.display());
-    works::write(to, &works::read(from)?)
+    match works::palette_kind(to) {
+        Some(kind) => palettes::write(to, &palettes::read(from)?, kind),
+        None => works::write(to, &works::read(from)?),
+    }
 }

@@ -2,8 +2,8 @@
 
 use kurbo::Affine;
 use scumble_core::drawing::LONGER_SIDE_DU;
-use scumble_core::{Boundary, Drawing, Scribble, Settings, Srgb8};
-use scumble_io::{Import, import_svg};
+use scumble_core::{Boundary, ColorPoint, Document, Drawing, Scribble, Settings, Srgb8};
+use scumble_io::import_drawing;
 use scumble_solve::{Field, Picture, Pixmap, Scene, Shape, SolveError, View, paint};
 
 use crate::clock::timed;
@@ -14,7 +14,9 @@ pub(crate) const PAPER: Srgb8 = Srgb8([255; 3]);
 /// A drawing that is ready for colours, and the milliseconds that it took.
 #[derive(Debug)]
 pub(crate) struct Opened {
-    pub(crate) import: Import,
+    pub(crate) document: Document,
+    /// What was left out of it.
+    pub(crate) notes: String,
     pub(crate) picture: Picture,
     pub(crate) import_ms: f64,
     pub(crate) map_ms: f64,
@@ -25,13 +27,13 @@ pub(crate) struct Opened {
 ///
 /// # Errors
 /// When the bytes are no drawing, or it has too many pieces.
-pub(crate) fn open(svg: &[u8]) -> anyhow::Result<Opened> {
-    let (import, import_ms) = timed(|| import_svg(svg));
-    let import = import?;
-    let (picture, map_ms) = timed(|| Picture::new(&import.drawing));
+pub(crate) fn open(file: &[u8]) -> anyhow::Result<Opened> {
+    let (imported, import_ms) = timed(|| import_drawing(file));
+    let (document, notes) = imported?;
+    let (picture, map_ms) = timed(|| Picture::new(&document.drawing));
     let mut picture = picture?;
     let (_, mesh_ms) = timed(|| picture.mesh().triangle_count());
-    Ok(Opened { import, picture, import_ms, map_ms, mesh_ms })
+    Ok(Opened { document, notes, picture, import_ms, map_ms, mesh_ms })
 }
 
 /// The milliseconds that scribbles took.
@@ -56,9 +58,10 @@ impl SpreadTimes {
 pub(crate) fn spread(
     picture: &mut Picture,
     scribbles: &[Scribble],
+    by_hand: &[ColorPoint],
     settings: &Settings,
 ) -> Result<(Boundary, SpreadTimes), SolveError> {
-    let (boundary, color_ms) = timed(|| picture.color(scribbles, settings));
+    let (boundary, color_ms) = timed(|| picture.color(scribbles, by_hand, settings));
     let solver = picture.mesh();
     let ((), analyse_ms) = timed(|| solver.analyse(&boundary));
     let (factored, factor_ms) = timed(|| solver.factor());

@@ -1,10 +1,11 @@
-//! Work in and out of files, whichever kind they are: `.svg`, `.scumble`, or the latter as `.json`.
+//! Work in and out of files, whichever kind they are: `.svg` or `.xml`, `.scumble`, or the latter as `.json`.
 
 use std::path::Path;
 
 use anyhow::{Context, bail, ensure};
 use scumble_core::{Document, Work};
-use scumble_io::{import_svg, read_file, write_file};
+use scumble_io::{PaletteKind, import_drawing, import_svg, read_file, write_curve_set, write_file};
+use scumble_solve::Picture;
 
 use crate::files;
 
@@ -14,20 +15,31 @@ use crate::files;
 /// When the file cannot be read, or is no such file, or lacks its lines.
 pub(crate) fn read(path: &Path) -> anyhow::Result<Work> {
     let bytes = files::read(path)?;
-    if extension(path) == "svg" {
-        let import = import_svg(&bytes).with_context(|| path.display().to_string())?;
-        files::warn(path, &import.notes.to_string());
-        return Ok(Work::new(Document::new(import.drawing)));
+    if matches!(&*extension(path), "svg" | "xml") {
+        let (document, notes) = import_drawing(&bytes).with_context(|| path.display().to_string())?;
+        files::warn(path, &notes);
+        return Ok(Work::new(document));
     }
     read_file(&bytes).with_context(|| path.display().to_string())
 }
 
-/// Writes work as its file.
+/// Writes work as its file, or the colours of its picture as diffusion curves.
 ///
 /// # Errors
 /// When it could not be read again, or cannot be written; then there is no file.
 pub(crate) fn write(path: &Path, work: &Work) -> anyhow::Result<()> {
-    files::write(path, &write_file(work)?)
+    match &*extension(path) {
+        "xml" => write_curves(path, &work.document),
+        _ => files::write(path, &write_file(work)?),
+    }
+}
+
+fn write_curves(path: &Path, document: &Document) -> anyhow::Result<()> {
+    let mut picture = Picture::new(&document.drawing)?;
+    let labels = picture.label(&document.scribbles, &document.settings);
+    let (text, notes) = write_curve_set(document, picture.map(), &labels);
+    files::warn(path, &notes.to_string());
+    files::write(path, text.as_bytes())
 }
 
 /// Checks that a file's name is that of a kind that can be written.
@@ -38,6 +50,25 @@ pub(crate) fn check_writable(path: &Path) -> anyhow::Result<()> {
     let is_ours = matches!(&*extension(path), "scumble" | "json");
     ensure!(is_ours, "{} cannot be written; name a file that ends in .scumble or .json", path.display());
     Ok(())
+}
+
+/// Checks that a file's name is that of a kind that work can be turned into.
+///
+/// # Errors
+/// When it is not.
+pub(crate) fn check_convertible(path: &Path) -> anyhow::Result<()> {
+    let is_known = matches!(&*extension(path), "scumble" | "json" | "xml") || palette_kind(path).is_some();
+    let name = path.display();
+    ensure!(
+        is_known,
+        "{name} cannot be written; name a file that ends in .scumble, .json, .xml, .gpl, .ase or .hex"
+    );
+    Ok(())
+}
+
+/// The kind of palette that a file's name is that of.
+pub(crate) fn palette_kind(path: &Path) -> Option<PaletteKind> {
+    PaletteKind::of_extension(&extension(path))
 }
 
 /// Puts the lines of a sample where work has only its name.

@@ -1,12 +1,14 @@
 //! Colour points: the colours of the sides of curves, as diffusion curves carry them (Orzan et al. 2008).
 //!
 //! A *run* of equal labels along one side of a curve holds its colour; where two runs meet, the colour passes from
-//! one to the other over a short transition, as in Figure 2(f) of Bao & Fu 2019.
+//! one to the other over a short transition, as in Figure 2(f) of Bao & Fu 2019. Where a side has points that were set
+//! by hand, these alone give it its colours.
 
 use crate::color::{Blend, BlendColor, Paint};
 use crate::engine::Labels;
 use crate::planar_map::{PlanarMap, Step};
 use crate::scribble::Scribble;
+use crate::sort;
 use crate::source::{SoftSource, soft_sources};
 use crate::triangulation::SideId;
 
@@ -32,16 +34,45 @@ impl From<SideColors> for Boundary {
     }
 }
 
-/// The boundary that labels, which name scribbles by their indices, and the scribbles give the solver, in a blend
-/// space. It does not depend on the order of those that shade.
-pub fn boundary(map: &PlanarMap, labels: &Labels, scribbles: &[Scribble], blend: Blend) -> Boundary {
+/// A colour that was set by hand at a place along one side of a curve.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ColorPoint {
+    /// Index of the curve; that of none is passed over.
+    pub curve: u32,
+    /// Whether it is to the left of the curve's direction, where y points down.
+    pub is_left: bool,
+    /// Way along the curve from its start, in du.
+    pub at_du: f64,
+    /// The colour, or nothing.
+    pub color: Paint,
+}
+
+/// The boundary that labels, which name scribbles by their indices, the scribbles, and colours set by hand give the
+/// solver, in a blend space. It does not depend on the order of the scribbles that shade.
+pub fn boundary(
+    map: &PlanarMap,
+    labels: &Labels,
+    scribbles: &[Scribble],
+    by_hand: &[ColorPoint],
+    blend: Blend,
+) -> Boundary {
+    let sides = side_colors(map, &curve_colors(map, labels, scribbles, by_hand), blend);
+    let sources = soft_sources(scribbles, blend);
+    Boundary { sides, closed_gaps: labels.closed_gaps.clone(), sources }
+}
+
+/// The coloured stretches of all curves. A side with a colour that was set by hand is one stretch from end to end.
+pub fn curve_colors(
+    map: &PlanarMap,
+    labels: &Labels,
+    scribbles: &[Scribble],
+    by_hand: &[ColorPoint],
+) -> Vec<ColorSpan> {
     let color_of = |side: SideId| {
         let label = labels.sides.get(side.index()).copied().flatten()?;
         scribbles.get(label as usize).map(|scribble| scribble.color)
     };
-    let sides = side_colors(map, &color_spans(map, color_of), blend);
-    let sources = soft_sources(scribbles, blend);
-    Boundary { sides, closed_gaps: labels.closed_gaps.clone(), sources }
+    color_spans(map, color_of, &sorted(by_hand))
 }
 
 /// Length of the transition between two runs, in du; shorter where a run is shorter.
@@ -49,42 +80,80 @@ pub const TRANSITION_DU: f64 = 24.0;
 
 /// A colour at a place along one side of a curve.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct ColorPoint {
+pub struct Stop {
     /// Distance from the start of the curve along it, in du.
-    pub(crate) arc_du: f64,
+    pub arc_du: f64,
     /// The colour as picked, or nothing: around it the picture fades into the paper.
-    pub(crate) color: Paint,
+    pub color: Paint,
 }
 
-/// A coloured stretch of one side of a curve: linear between its points, and from its first to its last only.
+/// A coloured stretch of one side of a curve: linear between its stops, and from its first to its last only.
 #[derive(Clone, Debug, PartialEq)]
-pub(crate) struct ColorSpan {
+pub struct ColorSpan {
     /// Index of the curve.
-    pub(crate) curve: u32,
-    /// Whether it lies to the right of the curve's direction.
-    pub(crate) right: bool,
+    pub curve: u32,
+    /// Whether it is to the left of the curve's direction, where y points down: [`Step::left`] is where y points up.
+    pub is_left: bool,
     /// At least two, in ascending order. On a closed curve the arc position may count on past the curve's end
     /// into its next round.
-    pub(crate) points: Vec<ColorPoint>,
+    pub stops: Vec<Stop>,
 }
 
-/// The colour points of all curves, where `color_of` gives the colour of a side that has one.
-pub(crate) fn color_spans(map: &PlanarMap, color_of: impl Fn(SideId) -> Option<Paint>) -> Vec<ColorSpan> {
+/// Points by their sides, and along each; without those at no place.
+fn sorted(points: &[ColorPoint]) -> Vec<ColorPoint> {
+    let mut points: Vec<_> = points.iter().copied().filter(|p| p.at_du.is_finite()).collect();
+    let keys: [fn(&ColorPoint) -> u64; 2] = [|p| sort::float(p.at_du), |p| side_key(p.curve, p.is_left)];
+    for key in keys {
+        sort::sort_copies_by_key(&mut points, key);
+    }
+    points
+}
+
+/// A number for one side of a curve.
+fn side_key(curve: u32, is_left: bool) -> u64 {
+    u64::from(curve) << 1 | u64::from(is_left)
+}
+
+/// The span of one side's points: before the first and after the last the colour stays.
+fn span_by_hand(map: &PlanarMap, points: &[ColorPoint]) -> Option<ColorSpan> {
+    let [first, last] = [points.first()?, points.last()?];
+    let end_du = map.steps(first.curve as usize).last()?.arc_du[1];
+    let stop = |arc_du, p: &ColorPoint| Stop { arc_du, color: p.color };
+    let mut stops = vec![stop(first.at_du.min(0.0), first)];
+    stops.extend(points.iter().map(|p| stop(p.at_du, p)));
+    stops.push(stop(last.at_du.max(end_du), last));
+    Some(ColorSpan { curve: first.curve, is_left: first.is_left, stops })
+}
+
+/// The coloured stretches of all curves, where `color_of` gives the colour of a side that has one, but for those with
+/// points that were set by hand, which come in the order of their sides.
+pub(crate) fn color_spans(
+    map: &PlanarMap,
+    color_of: impl Fn(SideId) -> Option<Paint>,
+    mut by_hand: &[ColorPoint],
+) -> Vec<ColorSpan> {
     let mut spans = Vec::new();
     for curve in 0..map.curve_count() {
-        for right in [false, true] {
-            let colors: Vec<_> = map.steps(curve).iter().map(|step| color_of(side(step, right))).collect();
+        for is_left in [false, true] {
+            let is_own = |p: &&ColorPoint| side_key(p.curve, p.is_left) == side_key(curve as u32, is_left);
+            let (own, others) = by_hand.split_at(by_hand.iter().take_while(is_own).count());
+            by_hand = others;
+            if let Some(span) = span_by_hand(map, own) {
+                spans.push(span);
+                continue;
+            }
+            let colors: Vec<_> = map.steps(curve).iter().map(|step| color_of(side(step, is_left))).collect();
             let seam = if map.is_closed(curve) { seam(&colors) } else { 0 };
             let runs = runs(map.steps(curve), &colors, seam);
             let parts = runs.chunk_by(|a, b| a.end_du == b.start_du);
-            spans.extend(parts.map(|part| ColorSpan { curve: curve as u32, right, points: points(part) }));
+            spans.extend(parts.map(|part| ColorSpan { curve: curve as u32, is_left, stops: stops(part) }));
         }
     }
     spans
 }
 
-fn side(step: &Step, right: bool) -> SideId {
-    if right { step.left.opposite() } else { step.left }
+fn side(step: &Step, is_left: bool) -> SideId {
+    if is_left { step.left.opposite() } else { step.left }
 }
 
 /// The step of a closed curve at which its sides are cut open: the middle of the longest run, where no transition
@@ -122,8 +191,8 @@ fn runs(steps: &[Step], colors: &[Option<Paint>], seam: usize) -> Vec<Run> {
     runs
 }
 
-/// The colour points of runs that follow one another without a gap.
-fn points(runs: &[Run]) -> Vec<ColorPoint> {
+/// The stops of runs that follow one another without a gap.
+fn stops(runs: &[Run]) -> Vec<Stop> {
     let inset = |i: usize, j: Option<usize>| {
         let length_du = |run: &Run| run.end_du - run.start_du;
         j.and_then(|j| runs.get(j))
@@ -132,7 +201,7 @@ fn points(runs: &[Run]) -> Vec<ColorPoint> {
     let of_run = |(i, run): (usize, &Run)| {
         let start_du = run.start_du + inset(i, i.checked_sub(1));
         let end_du = run.end_du - inset(i, Some(i + 1));
-        [start_du, end_du].map(|arc_du| ColorPoint { arc_du, color: run.color })
+        [start_du, end_du].map(|arc_du| Stop { arc_du, color: run.color })
     };
     runs.iter().enumerate().flat_map(of_run).collect()
 }
@@ -143,10 +212,11 @@ fn points(runs: &[Run]) -> Vec<ColorPoint> {
 pub(crate) fn side_colors(map: &PlanarMap, spans: &[ColorSpan], blend: Blend) -> SideColors {
     let mut colors = vec![None; map.side_count()];
     for span in spans {
-        let knots: Vec<_> = span.points.iter().map(|p| (p.arc_du, blend.from_paint(p.color))).collect();
+        let knots: Vec<_> = span.stops.iter().map(|p| (p.arc_du, blend.from_paint(p.color))).collect();
         let steps = map.steps(span.curve as usize);
         let round_du = steps.last().map_or(0.0, |last| last.arc_du[1]);
-        for before_du in [0.0, round_du] {
+        // Last without a round ahead: what was set by hand past the end is of no account.
+        for before_du in [round_du, 0.0] {
             color_steps(map, span, &knots, before_du, &mut colors);
         }
     }
@@ -154,7 +224,7 @@ pub(crate) fn side_colors(map: &PlanarMap, spans: &[ColorSpan], blend: Blend) ->
 }
 
 /// A place along a curve in du and its colour.
-type Knot = (f64, BlendColor);
+pub type Knot = (f64, BlendColor);
 
 /// Colours the steps that lie within a span, `before_du` being what its arc positions are ahead of theirs.
 fn color_steps(map: &PlanarMap, span: &ColorSpan, knots: &[Knot], before_du: f64, colors: &mut SideColors) {
@@ -164,14 +234,16 @@ fn color_steps(map: &PlanarMap, span: &ColorSpan, knots: &[Knot], before_du: f64
     let within = steps[begin..].iter().take_while(|step| step.arc_du[1] + before_du <= last.0);
     for step in within.filter(|step| map.pieces()[step.left.piece()].curve == Some(span.curve)) {
         let [a, b] = step.arc_du.map(|arc_du| arc_du + before_du);
-        let along = [a, 0.5 * (a + b), b].map(|arc_du| interpolate(knots, arc_du));
+        let along = [a, 0.5 * (a + b), b].map(|arc_du| color_at(knots, arc_du));
         let [start, middle, end] = along;
-        let side = side(step, span.right);
-        colors[side.index()] = Some(if span.right { [end, middle, start] } else { along });
+        let side = side(step, span.is_left);
+        colors[side.index()] = Some(if span.is_left { [end, middle, start] } else { along });
     }
 }
 
-fn interpolate(knots: &[Knot], arc_du: f64) -> BlendColor {
+/// The colour at a place along a curve: linear between knots, of which there is at least one, in ascending order;
+/// that of the nearer end beyond them.
+pub fn color_at(knots: &[Knot], arc_du: f64) -> BlendColor {
     let after = knots.partition_point(|knot| knot.0 <= arc_du);
     let [before, after] = [after.saturating_sub(1), after.min(knots.len() - 1)];
     let ((a, from), (b, to)) = (knots[before], knots[after]);
@@ -199,7 +271,7 @@ mod tests {
 
     fn inner(map: &PlanarMap, color: impl Fn(usize) -> Option<Paint>) -> Vec<ColorSpan> {
         let index_of = |side: SideId| map.steps(0).iter().position(|step| step.left == side);
-        color_spans(map, |side| index_of(side).and_then(&color))
+        color_spans(map, |side| index_of(side).and_then(&color), &[])
     }
 
     #[test]
@@ -207,7 +279,7 @@ mod tests {
         let map = circle_map();
         let spans = inner(&map, |_| Some(RED));
         assert_eq!(spans.len(), 1);
-        assert_eq!(spans[0].points.len(), 2);
+        assert_eq!(spans[0].stops.len(), 2);
         let colors = side_colors(&map, &spans, Blend::Srgb);
         let red = Blend::Srgb.from_paint(RED);
         for step in map.steps(0) {
@@ -253,7 +325,7 @@ mod tests {
     fn a_span_of_one_point_colours_what_is_there() {
         let red = Blend::Srgb.from_paint(RED);
         for arc_du in [0.0, 5.0, 9.0] {
-            assert_eq!(interpolate(&[(5.0, red)], arc_du), red);
+            assert_eq!(color_at(&[(5.0, red)], arc_du), red);
         }
     }
 

@@ -6,26 +6,37 @@
 use kurbo::Point;
 
 use crate::color::Paint;
+use crate::color_points::ColorPoint;
 use crate::drawing::Drawing;
 use crate::scribble::{Scribble, ScribbleKind};
 use crate::settings::Settings;
 use crate::sort;
 
-/// The source of a picture. Everything else is derived from it.
+/// The source of a picture, from which everything else is derived, and the palette at hand.
 #[derive(Clone, Debug)]
 pub struct Document {
     /// The lines.
     pub drawing: Drawing,
     /// The scribbles, in drawing order.
     pub scribbles: Vec<Scribble>,
+    /// The colours set by hand, in whatever order.
+    pub color_points: Vec<ColorPoint>,
     /// How it is coloured.
     pub settings: Settings,
+    /// The swatches of its palette.
+    pub palette: Vec<Paint>,
 }
 
 impl Document {
     /// A drawing without colour.
     pub fn new(drawing: Drawing) -> Self {
-        Self { drawing, scribbles: Vec::new(), settings: Settings::default() }
+        Self {
+            drawing,
+            scribbles: Vec::new(),
+            color_points: Vec::new(),
+            settings: Settings::default(),
+            palette: Vec::new(),
+        }
     }
 }
 
@@ -37,6 +48,7 @@ enum Change {
     RecolorScribble(usize, Paint),
     MoveScribble { from: usize, to: usize },
     SetSettings(Settings),
+    SetPalette(Vec<Paint>),
 }
 
 /// A gesture that has been begun and not yet ended.
@@ -152,6 +164,14 @@ impl Editor {
         self.commit_scribble();
         if settings != self.document.settings {
             self.change(Change::SetSettings(settings));
+        }
+    }
+
+    /// Puts another palette in the place of the one at hand.
+    pub fn set_palette(&mut self, palette: Vec<Paint>) {
+        self.commit_scribble();
+        if palette != self.document.palette {
+            self.change(Change::SetPalette(palette));
         }
     }
 
@@ -274,7 +294,7 @@ impl Editor {
     }
 
     fn apply(&mut self, change: Change) -> Change {
-        let Document { scribbles, settings, .. } = &mut self.document;
+        let Document { scribbles, settings, palette, .. } = &mut self.document;
         match change {
             Change::InsertScribble(index, scribble) => {
                 scribbles.insert(index, scribble);
@@ -290,6 +310,7 @@ impl Editor {
                 Change::MoveScribble { from: to, to: from }
             }
             Change::SetSettings(after) => Change::SetSettings(std::mem::replace(settings, after)),
+            Change::SetPalette(after) => Change::SetPalette(std::mem::replace(palette, after)),
         }
     }
 }

@@ -7,11 +7,12 @@
 use kurbo::{BezPath, Cap, Join, PathEl, Point, Rect, Stroke};
 
 use crate::color::{Blend, Paint, Rgba8, Srgb8};
+use crate::color_points::ColorPoint;
 use crate::drawing::{Curve, Drawing, Fill, Line};
 use crate::edit::Document;
 use crate::scribble::{Scribble, ScribbleKind};
 use crate::settings::{EngineKind, Settings};
-use crate::work::{ColorPoint, MAX_CURVES, Unknown, Work, are_too_long, is_page, is_sample_name};
+use crate::work::{MAX_CURVES, Unknown, Work, are_too_long, is_page, is_sample_name};
 use tape::Tape;
 
 mod tape;
@@ -39,12 +40,12 @@ fn walk(tape: &mut Tape, work: &mut Work) {
     let version = tape.byte(VERSION);
     tape.check(version == VERSION);
     sample(tape, &mut work.sample);
-    let Document { drawing, scribbles, settings } = &mut work.document;
+    let Document { drawing, scribbles, color_points, settings, palette } = &mut work.document;
     lines(tape, drawing);
     self::settings(tape, settings);
     tape.list(scribbles, &BLANK_SCRIBBLE, &mut scribble);
-    tape.list(&mut work.palette, &Paint::Clear, &mut paint);
-    tape.list(&mut work.color_points, &BLANK_COLOR_POINT, &mut color_point);
+    tape.list(palette, &Paint::Clear, &mut paint);
+    tape.list(color_points, &BLANK_COLOR_POINT, &mut color_point);
     unknown(tape, &mut work.unknown);
     tape.check(!are_too_long(&work.document.scribbles));
 }

@@ -10,6 +10,7 @@
 //! | the document, gestures, undo | [`edit`] |
 //! | triangles, half-edges, sides | [`triangulation`] |
 //! | Delaunay triangulation and refinement | `delaunay` |
+//! | ways along a path | [`arc`] |
 //! | curves sampled on a lattice | `sample` |
 //! | crossings found and rounded | `snap` |
 //! | curves as pieces that meet only at nodes | [`planar_map`] |
@@ -24,6 +25,7 @@
 //! | … as bytes that lose nothing | [`exact`] |
 //! | sorting and small maps, with little code | [`sort`], `small_map` |
 
+pub mod arc;
 mod clearance;
 pub mod color;
 pub mod color_points;
@@ -52,7 +54,7 @@ mod visibility;
 pub mod work;
 
 pub use color::{Blend, BlendColor, ColorError, Paint, Rgba8, Srgb8};
-pub use color_points::{Boundary, SideColors, boundary};
+pub use color_points::{Boundary, ColorPoint, SideColors, boundary};
 pub use drawing::{Curve, Drawing, Fill, Line};
 pub use edit::{Document, Editor};
 pub use engine::{Engine, Labels};

@@ -2,7 +2,6 @@
 
 use kurbo::Rect;
 
-use crate::color::Paint;
 use crate::drawing::{Drawing, LONGER_SIDE_DU};
 use crate::edit::Document;
 use crate::scribble::Scribble;
@@ -16,33 +15,16 @@ pub const MAX_CURVES: usize = 100_000;
 /// Largest coordinate of a page, in page units.
 const MAX_PAGE: f64 = 1e9;
 
-/// A document, and what belongs to it without being part of the picture's lines and scribbles.
+/// A document, and what belongs to it without being edited.
 #[derive(Clone, Debug)]
 pub struct Work {
-    /// Lines, scribbles and settings.
+    /// What a person works on.
     pub document: Document,
     /// The file name of the sample that the lines are, unchanged. A link names it in place of the lines: what was read
     /// from one has a page without curves, until the sample's drawing is put there.
     pub sample: Option<String>,
-    /// The swatches of its palette.
-    pub palette: Vec<Paint>,
-    /// The colours that were set by hand.
-    pub color_points: Vec<ColorPoint>,
     /// What a newer version wrote and this one does not know.
     pub unknown: Unknown,
-}
-
-/// A colour that was set by hand at a place along one side of a curve.
-#[derive(Clone, Debug, PartialEq)]
-pub struct ColorPoint {
-    /// Index of the curve.
-    pub curve: u32,
-    /// Whether it is to the left of the curve's direction, where y points down.
-    pub is_left: bool,
-    /// Way along the curve from its start, in du.
-    pub at_du: f64,
-    /// The colour, or nothing.
-    pub color: Paint,
 }
 
 /// Fields that this version does not know, kept as they were written for a version that does.
@@ -80,13 +62,7 @@ impl Item {
 impl Work {
     /// A document alone.
     pub fn new(document: Document) -> Self {
-        Self {
-            document,
-            sample: None,
-            palette: Vec::new(),
-            color_points: Vec::new(),
-            unknown: Unknown::default(),
-        }
+        Self { document, sample: None, unknown: Unknown::default() }
     }
 
     /// Work without anything on a page of no account, to be filled by a reader.
@@ -99,8 +75,7 @@ impl Work {
     pub fn edited(&self, document: Document) -> Self {
         let mut unknown = self.unknown.clone();
         unknown.follow(&self.document.scribbles, &document.scribbles);
-        let (sample, palette) = (self.sample.clone(), self.palette.clone());
-        Self { document, sample, palette, color_points: self.color_points.clone(), unknown }
+        Self { document, sample: self.sample.clone(), unknown }
     }
 }
 

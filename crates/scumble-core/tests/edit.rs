@@ -329,3 +329,20 @@ proptest! {
         prop_assert!(!editor.can_redo());
     }
 }
+
+#[test]
+fn another_palette_is_a_gesture_of_its_own() {
+    let mut editor = editor();
+    let [red, blue]: [Paint; 2] = [Srgb8([200, 0, 0]), Srgb8([0, 0, 200])].map(Paint::Color);
+    editor.set_palette(vec![red]);
+    begin(&mut editor, 1);
+    editor.set_palette(vec![red, blue]);
+    assert_eq!((shades(&editor), editor.document().palette.len()), (vec![1], 2));
+    assert!(editor.undo());
+    assert_eq!((shades(&editor), &editor.document().palette), (vec![1], &vec![red]));
+    assert!(editor.redo());
+    assert_eq!(editor.document().palette, [red, blue]);
+    let revision = editor.revision();
+    editor.set_palette(vec![red, blue]);
+    assert_eq!(editor.revision(), revision, "nothing has changed");
+}

@@ -266,7 +266,7 @@ fn steepest(scene: &Coloring) -> f64 {
     let paints: Vec<_> = scene.scribbles.iter().map(|s| blend.from_paint(s.color)).collect();
     let pairs = paints.iter().flat_map(|&a| paints.iter().map(move |&b| apart(a, b)));
     let fastest = pairs.fold(0.0, f64::max) / scumble_core::color_points::TRANSITION_DU;
-    let boundary = boundary(&map, &label(scene, &map), &scene.scribbles, blend);
+    let boundary = boundary(&map, &label(scene, &map), &scene.scribbles, &[], blend);
     let steps = map.steps(0);
     let colored = |right: bool| {
         let of = move |step: &scumble_core::Step| {

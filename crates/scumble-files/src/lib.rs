@@ -7,16 +7,17 @@ pub mod opening;
 pub mod qr;
 
 use js_sys::Uint8Array;
-use scumble_core::{Work, exact};
+use opening::Content;
+use scumble_core::{Srgb8, Work, exact};
 use scumble_io::{LinkError, MAX_FILE_BYTES, write_file, write_link};
 use wasm_bindgen::JsError;
 use wasm_bindgen::prelude::wasm_bindgen;
 
-/// Work that was opened.
+/// Work that was opened, or a palette.
 #[wasm_bindgen]
 #[derive(Clone, Debug)]
 pub struct Opened {
-    /// Its exact bytes.
+    /// Its exact bytes; none for a palette.
     #[wasm_bindgen(getter_with_clone)]
     pub work: Vec<u8>,
     /// What was left out of it, in words; empty where nothing was.
@@ -25,15 +26,23 @@ pub struct Opened {
     /// The name of the sample whose lines are to be put into it ([`on_sample`]), where it came without lines.
     #[wasm_bindgen(getter_with_clone)]
     pub lacks: Option<String>,
+    /// The colours of a palette, as #rrggbb.
+    #[wasm_bindgen(getter_with_clone)]
+    pub palette: Option<Vec<String>>,
 }
 
 impl Opened {
-    fn new(work: &Work, notes: String) -> Self {
-        Self { work: exact::write(work), notes, lacks: opening::lacking_sample(work) }
+    fn work(work: &Work, notes: String) -> Self {
+        Self { work: exact::write(work), notes, lacks: opening::lacking_sample(work), palette: None }
+    }
+
+    fn palette(colors: &[Srgb8], notes: String) -> Self {
+        let palette = colors.iter().map(Srgb8::to_string).collect();
+        Self { work: Vec::new(), notes, lacks: None, palette: Some(palette) }
     }
 }
 
-/// Opens a file: a `.scumble`, or else an SVG.
+/// Opens a file: a `.scumble`, a palette, or else a drawing of another program.
 ///
 /// # Errors
 /// A sentence for people, where it is neither, damaged, or beyond the limits.
@@ -41,8 +50,10 @@ impl Opened {
 pub fn open(file: &Uint8Array) -> Result<Opened, JsError> {
     // So many bytes that it is plain that there are too many.
     let bytes = file.subarray(0, MAX_FILE_BYTES as u32 + 1).to_vec();
-    let (work, notes) = opening::file(&bytes)?;
-    Ok(Opened::new(&work, notes))
+    Ok(match opening::file(&bytes)? {
+        Content::Work(work, notes) => Opened::work(&work, notes),
+        Content::Palette(colors, notes) => Opened::palette(&colors, notes),
+    })
 }
 
 /// Opens a link, or its part from `#` on.
@@ -51,7 +62,7 @@ pub fn open(file: &Uint8Array) -> Result<Opened, JsError> {
 /// A sentence for people, where it is none, or damaged.
 #[wasm_bindgen(js_name = openLink)]
 pub fn open_link(link: &str) -> Result<Opened, JsError> {
-    Ok(Opened::new(&scumble_io::read_link(link)?, String::new()))
+    Ok(Opened::work(&scumble_io::read_link(link)?, String::new()))
 }
 
 /// Puts a sample's lines, given as work of its own, into work that came without.

@@ -1,18 +1,32 @@
 //! What is opened, without a browser.
 
-use scumble_core::{Document, Work, exact as exact_bytes};
-use scumble_io::{FileError, ImportError, LinkError, import_svg, read_file};
+use scumble_core::{Srgb8, Work, exact as exact_bytes};
+use scumble_io::{
+    FileError, ImportError, LinkError, PaletteError, PaletteKind, import_drawing, read_file, read_palette,
+};
 use thiserror::Error;
+
+/// What a file holds.
+#[derive(Clone, Debug)]
+pub enum Content {
+    /// Work, and what was left out of it, in words.
+    Work(Box<Work>, String),
+    /// Colours for the palette of a drawing, and what was left out of them.
+    Palette(Vec<Srgb8>, String),
+}
 
 /// Why something cannot be opened, or kept.
 #[derive(Clone, Debug, Error, PartialEq, Eq)]
 pub enum OpenError {
-    /// Meant as an SVG drawing.
+    /// Meant as a drawing of another program.
     #[error(transparent)]
-    Svg(#[from] ImportError),
+    Drawing(#[from] ImportError),
     /// Meant as a file of ours.
     #[error(transparent)]
     File(#[from] FileError),
+    /// Meant as a palette.
+    #[error(transparent)]
+    Palette(#[from] PaletteError),
     /// Meant as a link.
     #[error(transparent)]
     Link(#[from] LinkError),
@@ -21,17 +35,23 @@ pub enum OpenError {
     Damaged,
 }
 
-/// The work in a file, which is one of ours where it begins as JSON does, and else an SVG; and what was left out.
+/// What is in a file: a palette where it begins as one, our work where it begins as JSON does, and else another
+/// program's drawing.
 ///
 /// # Errors
 /// Where it is neither, damaged, or beyond the limits.
-pub fn file(bytes: &[u8]) -> Result<(Work, String), OpenError> {
+pub fn file(bytes: &[u8]) -> Result<Content, OpenError> {
+    if PaletteKind::of_bytes(bytes).is_some() {
+        let palette = read_palette(bytes)?;
+        let notes = palette.notes();
+        return Ok(Content::Palette(palette.colors, notes));
+    }
     let text = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
     if text.trim_ascii_start().starts_with(b"{") {
-        return Ok((read_file(bytes)?, String::new()));
+        return Ok(Content::Work(Box::new(read_file(bytes)?), String::new()));
     }
-    let import = import_svg(bytes)?;
-    Ok((Work::new(Document::new(import.drawing)), import.notes.to_string()))
+    let (document, notes) = import_drawing(bytes)?;
+    Ok(Content::Work(Box::new(Work::new(document)), notes))
 }
 
 /// The work that some exact bytes stand for.

@@ -4,14 +4,22 @@
 
 use kurbo::Point;
 use scumble_core::{Scribble, ScribbleKind, Srgb8, Work, exact};
-use scumble_files::opening::{self, OpenError};
+use scumble_files::opening::{self, Content, OpenError};
 use scumble_io::{read_link, write_file, write_link};
 
 const SVG: &[u8] = br#"<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 512 384">
     <path d="M100 75H340V315H100Z" stroke="black" fill="none"/><text>left out</text></svg>"#;
 
+/// The work in a file, and what was left out.
+fn work(file: &[u8]) -> (Work, String) {
+    match opening::file(file).unwrap() {
+        Content::Work(work, notes) => (*work, notes),
+        Content::Palette(..) => panic!("work"),
+    }
+}
+
 fn scribbled() -> Work {
-    let mut work = opening::file(SVG).unwrap().0;
+    let mut work = work(SVG).0;
     work.document.scribbles.push(Scribble {
         color: Srgb8([1, 2, 3]).into(),
         kind: ScribbleKind::Fill,
@@ -23,7 +31,7 @@ fn scribbled() -> Work {
 
 #[test]
 fn an_svg_opens_with_a_word_about_what_was_left_out() {
-    let (work, notes) = opening::file(SVG).unwrap();
+    let (work, notes) = work(SVG);
     assert_eq!(work.document.drawing.curves.len(), 1);
     assert_eq!(notes, "left out: 1 text");
 }
@@ -32,16 +40,34 @@ fn an_svg_opens_with_a_word_about_what_was_left_out() {
 fn what_was_saved_opens_as_it_was_whatever_stands_before_it() {
     let file = write_file(&scribbled()).unwrap();
     for before in ["", "\u{feff}", "\n "] {
-        let (work, notes) = opening::file(&[before.as_bytes(), &file].concat()).unwrap();
+        let (work, notes) = work(&[before.as_bytes(), &file].concat());
         assert_eq!(write_file(&work).unwrap(), file);
         assert_eq!(notes, "");
     }
 }
 
 #[test]
+fn a_palette_is_no_work() {
+    let Ok(Content::Palette(colors, notes)) = opening::file(b"#010203\n#ffffff\n") else {
+        panic!("a palette")
+    };
+    assert_eq!((colors, &*notes), (vec![Srgb8([1, 2, 3]), Srgb8([255; 3])], ""));
+    assert!(matches!(opening::file(b"#010203\nblue"), Err(OpenError::Palette(_))));
+}
+
+#[test]
+fn diffusion_curves_open_with_their_colours() {
+    let curves = r#"<curve_set image_width="9" image_height="9"><curve><control_points_set><p x="1" y="1"/><p x="1" y="2"/>
+        <p x="1" y="3"/><p x="1" y="4"/></control_points_set><left_colors_set><c R="1" G="2" B="3" globalID="0"/>
+        </left_colors_set><blur_points_set><b value="1" globalID="0"/></blur_points_set></curve></curve_set>"#;
+    let (work, notes) = work(curves.as_bytes());
+    assert_eq!((work.document.color_points.len(), &*notes), (1, "left out: 1 curve’s blur"));
+}
+
+#[test]
 fn what_is_neither_is_an_error_of_the_kind_that_it_looks_like() {
     assert!(matches!(opening::file(b"{}"), Err(OpenError::File(_))));
-    assert!(matches!(opening::file(b"<html/>"), Err(OpenError::Svg(_))));
+    assert!(matches!(opening::file(b"<html/>"), Err(OpenError::Drawing(_))));
     assert!(matches!(opening::exact(b"{}"), Err(OpenError::Damaged)));
 }
 
@@ -51,6 +77,6 @@ fn work_on_a_sample_goes_into_a_link_without_its_lines_and_gets_them_again() {
     assert_eq!(opening::lacking_sample(&work), None);
     let linked = read_link(&write_link(&work).unwrap().fragment).unwrap();
     assert_eq!(opening::lacking_sample(&linked).as_deref(), Some("square.svg"));
-    let whole = opening::on_sample(linked, opening::file(SVG).unwrap().0);
+    let whole = opening::on_sample(linked, self::work(SVG).0);
     assert_eq!(exact::write(&whole), exact::write(&work));
 }

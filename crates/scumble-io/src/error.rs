@@ -76,6 +76,19 @@ pub enum ImportError {
     /// Width or height is zero, negative, or no number.
     #[error("the page of the drawing has no area; give it a viewBox or a size above zero")]
     NoPage,
+    /// Diffusion curves on a page without a size.
+    #[error(
+        "the diffusion curves have no page; give <curve_set> an image_width and an image_height above zero"
+    )]
+    NoImageSize,
+    /// Diffusion curves of which none has four points.
+    #[error(
+        "there is no diffusion curve that can be used; give each at least four control points with x and y"
+    )]
+    NoDiffusionCurves,
+    /// Too many diffusion curves.
+    #[error("the drawing has more than 100,000 curves; simplify it or split it")]
+    TooManyCurves,
     /// Nothing to colour between.
     #[error("the drawing has no lines and no shapes to colour{}", but_has(.0))]
     NoCurves(ImportNotes),
@@ -110,6 +123,41 @@ pub enum ScribblesError {
         /// The length allowed, in longer sides of the page.
         limit_pages: u32,
     },
+}
+
+/// Why a file is not a palette that can be used, or why there is none to write.
+#[derive(Clone, Debug, Error, PartialEq, Eq)]
+pub enum PaletteError {
+    /// More bytes than are read.
+    #[error("the palette is larger than the {} MB that can be opened; take colours out of it", MAX_FILE_BYTES / 1_000_000)]
+    TooLarge,
+    /// None of the known kinds.
+    #[error(
+        "the file is no palette: it is neither GIMP’s (.gpl), nor Adobe Swatch Exchange (.ase), nor a list of colours #rrggbb"
+    )]
+    NoPalette,
+    /// No colour in it.
+    #[error("the palette has no colours; add some to it")]
+    NoColors,
+    /// Too many colours.
+    #[error("the palette has more than {limit} colours; take some out of it")]
+    TooManyColors {
+        /// How many there may be.
+        limit: usize,
+    },
+    /// Not as its kind has it.
+    #[error(
+        "the palette cannot be used: line {line} should have {expected}; mend it there, or save the palette again"
+    )]
+    Damaged {
+        /// Counted from 1.
+        line: usize,
+        /// What should be there.
+        expected: &'static str,
+    },
+    /// Bytes are missing.
+    #[error("the palette is damaged: it ends too soon, or its blocks have wrong lengths; save it again")]
+    CutOff,
 }
 
 /// Why a file is not work that can be opened.

@@ -1,4 +1,4 @@
-//! Files and links in and out: Scumble's own, SVG drawings, scribbles as JSON, PNG pictures.
+//! Files and links in and out: Scumble's own, SVG drawings, diffusion curves, scribbles as JSON, PNG pictures.
 //!
 //! Nothing here trusts its input: limits are checked before anything is built, and what cannot be used is either
 //! an error that says what to do or a note with a count.
@@ -11,11 +11,16 @@
 //! | … its paths as Bézier paths | `outline` |
 //! | … what keeps a hostile file from hanging the reader | `limits`, `expansion`, `geometry`, `style_sheet` |
 //! | … what was left out | `survey`, `notes` |
+//! | diffusion curves as XML | `curve_set` |
+//! | a drawing of either kind | `drawing_file` |
 //! | scribbles as JSON | `scribbles` |
+//! | palettes | `palette` |
 //! | pictures as PNG | `picture_file` |
 //! | work as a `.scumble` file | `work_file`, `json` |
 //! | … as a link | `link`, `packed` |
 
+mod curve_set;
+mod drawing_file;
 mod error;
 mod expansion;
 mod geometry;
@@ -27,6 +32,7 @@ mod outline;
 mod packed;
 mod page;
 mod paint;
+mod palette;
 mod picture_file;
 mod scribbles;
 mod style_sheet;
@@ -34,10 +40,13 @@ mod survey;
 mod svg;
 mod work_file;
 
-pub use error::{FileError, ImportError, LinkError, ScribblesError};
+pub use curve_set::write_curve_set;
+pub use drawing_file::import_drawing;
+pub use error::{FileError, ImportError, LinkError, PaletteError, ScribblesError};
 pub use link::{Link, MAX_LINK, read_link, write_link};
-pub use notes::{ImportNotes, ScribbleNotes};
+pub use notes::{CurveNotes, CurveSetNotes, ImportNotes, ScribbleNotes};
 pub use packed::PackedSizes;
+pub use palette::{PaletteKind, ReadPalette, read_palette, write_palette};
 pub use picture_file::{PictureFileError, write_png};
 pub use scribbles::{ReadScribbles, read_scribbles};
 pub use svg::{Import, import_svg};

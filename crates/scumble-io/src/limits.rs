@@ -72,17 +72,22 @@ pub(crate) fn readable_text(bytes: &[u8]) -> Result<&str, ImportError> {
     Ok(text)
 }
 
+/// Parses text that [`readable_text`] let through, as an SVG.
+pub(crate) fn parse_svg(text: &str) -> Result<Document<'_>, ImportError> {
+    let xml = parse_xml(text)?;
+    let root = xml.root_element().tag_name();
+    let is_svg = root.name() == "svg" && matches!(root.namespace(), None | Some(SVG));
+    if is_svg { Ok(xml) } else { Err(ImportError::NotSvg(shortened(root.name()))) }
+}
+
 /// Parses text that [`readable_text`] let through.
 pub(crate) fn parse_xml(text: &str) -> Result<Document<'_>, ImportError> {
     let nodes_limit = 2 * MAX_TAGS as u32;
     let options = ParsingOptions { allow_dtd: true, nodes_limit, ..ParsingOptions::default() };
-    let xml = Document::parse_with_options(text, options).map_err(|error| match error {
+    Document::parse_with_options(text, options).map_err(|error| match error {
         roxmltree::Error::NodesLimitReached => ImportError::TooManyElements,
         error => ImportError::NotXml(error.to_string()),
-    })?;
-    let root = xml.root_element();
-    let is_svg = root.tag_name().name() == "svg" && matches!(root.tag_name().namespace(), None | Some(SVG));
-    if is_svg { Ok(xml) } else { Err(ImportError::NotSvg(shortened(root.tag_name().name()))) }
+    })
 }
 
 /// The name space of SVG elements.

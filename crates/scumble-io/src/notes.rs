@@ -44,6 +44,49 @@ impl fmt::Display for ImportNotes {
     }
 }
 
+/// What was left out of diffusion curves that were read.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct CurveNotes {
+    /// Curves that are blurred: they are shown sharp.
+    pub blurred: usize,
+    /// Curves without four control points, or with some that are no numbers or far too large.
+    pub broken: usize,
+    /// Colours without numbers for all channels and their place.
+    pub bad_colors: usize,
+}
+
+impl fmt::Display for CurveNotes {
+    /// One line without a full stop; empty if nothing was left out.
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let counts = [
+            (self.blurred, "curve’s blur", "curves’ blur"),
+            (self.broken, "curve with unusable control points", "curves with unusable control points"),
+            (self.bad_colors, "colour without all its numbers", "colours without all their numbers"),
+        ];
+        write_counts(f, "left out: ", &counts)
+    }
+}
+
+/// What diffusion curves that were written leave out of a picture.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct CurveSetNotes {
+    /// Scribbles that shade.
+    pub shades: usize,
+    /// Stretches of sides that fade to no colour: they fade to white.
+    pub clear: usize,
+}
+
+impl fmt::Display for CurveSetNotes {
+    /// One line without a full stop; empty if nothing was left out.
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let counts = [
+            (self.shades, "scribble that shades", "scribbles that shade"),
+            (self.clear, "side without colour, which is white", "sides without colour, which are white"),
+        ];
+        write_counts(f, "left out: ", &counts)
+    }
+}
+
 /// What was left out of a list of scribbles.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct ScribbleNotes {

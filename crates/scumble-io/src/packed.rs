@@ -4,8 +4,8 @@
 //! lattices in passing. `docs/format.md` lists the walk, for others to follow.
 
 use kurbo::Rect;
-use scumble_core::work::{ColorPoint, Unknown, Work, are_too_long, is_page, is_sample_name};
-use scumble_core::{Blend, EngineKind, Line, Paint, Rgba8, Scribble, ScribbleKind, Srgb8};
+use scumble_core::work::{Unknown, Work, are_too_long, is_page, is_sample_name};
+use scumble_core::{Blend, ColorPoint, EngineKind, Line, Paint, Rgba8, Scribble, ScribbleKind, Srgb8};
 
 use crate::work_file;
 use coder::Coder;
@@ -116,7 +116,7 @@ fn walk(c: &mut Coder, work: &mut Work) -> PackedSizes {
     list(c, SCRIBBLES, &mut work.document.scribbles, &blank_scribble(), |c, s| {
         scribble(c, s, &mut seen, &mut pen);
     });
-    list(c, COLOR_POINTS, &mut work.color_points, &BLANK_COLOR_POINT, |c, point| {
+    list(c, COLOR_POINTS, &mut work.document.color_points, &BLANK_COLOR_POINT, |c, point| {
         color_point(c, point, &mut seen);
     });
     if are_too_long(&work.document.scribbles) {
@@ -158,7 +158,7 @@ fn head(c: &mut Coder, work: &mut Work, seen: &mut Seen) {
     settings.spread = c.flag(kind::SETTING, &[2], settings.spread);
     unit(c, kind::SETTING, &[3], &mut settings.gap_closing);
     *settings = settings.clamped();
-    list(c, PALETTE, &mut work.palette, &Paint::Clear, |c, swatch| paint(c, swatch, seen));
+    list(c, PALETTE, &mut work.document.palette, &Paint::Clear, |c, swatch| paint(c, swatch, seen));
 }
 
 /// The page as whole numbers with as many digits after the point as they need, or as there is room for.

@@ -41,13 +41,13 @@ const IGNORED: &str = "* { clip-path: none !important; mask: none !important; fi
 /// When the bytes are no SVG drawing, or one without anything to colour, or beyond the limits.
 pub fn import_svg(bytes: &[u8]) -> Result<Import, ImportError> {
     let text = limits::readable_text(bytes)?;
-    let xml = limits::parse_xml(text)?;
+    let xml = limits::parse_svg(text)?;
     let Survey { notes, broken } = survey::of(&xml);
     if broken.is_empty() {
         return import_tree(&xml, notes);
     }
     let sound = survey::without(text, &broken);
-    import_tree(&limits::parse_xml(&sound)?, notes)
+    import_tree(&limits::parse_svg(&sound)?, notes)
 }
 
 /// Imports a tree of which every shape has usable coordinates.

@@ -12,8 +12,11 @@ use std::fs;
 use std::path::Path;
 
 use dice::Dice;
-use scumble_core::{Document, Work, exact};
-use scumble_io::{import_svg, read_file, read_link, read_scribbles, write_file, write_link};
+use scumble_core::{Document, Labels, Paint, PlanarMap, Sampling, Srgb8, Work, exact};
+use scumble_io::{
+    ImportError, PaletteKind, import_drawing, import_svg, read_file, read_link, read_palette, read_scribbles,
+    write_curve_set, write_file, write_link, write_palette,
+};
 
 /// Runs of one target, and the number of the first one.
 fn runs(default: u64) -> std::ops::Range<u64> {
@@ -175,6 +178,38 @@ fn svg_drawings() {
     for run in runs(500) {
         if let Ok(import) = import_svg(&damaged(&seeds, &mut Dice(run + 1))) {
             check(&Work::new(Document::new(import.drawing)), run);
+        }
+    }
+}
+
+#[test]
+fn diffusion_curves() {
+    let seeds = seeds("tests/foreign", ".xml");
+    for run in runs(500) {
+        let Ok((document, _)) = import_drawing(&damaged(&seeds, &mut Dice(run + 1))) else { continue };
+        if let Ok(map) = PlanarMap::build(&document.drawing, &Sampling::default()) {
+            let (text, _) = write_curve_set(&document, &map, &Labels::none(&map));
+            let again = import_drawing(text.as_bytes()).map(|(document, _)| document.settings);
+            assert!(
+                matches!(again, Err(ImportError::NoDiffusionCurves)) || again == Ok(document.settings),
+                "run {run}"
+            );
+        }
+        check(&Work::new(document), run);
+    }
+}
+
+#[test]
+fn palettes() {
+    let paints: Vec<_> = (0..30).map(|i| Paint::Color(Srgb8([i, 3 * i, 255 - 7 * i]))).collect();
+    let kinds = [PaletteKind::Gpl, PaletteKind::Ase, PaletteKind::Hex];
+    let seeds: Vec<_> = kinds.iter().map(|kind| write_palette(&paints, *kind).unwrap()).collect();
+    for run in runs(20_000) {
+        let Ok(palette) = read_palette(&damaged(&seeds, &mut Dice(run + 1))) else { continue };
+        let paints: Vec<_> = palette.colors.iter().map(|color| Paint::Color(*color)).collect();
+        for kind in kinds {
+            let again = read_palette(&write_palette(&paints, kind).unwrap());
+            assert!(again.is_ok_and(|again| again.colors == palette.colors), "run {run}");
         }
     }
 }

@@ -51,9 +51,9 @@ fn settings_and_scribbles_are_read() {
     let expected =
         Settings { blend: Blend::Srgb, engine: EngineKind::Progressive, gap_closing: 1.0, spread: true };
     assert_eq!(work.document.settings, expected);
-    assert_eq!(work.palette, [Srgb8([255, 0, 0]).into(), Paint::Clear]);
+    assert_eq!(work.document.palette, [Srgb8([255, 0, 0]).into(), Paint::Clear]);
     assert_eq!(work.document.scribbles[0].points, [Point::new(1.0, 2.5), Point::new(-300.0, 4.0)]);
-    assert_eq!((work.color_points[0].curve, work.color_points[0].is_left), (3, true));
+    assert_eq!((work.document.color_points[0].curve, work.document.color_points[0].is_left), (3, true));
 }
 
 /// What a later version of the same first number might write.

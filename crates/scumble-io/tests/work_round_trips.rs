@@ -7,10 +7,9 @@ use kurbo::{BezPath, Cap, Join, PathEl, Point, Rect, Stroke};
 use proptest::collection::vec;
 use proptest::option;
 use proptest::prelude::*;
-use scumble_core::work::ColorPoint;
 use scumble_core::{
-    Blend, Curve, Document, Drawing, EngineKind, Fill, Line, Paint, Rgba8, Scribble, ScribbleKind, Settings,
-    Shading, Srgb8, Work, exact,
+    Blend, ColorPoint, Curve, Document, Drawing, EngineKind, Fill, Line, Paint, Rgba8, Scribble,
+    ScribbleKind, Settings, Shading, Srgb8, Work, exact,
 };
 use scumble_io::{read_file, read_link, write_file, write_link};
 
@@ -116,8 +115,7 @@ fn works() -> impl Strategy<Value = Work> {
         });
     (drawings(), scribbles(), settings(), vec(paints(), 0..5), vec(color_point, 0..4)).prop_map(
         |(drawing, scribbles, settings, palette, color_points)| {
-            let document = Document { drawing, scribbles, settings };
-            Work { palette, color_points, ..Work::new(document) }
+            Work::new(Document { drawing, scribbles, color_points, settings, palette })
         },
     )
 }
@@ -147,20 +145,20 @@ fn places(work: &Work) -> Vec<Point> {
 
 /// All other numbers; they keep three digits, and widths are at least 0.001.
 fn lengths(work: &Work) -> Vec<f64> {
-    let Document { drawing, scribbles, settings } = &work.document;
+    let Document { drawing, scribbles, color_points, settings, .. } = &work.document;
     let strokes = drawing.curves.iter().filter_map(|curve| Some(&curve.line.as_ref()?.stroke));
     let of_stroke = strokes.flat_map(|stroke| {
         let dashes = stroke.dash_pattern.iter().copied();
         [stroke.width.max(0.001), stroke.miter_limit, stroke.dash_offset].into_iter().chain(dashes)
     });
     let widths = scribbles.iter().map(|scribble| scribble.width_du.max(0.001));
-    let places = work.color_points.iter().map(|point| point.at_du);
+    let places = color_points.iter().map(|point| point.at_du);
     of_stroke.chain(widths).chain(places).chain([settings.gap_closing]).collect()
 }
 
 /// Everything that is no number: it comes back as it was.
 fn forms(work: &Work) -> String {
-    let Document { drawing, scribbles, settings } = &work.document;
+    let Document { drawing, scribbles, color_points, settings, palette } = &work.document;
     let kinds = |path: &BezPath| -> String {
         let kind = |element: &PathEl| format!("{element:?}").chars().next();
         path.elements().iter().filter_map(kind).collect()
@@ -177,9 +175,9 @@ fn forms(work: &Work) -> String {
     let curves: Vec<_> = drawing.curves.iter().map(|c| (kinds(&c.path), c.line.as_ref().map(line))).collect();
     let fills: Vec<_> = drawing.fills.iter().map(|f| (kinds(&f.path), f.even_odd, f.color)).collect();
     let strokes: Vec<_> = scribbles.iter().map(|scribble| (scribble.color, scribble.points.len())).collect();
-    let set: Vec<_> = work.color_points.iter().map(|p| (p.curve, p.is_left, p.color)).collect();
+    let set: Vec<_> = color_points.iter().map(|p| (p.curve, p.is_left, p.color)).collect();
     let settings = (settings.blend, settings.engine, settings.spread);
-    format!("{curves:?} {fills:?} {strokes:?} {set:?} {settings:?} {:?} {:?}", work.palette, work.sample)
+    format!("{curves:?} {fills:?} {strokes:?} {set:?} {settings:?} {palette:?} {:?}", work.sample)
 }
 
 #[track_caller]

@@ -2,7 +2,8 @@
 //! changed.
 
 use scumble_core::{
-    Boundary, Document, Drawing, Engine, Labels, MapError, PlanarMap, Sampling, Scribble, Settings, boundary,
+    Boundary, ColorPoint, Document, Drawing, Engine, Labels, MapError, PlanarMap, Sampling, Scribble,
+    Settings, boundary,
 };
 
 use crate::field::Field;
@@ -74,10 +75,10 @@ impl Picture {
         labels
     }
 
-    /// The colours that scribbles give the sides, and the gaps that they leave closed.
-    pub fn color(&mut self, scribbles: &[Scribble], settings: &Settings) -> Boundary {
+    /// The colours that scribbles and points set by hand give the sides, and the gaps that the scribbles leave closed.
+    pub fn color(&mut self, scribbles: &[Scribble], by_hand: &[ColorPoint], settings: &Settings) -> Boundary {
         let labels = self.label(scribbles, settings);
-        boundary(&self.map, &labels, scribbles, settings.blend)
+        boundary(&self.map, &labels, scribbles, by_hand, settings.blend)
     }
 
     /// The colour field of a document with the drawing that this picture was made for.
@@ -85,7 +86,8 @@ impl Picture {
     /// # Errors
     /// When the solver fails.
     pub fn update(&mut self, document: &Document) -> Result<&Field, SolveError> {
-        let boundary = self.color(&document.scribbles, &document.settings);
+        let Document { scribbles, color_points, settings, .. } = document;
+        let boundary = self.color(scribbles, color_points, settings);
         self.mesh().solve(&boundary, document.settings.blend)
     }
 }

@@ -55,7 +55,7 @@ fn shaded(scribbles: &[Scribble], size_px: u32) -> Vec<[[u8; 4]; 2]> {
     let mut picture = Picture::new(&document.drawing).expect("a map");
     let gaps = picture.map().gaps().len();
     assert!(gaps > 0);
-    let colors = picture.color(&document.scribbles, &document.settings);
+    let colors = picture.color(&document.scribbles, &[], &document.settings);
     let boundary = Boundary { closed_gaps: vec![true; gaps], ..colors };
     let grid = on_grid(&picture, &document, &boundary, &view);
     let mesh = on_mesh(&mut picture, &document, &boundary, &view);

@@ -4,7 +4,7 @@
 
 use js_sys::{Array, Float64Array, Object, Reflect, Uint8Array};
 use kurbo::{Point, Vec2};
-use scumble_core::{Settings, Srgb8};
+use scumble_core::{Paint, Settings, Srgb8};
 use scumble_solve::Pixmap;
 use wasm_bindgen::{JsCast, JsValue};
 
@@ -43,6 +43,7 @@ pub(crate) fn command_from_js(name: &str, args: &JsValue) -> Option<Command> {
         "engine" => Command::Set(Setting::Engine(engine_from_name(&args.as_string()?)?)),
         "gap-closing" => Command::Set(Setting::GapClosing(args.as_f64()?)),
         "spread" => Command::Set(Setting::Spread(args.as_bool()?)),
+        "palette" => Command::Palette(palette(args)?),
         "settle" => Command::Settle,
         "lines" => Command::Lines(args.as_bool()?),
         "scribbles" => Command::Scribbles(args.as_bool()?),
@@ -81,6 +82,11 @@ pub(crate) fn field(object: &JsValue, name: &str) -> JsValue {
 /// A colour written as #rrggbb.
 pub(crate) fn color(value: &JsValue) -> Option<Srgb8> {
     value.as_string()?.parse().ok()
+}
+
+/// A list of colours written as #rrggbb.
+fn palette(value: &JsValue) -> Option<Vec<Paint>> {
+    value.dyn_ref::<Array>()?.iter().map(|value| color(&value).map(Paint::Color)).collect()
 }
 
 fn numbers<const N: usize>(value: &JsValue) -> Option<[f64; N]> {

@@ -1,7 +1,7 @@
 //! What the page can ask for.
 
 use kurbo::{Point, Vec2};
-use scumble_core::{Blend, EngineKind, Settings, Srgb8};
+use scumble_core::{Blend, EngineKind, Paint, Settings, Srgb8};
 
 use crate::brush::{Ink, ModeChange};
 use crate::view::Viewport;
@@ -104,6 +104,8 @@ pub enum Command {
     Redo,
     /// Another setting of the drawing.
     Set(Setting),
+    /// Another palette for the drawing.
+    Palette(Vec<Paint>),
     /// A slider is let go.
     Settle,
     /// Whether lines are shown.

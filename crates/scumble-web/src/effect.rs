@@ -94,6 +94,7 @@ pub(crate) struct State {
     pub(crate) lines: Option<bool>,
     pub(crate) scribbles: Option<bool>,
     pub(crate) settings: Option<Settings>,
+    pub(crate) palette: Option<Vec<Paint>>,
 }
 
 impl State {
@@ -113,7 +114,8 @@ impl State {
             news(self.scribbles, known.scribbles, Effect::Scribbles),
             news(self.settings, known.settings, Effect::Settings),
         ];
-        each.into_iter().flatten().collect()
+        let palette = self.palette.as_ref().filter(|_| self.palette != known.palette);
+        each.into_iter().flatten().chain(palette.cloned().map(Effect::Palette)).collect()
     }
 }
 

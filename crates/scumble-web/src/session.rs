@@ -7,7 +7,7 @@ use std::mem::take;
 
 use kurbo::{Affine, Rect};
 use scumble_core::drawing::LONGER_SIDE_DU;
-use scumble_core::{Document, Drawing, Editor, MapError, Srgb8, Work, exact};
+use scumble_core::{Document, Drawing, Editor, MapError, Paint, Srgb8, Work, exact};
 use scumble_solve::{Field, Picture, Pixmap, View, paint};
 
 use crate::brush::Brush;
@@ -147,6 +147,7 @@ impl Session {
             Command::Undo => self.undo(),
             Command::Redo => self.redo(),
             Command::Set(setting) => self.set(setting),
+            Command::Palette(palette) => self.set_palette(palette),
             Command::Settle => self.settle(),
             Command::Lines(shown) => self.show_lines(shown),
             Command::Scribbles(shown) => self.show_scribbles(shown),
@@ -233,7 +234,6 @@ impl Session {
         self.eraser = None;
         self.viewport.show_page(sheet.editor.document().drawing.frame());
         self.stale = Stale::ALL;
-        self.tell(Effect::Palette(sheet.kept.palette.clone()));
         std::mem::replace(&mut self.sheet, sheet)
     }
 
@@ -266,6 +266,11 @@ impl Session {
         let before = editor.document().settings;
         editor.set_settings(setting.put_into(before));
         self.stale.field |= editor.document().settings != before;
+    }
+
+    fn set_palette(&mut self, palette: Vec<Paint>) {
+        self.sheet.editor.commit();
+        self.sheet.editor.set_palette(palette);
     }
 
     /// Ends the drag of a slider, not what the pen does meanwhile.
@@ -363,6 +368,7 @@ impl Session {
             lines: Some(self.lines_shown),
             scribbles: Some(self.scribbles_shown),
             settings: Some(self.document().settings),
+            palette: Some(self.document().palette.clone()),
         }
     }
 }

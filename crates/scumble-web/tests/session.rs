@@ -3,7 +3,7 @@
 mod page;
 
 use kurbo::{Point, Vec2};
-use scumble_core::{Blend, EngineKind, Paint, Settings, Srgb8, exact};
+use scumble_core::{Blend, ColorPoint, EngineKind, Paint, Settings, Srgb8, exact};
 use scumble_solve::paint;
 use scumble_web::brush::Ink;
 use scumble_web::command::{Command, Phase, Setting, Tool, ViewChange};
@@ -159,16 +159,56 @@ fn work_that_is_damaged_leaves_the_drawing_as_it_was() {
 }
 
 #[test]
+fn a_palette_is_of_its_drawing_and_undo_takes_it_back() {
+    let mut page = Page::open(SQUARE);
+    page.session.take_effects();
+    let palette = vec![RED.into(), Paint::Clear];
+    page.session.command(Command::Palette(palette.clone()));
+    assert!(page.session.take_effects().contains(&Effect::Palette(palette.clone())));
+    assert_eq!(exact::read(&page.session.work()).expect("work").document.palette, palette);
+    page.session.command(Command::Palette(palette.clone()));
+    page.session.command(Command::Undo);
+    let effects = page.session.take_effects();
+    assert!(effects.contains(&Effect::Palette(vec![])) && effects.contains(&Effect::Undone), "{effects:?}");
+    page.session.command(Command::Redo);
+    page.session.command(page::open(SQUARE, &[]));
+    assert!(page.session.take_effects().contains(&Effect::Palette(vec![])));
+    page.session.command(Command::Undo);
+    assert!(page.session.take_effects().contains(&Effect::Palette(palette)));
+}
+
+#[test]
+fn a_palette_that_comes_in_the_middle_of_a_scribble_keeps_it() {
+    let mut page = Page::open(SQUARE);
+    page.session.command(Command::Color(RED.into()));
+    page.pen(Phase::Down, ACROSS[0]);
+    page.session.command(Command::Palette(vec![RED.into()]));
+    assert_eq!(page.session.document().scribbles.len(), 1);
+    page.session.command(Command::Undo);
+    assert_eq!((page.session.document().scribbles.len(), page.session.document().palette.len()), (1, 0));
+}
+
+#[test]
+fn colours_set_by_hand_show() {
+    let mut page = Page::open(SQUARE);
+    let mut work = exact::read(&page.session.work()).expect("work");
+    let point = |is_left| ColorPoint { curve: 0, is_left, at_du: 0.0, color: RED.into() };
+    work.document.color_points = vec![point(true), point(false)];
+    page.session.command(Command::Open { work: exact::write(&work), notes: String::new() });
+    assert_eq!(page.color_at(INSIDE), RED);
+}
+
+#[test]
 fn work_comes_back_with_all_that_was_opened_with_it() {
     let mut page = Page::open(SQUARE);
     let mut work = exact::read(&page.session.work()).expect("work");
-    work.palette = vec![RED.into(), Paint::Clear];
+    work.document.palette = vec![RED.into(), Paint::Clear];
     work.sample = Some("square.svg".into());
     let notes = "left out: 1 text".to_owned();
     page.session.command(Command::Open { work: exact::write(&work), notes: notes.clone() });
     let effects = page.session.take_effects();
     assert!(
-        effects.contains(&Effect::Palette(work.palette.clone()))
+        effects.contains(&Effect::Palette(work.document.palette.clone()))
             && effects.contains(&Effect::Opened { notes })
     );
     page.stroke(RED, &ACROSS);

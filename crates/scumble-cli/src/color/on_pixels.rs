@@ -20,7 +20,7 @@ const JESCHKE_STEPS: usize = 8;
 /// # Errors
 /// When there is no GPU that can do it.
 pub(super) fn paint(opened: &Opened, boundary: &Boundary, options: &ColorOptions) -> anyhow::Result<Pixmap> {
-    let (drawing, look) = (&opened.import.drawing, &options.look);
+    let (drawing, look) = (&opened.document.drawing, &options.look);
     let view = stages::page_view(drawing, look.size_px);
     let constraints = Constraints::new(opened.picture.map(), boundary, &view);
     let pixels = solve(&constraints, options.solver)?;

@@ -36,14 +36,14 @@ impl Subject {
     /// than the page.
     pub(crate) fn read(entry: &Entry, kind: Kind) -> anyhow::Result<Self> {
         let opened = stages::open(&entry.svg()?)?;
-        let scribbles = entry.scribbles(kind, &opened.import.drawing)?;
+        let scribbles = entry.scribbles(kind, &opened.document.drawing)?;
         scribbles.iter().try_for_each(|scribble| palette_index(scribble).map(|_| ()))?;
         let path = entry.path("truth.png");
         let truth = Truth::read(&files::read(&path)?).with_context(|| format!("{}", path.display()))?;
-        let view = stages::page_view(&opened.import.drawing, truth.longer_side_px());
+        let view = stages::page_view(&opened.document.drawing, truth.longer_side_px());
         let fits = (view.width_px, view.height_px) == (truth.width_px, truth.height_px);
         ensure!(fits, "{} has not the shape of the drawing", path.display());
-        let lines = line_shapes(&opened.import.drawing, opened.picture.map(), LINE_TOLERANCE_DU);
+        let lines = line_shapes(&opened.document.drawing, opened.picture.map(), LINE_TOLERANCE_DU);
         let darkness = darkness(&lines, &view);
         Ok(Self { opened, scribbles, truth, lines, darkness })
     }
@@ -72,14 +72,14 @@ impl Subject {
         settings: Settings,
         scribbles: &[Scribble],
     ) -> anyhow::Result<Pixmap> {
-        let boundary = self.opened.picture.color(scribbles, &Settings { engine: kind, ..settings });
+        let boundary = self.opened.picture.color(scribbles, &[], &Settings { engine: kind, ..settings });
         self.paint_boundary(&boundary)
     }
 
     fn paint_sight(&mut self, scribbles: &[Scribble]) -> anyhow::Result<Pixmap> {
         let map = self.opened.picture.map();
         let labels = Sight::default().label(map, scribbles);
-        let boundary = boundary(map, &labels, scribbles, Blend::Oklab);
+        let boundary = boundary(map, &labels, scribbles, &[], Blend::Oklab);
         self.paint_boundary(&boundary)
     }
 
@@ -114,7 +114,7 @@ impl Subject {
 
     /// The whole page with a longer side of so many pixels.
     pub(crate) fn view(&self, size_px: u32) -> View {
-        stages::page_view(&self.opened.import.drawing, size_px)
+        stages::page_view(&self.opened.document.drawing, size_px)
     }
 
     /// The drawn lines on nothing.

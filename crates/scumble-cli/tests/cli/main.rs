@@ -5,7 +5,9 @@
 mod bad_input;
 mod color;
 mod corpus;
+mod curves;
 mod eval;
 mod folder;
+mod palettes;
 mod samples;
 mod share;

@@ -11,14 +11,14 @@ fn saved(name: &str) -> Folder {
 }
 
 #[track_caller]
-fn run(folder: &Folder, arguments: &[&str]) -> String {
+pub(crate) fn run(folder: &Folder, arguments: &[&str]) -> String {
     let output = folder.run(arguments);
     assert!(output.status.success(), "{arguments:?}: {}", stderr(&output));
     String::from_utf8(output.stdout).unwrap()
 }
 
 #[track_caller]
-fn refused(folder: &Folder, arguments: &[&str], message: &str) {
+pub(crate) fn refused(folder: &Folder, arguments: &[&str], message: &str) {
     let names = folder.names();
     let output = folder.run(arguments);
     assert_eq!(output.status.code(), Some(2), "{arguments:?}");
@@ -26,7 +26,7 @@ fn refused(folder: &Folder, arguments: &[&str], message: &str) {
     assert_eq!((folder.names(), output.stdout.len()), (names, 0), "nothing was written");
 }
 
-fn pixels(folder: &Folder, name: &str) -> Vec<u8> {
+pub(crate) fn pixels(folder: &Folder, name: &str) -> Vec<u8> {
     let mut reader = png::Decoder::new(std::io::Cursor::new(folder.read(name))).read_info().unwrap();
     let mut rgba = vec![0; reader.output_buffer_size().unwrap()];
     reader.next_frame(&mut rgba).unwrap();
@@ -34,13 +34,13 @@ fn pixels(folder: &Folder, name: &str) -> Vec<u8> {
 }
 
 /// The mean difference of two pictures, in levels.
-fn difference(a: &[u8], b: &[u8]) -> f64 {
+pub(crate) fn difference(a: &[u8], b: &[u8]) -> f64 {
     assert_eq!(a.len(), b.len());
     let sum: u64 = a.iter().zip(b).map(|(a, b)| u64::from(a.abs_diff(*b))).sum();
     sum as f64 / a.len() as f64
 }
 
-fn text(folder: &Folder, name: &str) -> String {
+pub(crate) fn text(folder: &Folder, name: &str) -> String {
     String::from_utf8(folder.read(name)).unwrap()
 }
 
@@ -124,7 +124,7 @@ fn files_turn_into_each_other() {
     assert_eq!(folder.read("again.scumble"), folder.read("w.scumble"));
     assert!(text(&folder, "d.scumble").contains("\"curves\""));
     run(&folder, &["render", "d.svg", "-o", "d.png", "--lines", "--size", "64"]);
-    refused(&folder, &["convert", "w.json", "w.svg"], "ends in .scumble or .json");
+    refused(&folder, &["convert", "w.json", "w.svg"], "ends in .scumble, .json, .xml");
     refused(&folder, &["convert", "w.json", "./w.json"], "name another file");
     refused(&folder, &["convert", "s.json", "x.scumble"], "not a Scumble file");
     refused(&folder, &["convert", "missing.scumble", "x.scumble"], "cannot be read");

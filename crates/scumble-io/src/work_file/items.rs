@@ -1,8 +1,8 @@
 //! The lists of a file as they are read: swatches, curves, solid ink, scribbles, colours set by hand.
 
 use kurbo::{BezPath, Cap, PathEl, Point, Stroke};
-use scumble_core::work::{ColorPoint, Item, MAX_CURVES, Unknown, Work};
-use scumble_core::{Curve, Fill, Line, Paint, Rgba8, Scribble, ScribbleKind, Shading, Srgb8};
+use scumble_core::work::{Item, MAX_CURVES, Unknown, Work};
+use scumble_core::{ColorPoint, Curve, Fill, Line, Paint, Rgba8, Scribble, ScribbleKind, Shading, Srgb8};
 
 use super::names::{CAPS, JOINS, KINDS, RULES, SIDES, plain_stroke};
 use crate::json::{Fault, Json, Member};
@@ -22,9 +22,10 @@ pub(super) struct Items {
 
 impl Items {
     pub(super) fn into_work(self, mut work: Work) -> Work {
-        (work.palette, work.color_points) = (self.palette, self.color_points);
-        work.document.scribbles = self.scribbles;
-        (work.document.drawing.curves, work.document.drawing.fills) = (self.curves, self.fills);
+        let document = &mut work.document;
+        (document.palette, document.color_points) = (self.palette, self.color_points);
+        document.scribbles = self.scribbles;
+        (document.drawing.curves, document.drawing.fills) = (self.curves, self.fills);
         work
     }
 

@@ -1,8 +1,10 @@
 //! Work as text, one line for each curve and scribble.
 
 use kurbo::{BezPath, PathEl, Point, Stroke};
-use scumble_core::work::{ColorPoint, Item, Work};
-use scumble_core::{Curve, Document, Fill, Line, Paint, Rgba8, Scribble, Settings, Shading, Srgb8};
+use scumble_core::work::{Item, Work};
+use scumble_core::{
+    ColorPoint, Curve, Document, Fill, Line, Paint, Rgba8, Scribble, Settings, Shading, Srgb8,
+};
 
 use super::names::{BLENDS, CAPS, ENGINES, JOINS, KINDS, RULES, SIDES, name, plain_stroke};
 use super::{PAGE_PER_UNIT, PER_UNIT, VERSION};
@@ -48,8 +50,8 @@ fn push_unknown(text: &mut String, comma: &str, unknown: &str) {
 }
 
 fn push_lists(text: &mut String, work: &Work) {
-    let drawing = &work.document.drawing;
-    push_list(text, "palette", work.palette.len(), &mut |text, i| push_paint(text, work.palette[i]));
+    let Document { drawing, scribbles, color_points, palette, .. } = &work.document;
+    push_list(text, "palette", palette.len(), &mut |text, i| push_paint(text, palette[i]));
     push_list(text, "curves", drawing.curves.len(), &mut |text, i| {
         push_curve(text, &drawing.curves[i]);
         push_unknown(text, ", ", work.unknown.of(Item::Curve, i));
@@ -60,13 +62,13 @@ fn push_lists(text: &mut String, work: &Work) {
         push_unknown(text, ", ", work.unknown.of(Item::Fill, i));
         text.push('}');
     });
-    push_list(text, "scribbles", work.document.scribbles.len(), &mut |text, i| {
-        push_scribble(text, &work.document.scribbles[i]);
+    push_list(text, "scribbles", scribbles.len(), &mut |text, i| {
+        push_scribble(text, &scribbles[i]);
         push_unknown(text, ", ", work.unknown.of(Item::Scribble, i));
         text.push('}');
     });
-    push_list(text, "color_points", work.color_points.len(), &mut |text, i| {
-        push_color_point(text, &work.color_points[i]);
+    push_list(text, "color_points", color_points.len(), &mut |text, i| {
+        push_color_point(text, &color_points[i]);
         push_unknown(text, ", ", work.unknown.of(Item::ColorPoint, i));
         text.push('}');
     });

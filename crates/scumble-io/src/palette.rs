@@ -1,0 +1,117 @@
+//! Palettes of other programs: GIMP's (`.gpl`), Adobe Swatch Exchange (`.ase`), and lists of hexadecimal colours (`.hex`).
+//!
+//! Only the colours are read: names, groups and columns have no place in a drawing's palette.
+
+use scumble_core::{Paint, Srgb8};
+
+use crate::MAX_FILE_BYTES;
+use crate::error::PaletteError;
+
+mod ase;
+mod gpl;
+mod hex;
+
+/// Most colours of a palette that is read.
+const MAX_COLORS: usize = 1000;
+
+/// A form that palettes have in files.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum PaletteKind {
+    /// GIMP's.
+    Gpl,
+    /// Adobe Swatch Exchange.
+    Ase,
+    /// A colour in hexadecimal digits on each line.
+    Hex,
+}
+
+impl PaletteKind {
+    /// The kind of files with an extension in lower case.
+    pub fn of_extension(extension: &str) -> Option<Self> {
+        match extension {
+            "gpl" => Some(Self::Gpl),
+            "ase" => Some(Self::Ase),
+            "hex" => Some(Self::Hex),
+            _ => None,
+        }
+    }
+
+    /// The kind of a palette's bytes, by their beginning; `None` for what is meant as something else.
+    pub fn of_bytes(bytes: &[u8]) -> Option<Self> {
+        let text = without_mark(bytes).trim_ascii_start();
+        if bytes.starts_with(ase::MARK) {
+            Some(Self::Ase)
+        } else if text.starts_with(gpl::MARK.as_bytes()) {
+            Some(Self::Gpl)
+        } else {
+            hex::begins(text).then_some(Self::Hex)
+        }
+    }
+}
+
+/// The colours of a palette, and how many were left out since they are of a kind that nobody knows.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct ReadPalette {
+    /// In their order; at least one.
+    pub colors: Vec<Srgb8>,
+    /// How many were left out.
+    pub unknown: usize,
+}
+
+impl ReadPalette {
+    /// What was left out, in one line without a full stop; empty if nothing was.
+    pub fn notes(&self) -> String {
+        match self.unknown {
+            0 => String::new(),
+            1 => "left out: 1 colour of an unknown kind".into(),
+            count => format!("left out: {count} colours of an unknown kind"),
+        }
+    }
+}
+
+/// Reads a palette of any kind.
+///
+/// # Errors
+/// When the bytes are none, or damaged, or hold no colour or too many.
+pub fn read_palette(bytes: &[u8]) -> Result<ReadPalette, PaletteError> {
+    if bytes.len() > MAX_FILE_BYTES {
+        return Err(PaletteError::TooLarge);
+    }
+    let text = || String::from_utf8_lossy(without_mark(bytes));
+    let palette = match PaletteKind::of_bytes(bytes).ok_or(PaletteError::NoPalette)? {
+        PaletteKind::Ase => ase::read(bytes)?,
+        PaletteKind::Gpl => gpl::read(&text())?,
+        PaletteKind::Hex => hex::read(&text())?,
+    };
+    if palette.colors.is_empty() { Err(PaletteError::NoColors) } else { Ok(palette) }
+}
+
+/// Writes the colours of a palette. What is no colour is left out.
+///
+/// # Errors
+/// When there is no colour.
+pub fn write_palette(palette: &[Paint], kind: PaletteKind) -> Result<Vec<u8>, PaletteError> {
+    let color = |paint: &Paint| if let Paint::Color(color) = paint { Some(*color) } else { None };
+    let colors: Vec<_> = palette.iter().filter_map(color).collect();
+    if colors.is_empty() {
+        return Err(PaletteError::NoColors);
+    }
+    Ok(match kind {
+        PaletteKind::Ase => ase::written(&colors),
+        PaletteKind::Gpl => gpl::written(&colors).into_bytes(),
+        PaletteKind::Hex => hex::written(&colors).into_bytes(),
+    })
+}
+
+/// Adds a colour that is read, unless there are too many.
+fn push(colors: &mut Vec<Srgb8>, color: Srgb8) -> Result<(), PaletteError> {
+    if colors.len() == MAX_COLORS {
+        return Err(PaletteError::TooManyColors { limit: MAX_COLORS });
+    }
+    colors.push(color);
+    Ok(())
+}
+
+fn without_mark(bytes: &[u8]) -> &[u8] {
+    bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes)
+}

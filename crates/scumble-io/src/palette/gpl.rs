@@ -1,0 +1,41 @@
+//! GIMP's palettes: a head, then three numbers from 0 to 255 and a name on each line.
+
+use scumble_core::Srgb8;
+
+use super::{ReadPalette, push};
+use crate::error::PaletteError;
+
+/// The first line.
+pub(super) const MARK: &str = "GIMP Palette";
+
+pub(super) fn read(text: &str) -> Result<ReadPalette, PaletteError> {
+    let mut palette = ReadPalette::default();
+    let lines = text.trim_start().lines().zip(1..).skip(1);
+    for (line, number) in lines.filter(|(line, _)| !is_head(line)) {
+        let color = color(line)
+            .ok_or(PaletteError::Damaged { line: number, expected: "three numbers from 0 to 255" })?;
+        push(&mut palette.colors, color)?;
+    }
+    Ok(palette)
+}
+
+/// Whether a line is no colour: the palette's name, how it is laid out, a remark, or nothing.
+fn is_head(line: &str) -> bool {
+    let line = line.trim();
+    line.is_empty() || ["#", "Name:", "Columns:", "Channels:"].iter().any(|head| line.starts_with(head))
+}
+
+fn color(line: &str) -> Option<Srgb8> {
+    let mut words = line.split_whitespace();
+    let mut channel = || words.next()?.parse().ok();
+    Some(Srgb8([channel()?, channel()?, channel()?]))
+}
+
+pub(super) fn written(colors: &[Srgb8]) -> String {
+    let mut text = [MARK, "\nName: Scumble\n#\n"].concat();
+    for color in colors {
+        let [r, g, b] = color.0;
+        text.push_str(&format!("{r:3} {g:3} {b:3}\t{color}\n"));
+    }
+    text
+}

@@ -1,0 +1,90 @@
+// What other programs write: diffusion curves open as a picture, a palette becomes that of the drawing that is shown.
+import assert from "node:assert/strict";
+import { mkdtemp, rm, writeFile } from "node:fs/promises";
+import { tmpdir } from "node:os";
+import { join } from "node:path";
+import { after, before, describe, test } from "node:test";
+import { start } from "./harness.mjs";
+import { hex } from "./picture.mjs";
+
+const points = Array.from({ length: 4 }, (_, i) => `<control_point x="50" y="${-1 + 34 * i}" />`).join("");
+
+/** A line to the right across the middle of a page of 100 by 100, red above and blue below. */
+const CURVES = `<!DOCTYPE CurveSetXML>
+<curve_set image_width="100" image_height="100" nb_curves="1" >
+ <curve><control_points_set>${points}</control_points_set>
+  <left_colors_set><left_color G="20" R="10" globalID="0" B="200" /></left_colors_set>
+  <right_colors_set><right_color G="30" R="220" globalID="5" B="10" /></right_colors_set>
+  <blur_points_set><best_scale value="1" globalID="0" /></blur_points_set>
+ </curve>
+</curve_set>`;
+
+const PALETTE = "GIMP Palette\nName: Sea\n  1   2   3\tDeep\n 59 130 246\tShallow\n";
+
+for (const browser of /** @type {const} */ (["chromium", "firefox"])) {
+  describe(`imports in ${browser}`, () => {
+    /** @type {Awaited<ReturnType<typeof start>>} */
+    let session;
+    /** @type {string} */
+    let folder;
+    before(async () => {
+      folder = await mkdtemp(join(tmpdir(), "scumble-"));
+      session = await start(browser);
+    });
+    after(async () => {
+      await session.close();
+      await rm(folder, { recursive: true });
+    });
+
+    const file = async (/** @type {string} */ name, /** @type {string} */ content) => {
+      const path = join(folder, name);
+      await writeFile(path, content);
+      return path;
+    };
+
+    test("diffusion curves open as the picture that they are", async () => {
+      const editor = await session.open("cpu");
+      const path = await file("sea.xml", CURVES);
+      await editor.until("Opened sea.xml; left out: 1 curve’s blur", () => editor.tab.chooseFiles([path]));
+      const picture = await editor.picture();
+      const [above, below] = await editor.place([[30, 20], [70, 80]], 100);
+      assert.equal(hex(picture.at(...above)), "#c8140a");
+      assert.equal(hex(picture.at(...below)), "#0a1edc");
+      assert.deepEqual(editor.tab.faults, []);
+    });
+
+    test("diffusion curves that are none say so and leave the work as it is", async () => {
+      const editor = await session.open("cpu");
+      await editor.openDrawing("rooms");
+      const before = await editor.picture();
+      await editor.tab.chooseFiles([await file("bad.xml", CURVES.replace("image_width", "width"))]);
+      await editor.tab.waitFor(`!document.getElementById("alert").hidden`);
+      assert.match(await editor.message(), /image_width/);
+      await editor.click("Dismiss");
+      assert.ok((await editor.picture()).equals(before));
+      assert.deepEqual(editor.tab.faults, []);
+    });
+
+    test("a palette becomes that of the drawing, and undo takes it back", async () => {
+      const editor = await session.open("cpu");
+      await editor.openDrawing("rooms");
+      const swatches = () =>
+        editor.tab.evaluate(`[...document.querySelectorAll("#palette .swatch")].map((swatch) => swatch.ariaLabel)`);
+      const usual = await swatches();
+      const path = await file("sea.gpl", PALETTE);
+      await editor.until("The palette has the colours of sea.gpl", () => editor.tab.chooseFiles([path]));
+      assert.deepEqual(await swatches(), ["#010203", "Blue", "No colour"]);
+      assert.equal(await editor.name(), "rooms.svg");
+      await editor.tab.press("1");
+      assert.equal(await editor.tab.evaluate(`document.getElementById("color").dataset.color`), "#010203");
+      await editor.until("Undone", () => editor.click("Undo"));
+      assert.deepEqual(await swatches(), usual);
+      await editor.until("Redone", () => editor.click("Redo"));
+      await editor.tab.chooseFiles([await file("bad.gpl", PALETTE.replace("59", "blue"))]);
+      await editor.tab.waitFor(`!document.getElementById("alert").hidden`);
+      assert.match(await editor.message(), /line 4/);
+      assert.deepEqual(await swatches(), ["#010203", "Blue", "No colour"]);
+      assert.deepEqual(editor.tab.faults, []);
+    });
+  });
+}
