@@ -1,7 +1,7 @@
 //! What the user asked for.
 
 use std::ffi::OsString;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use anyhow::{Context, anyhow, bail, ensure};
 use pico_args::Arguments;
@@ -13,6 +13,10 @@ use crate::works;
 
 /// Picture sizes that are made, in pixels of the longer side.
 const SIZES_PX: std::ops::RangeInclusive<u32> = 1..=16384;
+
+/// The size where none is given. An SVG is for looking closer, too.
+const SIZE_PX: u32 = 1024;
+const SVG_SIZE_PX: u32 = 2048;
 
 /// A command with its options.
 #[derive(Debug)]
@@ -74,6 +78,15 @@ pub(crate) struct RenderOptions {
     pub(crate) output: PathBuf,
     pub(crate) samples: Option<PathBuf>,
     pub(crate) look: Look,
+    pub(crate) format: Format,
+}
+
+/// What a picture is written as.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Format {
+    Png,
+    Svg,
+    Pdf,
 }
 
 /// What `scumble link` is to print.
@@ -144,7 +157,7 @@ fn color(mut arguments: Arguments) -> anyhow::Result<ColorOptions> {
     let save = arguments.opt_value_from_os_str("--save", path).map_err(advise)?;
     save.as_deref().map(works::check_writable).transpose()?;
     let settings = settings(&mut arguments)?;
-    let look = look(&mut arguments)?;
+    let look = look(&mut arguments, SIZE_PX)?;
     let timings = arguments.contains("--timings");
     let solver = arguments.opt_value_from_fn("--solver", solver).map_err(advise)?.unwrap_or_default();
     ensure!(!timings || solver == Solver::Mesh, "--timings are those of the mesh solver; leave out --solver");
@@ -164,9 +177,19 @@ fn color(mut arguments: Arguments) -> anyhow::Result<ColorOptions> {
 fn render(mut arguments: Arguments) -> anyhow::Result<RenderOptions> {
     let output = picture(&mut arguments)?;
     let samples = arguments.opt_value_from_os_str("--samples", path).map_err(advise)?;
-    let look = look(&mut arguments)?;
+    let format = format(&output);
+    let look = look(&mut arguments, if format == Format::Svg { SVG_SIZE_PX } else { SIZE_PX })?;
     let [file] = rest(arguments, ["FILE"])?;
-    Ok(RenderOptions { file: file.into(), output, samples, look })
+    Ok(RenderOptions { file: file.into(), output, samples, look, format })
+}
+
+/// Anything but what ends in `.svg` or `.pdf` is a PNG.
+fn format(output: &Path) -> Format {
+    match &*works::extension(output) {
+        "svg" => Format::Svg,
+        "pdf" => Format::Pdf,
+        _ => Format::Png,
+    }
 }
 
 fn link(mut arguments: Arguments) -> anyhow::Result<LinkOptions> {
@@ -192,10 +215,10 @@ fn picture(arguments: &mut Arguments) -> anyhow::Result<PathBuf> {
     output.context("-o is missing; name the picture to write, for example -o picture.png")
 }
 
-fn look(arguments: &mut Arguments) -> anyhow::Result<Look> {
+fn look(arguments: &mut Arguments, usual_px: u32) -> anyhow::Result<Look> {
     let size_px = arguments.opt_value_from_fn("--size", size).map_err(advise)?;
     let lines = arguments.contains("--lines");
-    Ok(Look { size_px: size_px.unwrap_or(1024), lines, transparent: arguments.contains("--transparent") })
+    Ok(Look { size_px: size_px.unwrap_or(usual_px), lines, transparent: arguments.contains("--transparent") })
 }
 
 fn eval(mut arguments: Arguments) -> anyhow::Result<EvalOptions> {

@@ -3,8 +3,8 @@
 use std::path::Path;
 
 use anyhow::{Context, bail, ensure};
-use scumble_core::{Document, Work};
-use scumble_io::{import_svg, read_file, write_file};
+use scumble_core::Work;
+use scumble_io::{import_svg, open_svg, read_file, write_file};
 
 use crate::files;
 
@@ -15,9 +15,9 @@ use crate::files;
 pub(crate) fn read(path: &Path) -> anyhow::Result<Work> {
     let bytes = files::read(path)?;
     if extension(path) == "svg" {
-        let import = import_svg(&bytes).with_context(|| path.display().to_string())?;
-        files::warn(path, &import.notes.to_string());
-        return Ok(Work::new(Document::new(import.drawing)));
+        let (work, notes) = open_svg(&bytes).with_context(|| path.display().to_string())?;
+        files::warn(path, &notes);
+        return Ok(work);
     }
     read_file(&bytes).with_context(|| path.display().to_string())
 }
@@ -59,6 +59,7 @@ pub(crate) fn fetch_lines(work: &mut Work, samples: Option<&Path>) -> anyhow::Re
     Ok(())
 }
 
-fn extension(path: &Path) -> String {
+/// What a file's name ends in, in small letters.
+pub(crate) fn extension(path: &Path) -> String {
     path.extension().unwrap_or_default().to_string_lossy().to_ascii_lowercase()
 }

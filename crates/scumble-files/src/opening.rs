@@ -1,7 +1,7 @@
 //! What is opened, without a browser.
 
-use scumble_core::{Document, Work, exact as exact_bytes};
-use scumble_io::{FileError, ImportError, LinkError, import_svg, read_file};
+use scumble_core::{Work, exact as exact_bytes};
+use scumble_io::{FileError, ImportError, LinkError, open_svg, read_file};
 use thiserror::Error;
 
 /// Why something cannot be opened, or kept.
@@ -21,7 +21,8 @@ pub enum OpenError {
     Damaged,
 }
 
-/// The work in a file, which is one of ours where it begins as JSON does, and else an SVG; and what was left out.
+/// The work in a file, which is one of ours where it begins as JSON does, and else an SVG, which may be a picture that
+/// was exported; and what was left out.
 ///
 /// # Errors
 /// Where it is neither, damaged, or beyond the limits.
@@ -30,8 +31,7 @@ pub fn file(bytes: &[u8]) -> Result<(Work, String), OpenError> {
     if text.trim_ascii_start().starts_with(b"{") {
         return Ok((read_file(bytes)?, String::new()));
     }
-    let import = import_svg(bytes)?;
-    Ok((Work::new(Document::new(import.drawing)), import.notes.to_string()))
+    Ok(open_svg(bytes)?)
 }
 
 /// The work that some exact bytes stand for.

@@ -15,6 +15,7 @@
 //! | pictures as PNG | `picture_file` |
 //! | work as a `.scumble` file | `work_file`, `json` |
 //! | … as a link | `link`, `packed` |
+//! | … within an SVG that was made of it | `svg_source` |
 
 mod error;
 mod expansion;
@@ -32,6 +33,7 @@ mod scribbles;
 mod style_sheet;
 mod survey;
 mod svg;
+mod svg_source;
 mod work_file;
 
 pub use error::{FileError, ImportError, LinkError, ScribblesError};
@@ -41,6 +43,7 @@ pub use packed::PackedSizes;
 pub use picture_file::{PictureFileError, write_png};
 pub use scribbles::{ReadScribbles, read_scribbles};
 pub use svg::{Import, import_svg};
+pub use svg_source::{COLORS_CLASS, open_svg, write_svg_source};
 pub use work_file::{read_file, write_file};
 
 /// Largest file that is read, in bytes.

@@ -6,6 +6,7 @@ mod bad_input;
 mod color;
 mod corpus;
 mod eval;
+mod exports;
 mod folder;
 mod samples;
 mod share;
