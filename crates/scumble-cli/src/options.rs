@@ -14,10 +14,6 @@ use crate::works;
 /// Picture sizes that are made, in pixels of the longer side.
 const SIZES_PX: std::ops::RangeInclusive<u32> = 1..=16384;
 
-/// The size where none is given. An SVG is for looking closer, too.
-const SIZE_PX: u32 = 1024;
-const SVG_SIZE_PX: u32 = 2048;
-
 /// A command with its options.
 #[derive(Debug)]
 pub(crate) enum Command {
@@ -157,7 +153,7 @@ fn color(mut arguments: Arguments) -> anyhow::Result<ColorOptions> {
     let save = arguments.opt_value_from_os_str("--save", path).map_err(advise)?;
     save.as_deref().map(works::check_writable).transpose()?;
     let settings = settings(&mut arguments)?;
-    let look = look(&mut arguments, SIZE_PX)?;
+    let look = look(&mut arguments)?;
     let timings = arguments.contains("--timings");
     let solver = arguments.opt_value_from_fn("--solver", solver).map_err(advise)?.unwrap_or_default();
     ensure!(!timings || solver == Solver::Mesh, "--timings are those of the mesh solver; leave out --solver");
@@ -178,7 +174,7 @@ fn render(mut arguments: Arguments) -> anyhow::Result<RenderOptions> {
     let output = picture(&mut arguments)?;
     let samples = arguments.opt_value_from_os_str("--samples", path).map_err(advise)?;
     let format = format(&output);
-    let look = look(&mut arguments, if format == Format::Svg { SVG_SIZE_PX } else { SIZE_PX })?;
+    let look = look(&mut arguments)?;
     let [file] = rest(arguments, ["FILE"])?;
     Ok(RenderOptions { file: file.into(), output, samples, look, format })
 }
@@ -215,10 +211,10 @@ fn picture(arguments: &mut Arguments) -> anyhow::Result<PathBuf> {
     output.context("-o is missing; name the picture to write, for example -o picture.png")
 }
 
-fn look(arguments: &mut Arguments, usual_px: u32) -> anyhow::Result<Look> {
+fn look(arguments: &mut Arguments) -> anyhow::Result<Look> {
     let size_px = arguments.opt_value_from_fn("--size", size).map_err(advise)?;
     let lines = arguments.contains("--lines");
-    Ok(Look { size_px: size_px.unwrap_or(usual_px), lines, transparent: arguments.contains("--transparent") })
+    Ok(Look { size_px: size_px.unwrap_or(1024), lines, transparent: arguments.contains("--transparent") })
 }
 
 fn eval(mut arguments: Arguments) -> anyhow::Result<EvalOptions> {

@@ -1,5 +1,7 @@
 //! What is exported, and how it is to look.
 
+use std::ops::RangeInclusive;
+
 use kurbo::Affine;
 use scumble_core::drawing::LONGER_SIDE_DU;
 use scumble_core::{Srgb8, Work};
@@ -10,9 +12,9 @@ use crate::regions::Regions;
 use crate::tint::Tint;
 use crate::{pdf, svg};
 
-/// The longer side of the pixels in an SVG is at most this: shades need no more, and a file with more of them could
-/// not be opened again.
-pub const MAX_RASTER_PX: u32 = 4096;
+/// The longer side of the shades in an SVG, in pixels: as long as the picture's, within this range. An SVG is for looking
+/// closer, too; but shades need no more pixels, and a file with more of them could not be opened again.
+pub const RASTER_PX: RangeInclusive<u32> = 2048..=4096;
 
 /// How a picture is to look.
 #[derive(Clone, Copy, Debug)]
@@ -43,7 +45,8 @@ impl<'a> Export<'a> {
 
     /// The pixels that an SVG of it needs, of the field alone, on its paper; `None` where all regions are of one colour.
     pub fn raster_view(&self) -> Option<View> {
-        (!self.regions.smooth.is_empty()).then(|| self.view(self.look.size_px.min(MAX_RASTER_PX)))
+        let size_px = self.look.size_px.clamp(*RASTER_PX.start(), *RASTER_PX.end());
+        (!self.regions.smooth.is_empty()).then(|| self.view(size_px))
     }
 
     /// The picture as SVG, with the work in it, which can be opened again.

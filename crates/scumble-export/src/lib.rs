@@ -24,4 +24,4 @@ mod regions;
 mod svg;
 mod tint;
 
-pub use export::{Export, Look, MAX_RASTER_PX};
+pub use export::{Export, Look, RASTER_PX};

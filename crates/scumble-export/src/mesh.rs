@@ -10,6 +10,9 @@ use crate::tint::{HALF_LEVEL, Rgba, Tint, difference, settled};
 /// Edges shorter than this, in du, are not cut.
 const LEAST_EDGE_DU: f64 = 0.125;
 
+/// Blend-space colours that are closer than this, in each channel, are blended linearly: all of that is within a level.
+const ALIKE: f64 = 1e-3;
+
 /// A triangle is cut at most so often.
 const MOST_CUTS: u32 = 8;
 
@@ -93,6 +96,9 @@ fn middle(a: Weights, b: Weights) -> Weights {
 
 /// Whether an edge with these colours at its ends and in its middle looks other than a linear blend from end to end.
 fn is_bent([start, middle, end]: [[f64; 4]; 3], tint: &Tint) -> bool {
+    if [start, middle].iter().all(|color| (0..4).all(|c| (color[c] - end[c]).abs() < ALIKE)) {
+        return false;
+    }
     let [first, last] = settled([start, end].map(|color| tint.rgba(color)));
     [0.25, 0.5, 0.75].iter().any(|t| {
         let [s, m, e] = [(1.0 - t) * (1.0 - 2.0 * t), 4.0 * t * (1.0 - t), t * (2.0 * t - 1.0)];

@@ -114,31 +114,39 @@ fn kind(triangles: &[FieldTriangle], members: &[u32], tint: &Tint) -> Kind {
 /// The triangles of each region, in the order of their first ones, and the region of each triangle. No region reaches
 /// over the side of a curve, except around its end.
 fn connected(triangles: &[FieldTriangle], neighbors: &[Neighbors]) -> (Vec<Vec<u32>>, Vec<u32>) {
-    const NONE: u32 = u32::MAX;
     let mut regions: Vec<Vec<u32>> = Vec::new();
-    let mut region_of = vec![NONE; triangles.len()];
-    for start in 0..triangles.len() {
-        if region_of[start] != NONE {
-            continue;
-        }
+    let mut region_of = vec![None; triangles.len()];
+    for start in 0..triangles.len() as u32 {
         let region = regions.len() as u32;
-        region_of[start] = region;
-        let mut members = vec![start as u32];
-        let mut at = 0;
-        while let Some(&t) = members.get(at) {
-            at += 1;
-            let sides = triangles[t as usize].side_edges;
-            let open = (0..3).filter(|i| sides >> i & 1 == 0).filter_map(|i| neighbors[t as usize][i]);
-            for next in open {
-                if region_of[next as usize] == NONE {
-                    region_of[next as usize] = region;
-                    members.push(next);
-                }
+        if region_of[start as usize].is_none() {
+            region_of[start as usize] = Some(region);
+            regions.push(spread(start, triangles, neighbors, &mut region_of));
+        }
+    }
+    (regions, region_of.into_iter().flatten().collect())
+}
+
+/// The triangles of the region that one is in; they are given its region.
+fn spread(
+    start: u32,
+    triangles: &[FieldTriangle],
+    neighbors: &[Neighbors],
+    region_of: &mut [Option<u32>],
+) -> Vec<u32> {
+    let region = region_of[start as usize];
+    let mut members = vec![start];
+    let mut at = 0;
+    while let Some(t) = members.get(at).map(|&t| t as usize) {
+        at += 1;
+        let sides = triangles[t].side_edges;
+        for next in (0..3).filter(|i| sides >> i & 1 == 0).filter_map(|i| neighbors[t][i]) {
+            if region_of[next as usize].is_none() {
+                region_of[next as usize] = region;
+                members.push(next);
             }
         }
-        regions.push(members);
     }
-    (regions, region_of)
+    members
 }
 
 /// Which triangles lie edge to edge.

@@ -27,7 +27,7 @@ fn an_svg_has_colours_and_lines_as_paths() {
     let folder = kept("export-svg");
     run(&folder, &["render", "w.scumble", "-o", "o.SVG", "--lines"]);
     let svg = text(&folder, "o.SVG");
-    assert!(svg.contains(r#"width="2048" height="2048" viewBox="0 0 1024 1024""#), "{svg}");
+    assert!(svg.contains(r#"width="1024" height="1024" viewBox="0 0 1024 1024""#), "{svg}");
     assert!(svg.contains(r##"<rect width="1024" height="1024" fill="#ffffff"/>"##), "{svg}");
     assert!(svg.contains(r##"<path fill="#e6194b""##), "{svg}");
     assert!(svg.contains(r##"stroke="#000000" stroke-width="32""##), "{svg}");

@@ -20,6 +20,10 @@ const PLACES: f64 = 16_777_215.0;
 /// Channels are written with this many steps, of 16 bits.
 const LEVELS: f64 = 65_535.0;
 
+/// Meshes lie off by this much. Where a corner lies exactly on a row or a column of pixels, as at the edge of the page,
+/// Chromium's viewer leaves out a row, and Firefox's paints black pixels.
+const NUDGE_DU: f64 = -0.003;
+
 /// A vertex as it is written: x, y, and one channel or three.
 type Vertex = [u32; 5];
 
@@ -41,7 +45,7 @@ pub(super) fn add(objects: &mut Objects, mesh: &[Linear], channels: Channels) ->
     let mut entries =
         ["/ShadingType 4 /ColorSpace ", space, " /BitsPerFlag 8 /BitsPerCoordinate 24"].concat();
     entries.push_str(" /BitsPerComponent 16 /Decode [");
-    push_numbers(&mut entries, &[x0, x1, y0, y1]);
+    push_numbers(&mut entries, &[x0, x1, y0, y1].map(|c| c + NUDGE_DU));
     entries.extend([decode, "]"]);
     objects.stream(&entries, &bytes)
 }

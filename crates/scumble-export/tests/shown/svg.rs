@@ -3,7 +3,7 @@
 use crate::made::{Made, WHITE, assert_same};
 use resvg::{tiny_skia, usvg};
 use scumble_core::exact;
-use scumble_export::{Look, MAX_RASTER_PX};
+use scumble_export::{Look, RASTER_PX};
 use scumble_io::{open_svg, read_file, write_file};
 use scumble_solve::Pixmap;
 
@@ -71,8 +71,10 @@ fn a_fading_picture_without_paper_fades() {
 #[test]
 fn pixels_have_a_limit() {
     let made = Made::fading();
-    let view = made.export(Look { size_px: 16_384, ..LOOK }).raster_view().unwrap();
-    assert_eq!([view.width_px, view.height_px], [MAX_RASTER_PX, MAX_RASTER_PX * 3 / 4]);
+    for (size_px, raster_px) in [(1, *RASTER_PX.start()), (3000, 3000), (16_384, *RASTER_PX.end())] {
+        let view = made.export(Look { size_px, ..LOOK }).raster_view().unwrap();
+        assert_eq!([view.width_px, view.height_px], [raster_px, raster_px * 3 / 4]);
+    }
 }
 
 #[test]
