@@ -10,6 +10,14 @@
  * @property {() => unknown[]} frame
  * @property {() => Uint8Array} work
  * @property {() => {width: number, height: number, rgba: Uint8Array}} thumbnail
+ * @property {(size_px: number, lines: boolean) => Export} export
+ *
+ * @typedef {object} Export a picture of the drawing as it was; `free` gives back what it takes
+ * @property {number} width
+ * @property {number} height
+ * @property {(first: number, count: number, transparent: boolean) => Uint8Array} rows
+ * @property {() => Uint8Array} field
+ * @property {() => void} free
  *
  * @typedef {"down" | "erase" | "move" | "up" | "cancel"} Phase
  * @typedef {(value: any) => void} Handler
@@ -87,6 +95,15 @@ export class Engine {
   /** A small picture of the drawing; nothing once the module has stopped. */
   thumbnail() {
     return this.#call((app) => app.thumbnail());
+  }
+
+  /**
+   * The picture of the drawing as it is; nothing once the module has stopped.
+   * @param {number} size_px pixels on its longer side
+   * @param {boolean} lines
+   */
+  export(size_px, lines) {
+    return this.#call((app) => app.export(size_px, lines));
   }
 
   /** @param {(app: App) => unknown[]} call */

@@ -1,4 +1,4 @@
-// The way to the second wasm module, which knows files and links. It is fetched when it is first needed: most visits
+// The way to the second wasm module, which knows files, links and pictures for other programs. It is fetched when it is first needed: most visits
 // never do. Work goes in and out as its exact bytes. What fails says so in a sentence for people.
 
 import { say } from "./messages.js";
@@ -9,6 +9,7 @@ import { say } from "./messages.js";
  * @property {string} notes what was left out, in words
  * @property {string} [lacks] the sample whose lines are to be put into it
  * @property {string[]} [palette] colours as #rrggbb
+ * @typedef {[work: Uint8Array, field: Uint8Array, size_px: number, lines: boolean, transparent: boolean]} Wanted a picture
  */
 
 const MODULE = new URL("../pkg/files/scumble_files.js", import.meta.url);
@@ -31,6 +32,10 @@ export const formats = {
   qrCode: (text) => call("qrCode", text),
   /** The `.scumble` file that keeps some work. @type {(work: Uint8Array) => Promise<Uint8Array<ArrayBuffer>>} */
   save: (work) => call("save", work),
+  /** A picture as SVG, with the work in it, and a PNG of its field. @type {(...wanted: [...Wanted, raster: Uint8Array]) => Promise<Uint8Array<ArrayBuffer>>} */
+  svg: (...wanted) => call("svg", ...wanted),
+  /** A picture as PDF. @type {(...wanted: Wanted) => Promise<Uint8Array<ArrayBuffer>>} */
+  pdf: (...wanted) => call("pdf", ...wanted),
 };
 
 /**

@@ -3,7 +3,8 @@
 import { followed } from "./cursor.js";
 import { Drawings, isKept, isUnsaved, stem } from "./drawings.js";
 import { Engine } from "./engine.js";
-import { choose, download, keep, receive } from "./files.js";
+import { cancelExport, closeExport, copyPicture, saveExport, setSize, showExport } from "./export.js";
+import { choose, keep, receive } from "./files.js";
 import { formats } from "./formats.js";
 import { Keeper } from "./keeper.js";
 import { listen } from "./keys.js";
@@ -15,7 +16,7 @@ import { Recent } from "./recent.js";
 import { Samples } from "./samples.js";
 import { closeShare, copyLink, isLink, sendLink, showLink } from "./share.js";
 import { putAside } from "./storage.js";
-import { connect, done, failed, pickColor, shown, showName, showUnkept, swatch, tell, warn } from "./toolbar.js";
+import { areLinesShown, connect, done, failed, pickColor, shown, showName, showUnkept, swatch, tell, warn } from "./toolbar.js";
 
 /** An arrow key moves the view by this much, in CSS pixels. */
 const STEP_PX = 48;
@@ -51,11 +52,6 @@ const handlers = {
   ),
   failed: (values) => warn(say("failed", values)),
   "no-renderer": () => warn(say("error-renderer")),
-  exported: async ({ width, height, rgba }) => {
-    const name = `${stem(drawings.shown.name)}.png`;
-    download(name, await png(width, height, rgba));
-    done(say("exported", { name }));
-  },
   stopped: () => {
     warn(say("error-stopped"));
     // What does this as it is opened would do it again.
@@ -136,6 +132,14 @@ async function showRecent() {
 const actions = {
   open: () => void choose((file) => opening.file(file)).catch(failed),
   save,
+  export: () => showExport(areLinesShown()),
+  "close-export": closeExport,
+  "export-1": () => setSize(1),
+  "export-2": () => setSize(2),
+  "export-4": () => setSize(4),
+  "save-export": () => saveExport(engine, stem(drawings.shown.name)),
+  "copy-picture": () => copyPicture(engine),
+  "cancel-export": cancelExport,
   share,
   "close-share": closeShare,
   "copy-link": copyLink,

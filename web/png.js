@@ -9,22 +9,59 @@ const FORMAT = [8, 6, 0, 0, 0];
 const FILTER_SUB = 1;
 const SRGB_PERCEPTUAL = 0;
 
+/** Pixels that are painted and packed at a time. */
+const STRIP_PIXELS = 1 << 20;
+
+/**
+ * @typedef {object} Source a picture that is painted while it is written
+ * @property {number} width
+ * @property {number} height
+ * @property {(first: number, count: number) => Uint8Array} rows straight alpha, row by row from the top
+ */
+
 /**
  * @param {number} width
  * @param {number} height
  * @param {Uint8Array} rgba straight alpha, row by row from the top
  */
-export async function png(width, height, rgba) {
+export function png(width, height, rgba) {
+  const stride = width * BYTES_PER_PIXEL;
+  const rows = (/** @type {number} */ y, /** @type {number} */ count) => rgba.subarray(y * stride, (y + count) * stride);
+  return pngOf({ width, height, rows }, () => {});
+}
+
+/**
+ * A picture of any size, of which no more than a strip is there at a time.
+ * @param {Source} source
+ * @param {(part: number) => Promise<void> | void} done after each strip, with the part of the picture that is written; what it throws ends the work
+ */
+export async function pngOf({ width, height, rows }, done) {
   const header = new Uint8Array(13);
   const view = new DataView(header.buffer);
   view.setUint32(0, width);
   view.setUint32(4, height);
   header.set(FORMAT, 8);
-  const data = await deflate(filtered(width, height, rgba));
+  const deflate = new CompressionStream("deflate");
+  const packed = new Response(deflate.readable).arrayBuffer();
+  const writer = deflate.writable.getWriter();
+  try {
+    const count = Math.max(1, Math.floor(STRIP_PIXELS / width));
+    for (let y = 0; y < height; y += count) {
+      const strip = Math.min(count, height - y);
+      await writer.write(filtered(width, strip, rows(y, strip)));
+      await done((y + strip) / height);
+    }
+    await writer.close();
+  } catch (fault) {
+    // What is there ends the stream: Firefox reports one that is broken off as a fault of the page.
+    writer.close().catch(() => {});
+    packed.catch(() => {});
+    throw fault;
+  }
   const chunks = [
     chunk("IHDR", header),
     chunk("sRGB", Uint8Array.of(SRGB_PERCEPTUAL)),
-    chunk("IDAT", data),
+    chunk("IDAT", new Uint8Array(await packed)),
     chunk("IEND", new Uint8Array()),
   ];
   return new Blob([SIGNATURE, ...chunks], { type: "image/png" });
@@ -45,12 +82,6 @@ function filtered(width, height, rgba) {
     for (let i = 0; i < stride; i++) rows[start + 1 + i] = row[i] - (row[i - BYTES_PER_PIXEL] ?? 0);
   }
   return rows;
-}
-
-/** @param {Uint8Array<ArrayBuffer>} bytes */
-async function deflate(bytes) {
-  const stream = new Blob([bytes]).stream().pipeThrough(new CompressionStream("deflate"));
-  return new Uint8Array(await new Response(stream).arrayBuffer());
 }
 
 /**

@@ -88,7 +88,7 @@ function connectSlider(slider, set) {
 
 /** The radio buttons of the tools, and of what a scribble does. */
 function radios() {
-  return /** @type {NodeListOf<HTMLInputElement>} */ (document.querySelectorAll("input[type=radio]"));
+  return /** @type {NodeListOf<HTMLInputElement>} */ (document.querySelectorAll("aside input[type=radio]"));
 }
 
 /**
@@ -142,6 +142,10 @@ function paint(swatch, color) {
  */
 export function swatch(n) {
   return n === 0 ? NO_COLOR : palette[n - 1]?.[1];
+}
+
+export function areLinesShown() {
+  return settingOf("lines").checked;
 }
 
 /** Opens the browser's colour picker. */

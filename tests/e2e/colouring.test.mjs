@@ -109,7 +109,8 @@ for (const { browser, renderer } of TARGETS) {
       await editor.scribble(IN_LEFT_ROOM, ROOMS);
       await editor.click("Blue");
       await editor.scribble([[110, 20], [115, 80]], ROOMS);
-      const exported = Picture.decode(await readFile(await editor.tab.download(() => editor.click("Export"))));
+      await editor.click("Export");
+      const exported = Picture.decode(await readFile(await editor.tab.download(() => editor.click("Save file"))));
 
       await editor.tab.evaluate(`document.getElementById("zoom").click()`);
       const [[left, top]] = await editor.place([[0, 0]], ROOMS);

@@ -65,10 +65,10 @@ scumble color DRAWING.svg --scribbles S.json -o OUT.png
     in units of the drawing's viewBox, in drawing order. With \"kind\":\"shade\",\"strength\":0.8 a scribble shades
     where it is drawn, in the region that it begins in; with \"crosses\":true also beyond.
 
-scumble render FILE -o OUT.png
-    the picture of a .scumble file, or of a drawing
+scumble render FILE -o OUT.png|OUT.svg|OUT.pdf
+    the picture of a .scumble file, of an SVG that was made of one, or of a drawing
     [--size 1024] [--lines] [--transparent]
-                            as for color
+                            as for color; an SVG keeps the scribbles
     [--samples DIR]         where the samples are, for a file that only names one
 
 scumble convert A B

@@ -1,7 +1,7 @@
 //! What the user asked for.
 
 use std::ffi::OsString;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use anyhow::{Context, anyhow, bail, ensure};
 use pico_args::Arguments;
@@ -75,6 +75,15 @@ pub(crate) struct RenderOptions {
     pub(crate) output: PathBuf,
     pub(crate) samples: Option<PathBuf>,
     pub(crate) look: Look,
+    pub(crate) format: Format,
+}
+
+/// What a picture is written as.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Format {
+    Png,
+    Svg,
+    Pdf,
 }
 
 /// What `scumble link` is to print.
@@ -175,9 +184,19 @@ fn color(mut arguments: Arguments) -> anyhow::Result<ColorOptions> {
 fn render(mut arguments: Arguments) -> anyhow::Result<RenderOptions> {
     let output = picture(&mut arguments)?;
     let samples = arguments.opt_value_from_os_str("--samples", path).map_err(advise)?;
+    let format = format(&output);
     let look = look(&mut arguments)?;
     let [file] = rest(arguments, ["FILE"])?;
-    Ok(RenderOptions { file: file.into(), output, samples, look })
+    Ok(RenderOptions { file: file.into(), output, samples, look, format })
+}
+
+/// Anything but what ends in `.svg` or `.pdf` is a PNG.
+fn format(output: &Path) -> Format {
+    match &*works::extension(output) {
+        "svg" => Format::Svg,
+        "pdf" => Format::Pdf,
+        _ => Format::Png,
+    }
 }
 
 fn link(mut arguments: Arguments) -> anyhow::Result<LinkOptions> {

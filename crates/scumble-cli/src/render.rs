@@ -3,10 +3,11 @@
 use anyhow::ensure;
 use scumble_core::drawing::LONGER_SIDE_DU;
 use scumble_core::{Blend, Boundary, Document, Drawing};
+use scumble_export::Export;
 use scumble_io::write_png;
-use scumble_solve::{Picture, Pixmap, Shape, SolveError, line_shapes};
+use scumble_solve::{Field, Picture, Pixmap, Shape, SolveError, line_shapes};
 
-use crate::options::{Look, RenderOptions};
+use crate::options::{Format, Look, RenderOptions};
 use crate::stages::{self, PAPER};
 use crate::{files, works};
 
@@ -25,8 +26,29 @@ pub(crate) fn run(options: &RenderOptions) -> anyhow::Result<()> {
     let Document { drawing, scribbles, color_points, settings, .. } = &work.document;
     let mut picture = Picture::new(drawing)?;
     let (boundary, _) = stages::spread(&mut picture, scribbles, color_points, settings)?;
-    let pixmap = paint(drawing, &mut picture, &boundary, settings.blend, &options.look)?;
-    files::write(&options.output, &write_png(pixmap.width_px, pixmap.height_px, &pixmap.rgba)?)
+    let look = &options.look;
+    let bytes = if options.format == Format::Png {
+        let pixmap = paint(drawing, &mut picture, &boundary, settings.blend, look)?;
+        write_png(pixmap.width_px, pixmap.height_px, &pixmap.rgba)?
+    } else {
+        let field = picture.mesh().solve(&boundary, settings.blend)?;
+        let paper = (!look.transparent).then_some(PAPER);
+        let look = scumble_export::Look { size_px: look.size_px, lines: look.lines, paper };
+        written(&Export::new(&work, field, look), field, options.format)?
+    };
+    files::write(&options.output, &bytes)
+}
+
+/// A picture for other programs.
+fn written(export: &Export<'_>, field: &Field, format: Format) -> anyhow::Result<Vec<u8>> {
+    if format == Format::Pdf {
+        return Ok(export.pdf());
+    }
+    let raster = export.raster_view().map(|view| {
+        let pixmap = stages::paint_page(field, &[], &view, export.look().paper);
+        write_png(pixmap.width_px, pixmap.height_px, &pixmap.rgba)
+    });
+    Ok(export.svg(raster.transpose()?.as_deref())?.into_bytes())
 }
 
 /// Paints the whole page.

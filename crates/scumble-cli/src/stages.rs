@@ -2,7 +2,7 @@
 
 use kurbo::Affine;
 use scumble_core::drawing::LONGER_SIDE_DU;
-use scumble_core::{Boundary, ColorPoint, Document, Drawing, Scribble, Settings, Srgb8};
+use scumble_core::{Boundary, ColorPoint, Document, Drawing, Scribble, Settings, Srgb8, Work};
 use scumble_io::import_drawing;
 use scumble_solve::{Field, Picture, Pixmap, Scene, Shape, SolveError, View, paint};
 
@@ -29,7 +29,7 @@ pub(crate) struct Opened {
 /// When the bytes are no drawing, or it has too many pieces.
 pub(crate) fn open(file: &[u8]) -> anyhow::Result<Opened> {
     let (imported, import_ms) = timed(|| import_drawing(file));
-    let (document, notes) = imported?;
+    let (Work { document, .. }, notes) = imported?;
     let (picture, map_ms) = timed(|| Picture::new(&document.drawing));
     let mut picture = picture?;
     let (_, mesh_ms) = timed(|| picture.mesh().triangle_count());

@@ -16,9 +16,9 @@ use crate::files;
 pub(crate) fn read(path: &Path) -> anyhow::Result<Work> {
     let bytes = files::read(path)?;
     if matches!(&*extension(path), "svg" | "xml") {
-        let (document, notes) = import_drawing(&bytes).with_context(|| path.display().to_string())?;
+        let (work, notes) = import_drawing(&bytes).with_context(|| path.display().to_string())?;
         files::warn(path, &notes);
-        return Ok(Work::new(document));
+        return Ok(work);
     }
     read_file(&bytes).with_context(|| path.display().to_string())
 }
@@ -90,6 +90,7 @@ pub(crate) fn fetch_lines(work: &mut Work, samples: Option<&Path>) -> anyhow::Re
     Ok(())
 }
 
-fn extension(path: &Path) -> String {
+/// What a file's name ends in, in small letters.
+pub(crate) fn extension(path: &Path) -> String {
     path.extension().unwrap_or_default().to_string_lossy().to_ascii_lowercase()
 }

@@ -113,14 +113,19 @@ impl Blend {
     }
 
     /// The nearest 8-bit colour; what lies outside sRGB is clamped channel by channel.
-    pub fn to_rgba8(self, [a, b, c, opacity]: BlendColor) -> Rgba8 {
+    pub fn to_rgba8(self, color: BlendColor) -> Rgba8 {
+        Rgba8(self.to_srgba(color).map(|c| (c * 255.0).round() as u8))
+    }
+
+    /// The colour in sRGB and its straight alpha, not rounded, `0..=1`; what lies outside sRGB is clamped channel by
+    /// channel.
+    pub fn to_srgba(self, [a, b, c, opacity]: BlendColor) -> [f64; 4] {
         let straight = [a, b, c].map(|c| c / opacity.max(LEAST_OPACITY));
-        let unit = match self {
+        let [r, g, b] = match self {
             Self::Srgb => straight,
             Self::Oklab => linear_from_oklab(straight).map(srgb_from_linear),
         };
-        let [r, g, b] = unit;
-        Rgba8([r, g, b, opacity].map(|c| (c.clamp(0.0, 1.0) * 255.0).round() as u8))
+        [r, g, b, opacity].map(|c| c.clamp(0.0, 1.0))
     }
 }
 

@@ -1,11 +1,14 @@
-//! The page's second module: files and links, which most visits never need.
+//! The page's second module: files, links and pictures for other programs, which most visits never need.
 //!
 //! Work goes in and out as its exact bytes ([`scumble_core::exact`]), so that the module with the editor knows no other
-//! form of it. What is opened is in [`opening`], codes for cameras in [`qr`]; this is what JavaScript calls.
+//! form of it. What is opened is in [`opening`], what is exported in [`exporting`], codes for cameras in [`qr`]; this is what
+//! JavaScript calls.
 
+pub mod exporting;
 pub mod opening;
 pub mod qr;
 
+use exporting::Wanted;
 use js_sys::Uint8Array;
 use opening::Content;
 use scumble_core::{Srgb8, Work, exact};
@@ -81,6 +84,37 @@ pub fn on_sample(work: &[u8], sample: &[u8]) -> Result<Vec<u8>, JsError> {
 #[wasm_bindgen]
 pub fn save(work: &[u8]) -> Result<Vec<u8>, JsError> {
     Ok(write_file(&opening::exact(work)?)?)
+}
+
+/// The picture as SVG, with the work in it; `raster` is a PNG of the field alone, on the same paper, for its shades.
+///
+/// # Errors
+/// A sentence for people, where the work is too much for a file.
+#[wasm_bindgen]
+pub fn svg(
+    work: &[u8],
+    field: &[u8],
+    size_px: u32,
+    lines: bool,
+    transparent: bool,
+    raster: &[u8],
+) -> Result<Vec<u8>, JsError> {
+    Ok(Wanted { work, field, size_px, lines, transparent }.svg(raster)?)
+}
+
+/// The picture as PDF.
+///
+/// # Errors
+/// A sentence for people, where the work is damaged.
+#[wasm_bindgen]
+pub fn pdf(
+    work: &[u8],
+    field: &[u8],
+    size_px: u32,
+    lines: bool,
+    transparent: bool,
+) -> Result<Vec<u8>, JsError> {
+    Ok(Wanted { work, field, size_px, lines, transparent }.pdf()?)
 }
 
 /// The link to some work, from `#` on; none where it is too large for one.

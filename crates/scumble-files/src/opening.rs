@@ -36,7 +36,7 @@ pub enum OpenError {
 }
 
 /// What is in a file: a palette where it begins as one, our work where it begins as JSON does, and else another
-/// program's drawing.
+/// program's drawing, or a picture that was exported.
 ///
 /// # Errors
 /// Where it is neither, damaged, or beyond the limits.
@@ -50,8 +50,8 @@ pub fn file(bytes: &[u8]) -> Result<Content, OpenError> {
     if text.trim_ascii_start().starts_with(b"{") {
         return Ok(Content::Work(Box::new(read_file(bytes)?), String::new()));
     }
-    let (document, notes) = import_drawing(bytes)?;
-    Ok(Content::Work(Box::new(Work::new(document)), notes))
+    let (work, notes) = import_drawing(bytes)?;
+    Ok(Content::Work(Box::new(work), notes))
 }
 
 /// The work that some exact bytes stand for.

@@ -18,6 +18,7 @@
 //! | pictures as PNG | `picture_file` |
 //! | work as a `.scumble` file | `work_file`, `json` |
 //! | … as a link | `link`, `packed` |
+//! | … within an SVG that was made of it | `svg_source` |
 
 mod curve_set;
 mod drawing_file;
@@ -38,6 +39,7 @@ mod scribbles;
 mod style_sheet;
 mod survey;
 mod svg;
+mod svg_source;
 mod work_file;
 
 pub use curve_set::write_curve_set;
@@ -50,6 +52,7 @@ pub use palette::{PaletteKind, ReadPalette, read_palette, write_palette};
 pub use picture_file::{PictureFileError, write_png};
 pub use scribbles::{ReadScribbles, read_scribbles};
 pub use svg::{Import, import_svg};
+pub use svg_source::{COLORS_CLASS, write_svg_source};
 pub use work_file::{read_file, write_file};
 
 /// Largest file that is read, in bytes.

@@ -26,10 +26,11 @@ pub struct Import {
 /// Width of the line drawn around a light area that has no stroke of its own, in du.
 const OUTLINE_WIDTH_DU: f64 = 1.0;
 
-/// Keeps `usvg` from everything that is ignored anyway, and from patterns within patterns.
+/// Keeps `usvg` from everything that is ignored anyway, from the colours of an exported picture, and from patterns
+/// within patterns.
 const IGNORED: &str = "* { clip-path: none !important; mask: none !important; filter: none !important;
     marker-start: none !important; marker-mid: none !important; marker-end: none !important }
-    text, image { display: none !important }
+    text, image, .scumble-colors { display: none !important }
     pattern * { fill: #808080 !important; stroke: none !important }";
 
 /// Reads an SVG drawing.

@@ -10,7 +10,7 @@ use scumble_io::{ImportError, import_drawing};
 const CURVES: &str = include_str!("foreign/curves.xml");
 
 fn read(text: &str) -> Document {
-    import_drawing(text.as_bytes()).unwrap().0
+    import_drawing(text.as_bytes()).unwrap().0.document
 }
 
 /// What was left out of the curves with a change.

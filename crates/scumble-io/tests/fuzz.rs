@@ -186,16 +186,17 @@ fn svg_drawings() {
 fn diffusion_curves() {
     let seeds = seeds("tests/foreign", ".xml");
     for run in runs(500) {
-        let Ok((document, _)) = import_drawing(&damaged(&seeds, &mut Dice(run + 1))) else { continue };
+        let Ok((work, _)) = import_drawing(&damaged(&seeds, &mut Dice(run + 1))) else { continue };
+        let document = &work.document;
         if let Ok(map) = PlanarMap::build(&document.drawing, &Sampling::default()) {
-            let (text, _) = write_curve_set(&document, &map, &Labels::none(&map));
-            let again = import_drawing(text.as_bytes()).map(|(document, _)| document.settings);
+            let (text, _) = write_curve_set(document, &map, &Labels::none(&map));
+            let again = import_drawing(text.as_bytes()).map(|(work, _)| work.document.settings);
             assert!(
                 matches!(again, Err(ImportError::NoDiffusionCurves)) || again == Ok(document.settings),
                 "run {run}"
             );
         }
-        check(&Work::new(document), run);
+        check(&work, run);
     }
 }
 

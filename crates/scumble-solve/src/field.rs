@@ -11,6 +11,32 @@ pub struct Field {
     pub triangles: Vec<FieldTriangle>,
 }
 
+/// What a triangle takes as bytes: corners, colours and edges, four for each number.
+const TRIANGLE_BYTES: usize = 4 * 31;
+
+impl Field {
+    /// The same as bytes, for another module of the page.
+    pub fn to_bytes(&self) -> Vec<u8> {
+        let mut bytes = Vec::with_capacity(1 + TRIANGLE_BYTES * self.triangles.len());
+        bytes.push(u8::from(self.blend == Blend::Oklab));
+        for FieldTriangle { corners, colors, side_edges } in &self.triangles {
+            for number in corners.as_flattened().iter().chain(colors.as_flattened()) {
+                bytes.extend(number.to_le_bytes());
+            }
+            bytes.extend(side_edges.to_le_bytes());
+        }
+        bytes
+    }
+
+    /// What [`Field::to_bytes`] made; `None` for other bytes.
+    pub fn from_bytes(bytes: &[u8]) -> Option<Self> {
+        let (&is_oklab, bytes) = bytes.split_first()?;
+        let (triangles, []) = bytes.as_chunks::<TRIANGLE_BYTES>() else { return None };
+        let blend = if is_oklab == 1 { Blend::Oklab } else { Blend::Srgb };
+        Some(Self { blend, triangles: triangles.iter().map(FieldTriangle::from_bytes).collect() })
+    }
+}
+
 /// A triangle with a colour at each corner and in the middle of each edge, blended quadratically between.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[repr(C)]
@@ -23,4 +49,37 @@ pub struct FieldTriangle {
     /// Bit `i` is set where the edge from corner `i` to corner `i + 1` is a side of a curve: the picture may jump
     /// there, so painters anti-alias these edges and no others.
     pub side_edges: u32,
+}
+
+impl FieldTriangle {
+    fn from_bytes(bytes: &[u8; TRIANGLE_BYTES]) -> Self {
+        let (words, _) = bytes.as_chunks::<4>();
+        let number = |i: usize| f32::from_le_bytes(words[i]);
+        Self {
+            corners: std::array::from_fn(|i| std::array::from_fn(|c| number(2 * i + c))),
+            colors: std::array::from_fn(|i| std::array::from_fn(|c| number(6 + 4 * i + c))),
+            side_edges: u32::from_le_bytes(words[30]),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn bytes_lose_nothing_and_other_bytes_are_none() {
+        let triangle = FieldTriangle {
+            corners: [[0.1, -2.5], [1024.0, 3.0], [7.0, f32::MIN_POSITIVE]],
+            colors: std::array::from_fn(|i| std::array::from_fn(|c| (4 * i + c) as f32 / 7.0)),
+            side_edges: 5,
+        };
+        for blend in [Blend::Oklab, Blend::Srgb] {
+            let field = Field { blend, triangles: vec![triangle; 3] };
+            let bytes = field.to_bytes();
+            assert_eq!(Field::from_bytes(&bytes), Some(field));
+            assert_eq!(Field::from_bytes(&bytes[1..]), None);
+        }
+        assert_eq!(Field::from_bytes(&[]), None);
+    }
 }

@@ -81,8 +81,9 @@ fn stretches(path: &BezPath, stroke: &Stroke, tolerance_du: f64) -> Vec<(Vec<Sto
     }
 }
 
-/// Whether a line is to be cut into dashes: as in SVG, not if one of them is negative or all are zero.
-fn has_dashes(path: &BezPath, stroke: &Stroke, tolerance_du: f64) -> bool {
+/// Whether a line is to be cut into dashes: as in SVG, not if one of them is negative or all are zero; and not into
+/// very many.
+pub fn has_dashes(path: &BezPath, stroke: &Stroke, tolerance_du: f64) -> bool {
     let dashes = &stroke.dash_pattern;
     let period: f64 = dashes.iter().sum();
     let sound = period > 0.0 && period.is_finite() && dashes.iter().all(|&d| d >= 0.0);

@@ -1,5 +1,5 @@
-//! What JavaScript calls. Opening a renderer and reading pictures back take time: they go on beside the calls, and
-//! `wake` asks the page for a frame, with whose effects their outcome comes.
+//! What JavaScript calls. Opening a renderer takes time: it goes on beside the calls, and `wake` asks the page for a
+//! frame, with whose effects its outcome comes.
 
 use std::cell::{Cell, RefCell};
 use std::rc::Rc;
@@ -14,6 +14,7 @@ use web_sys::{HtmlCanvasElement, console};
 use crate::boundary::{color, command_from_js, field, js_from_effects, js_from_picture};
 use crate::command::Phase;
 use crate::effect::Effect;
+use crate::painting::PAPER;
 use crate::screen::{CPU, Screen};
 use crate::session::Session;
 
@@ -73,13 +74,12 @@ impl App {
     }
 
     /// Does what a control asks for; see `boundary.rs` for names and arguments. "lost" says that the canvas has lost
-    /// its context. "export" and "canvas" (`canvas`, `renderer`: the next ones) take longer than the call.
+    /// its context. "canvas" (`canvas`, `renderer`: the next ones) takes longer than the call.
     ///
     /// # Errors
     /// For a command that does not exist with these arguments.
     pub fn command(&self, name: &str, args: &JsValue) -> Result<Array, JsError> {
         match name {
-            "export" => self.export(),
             "canvas" => self.reopen(args)?,
             "lost" => self.shared.borrow_mut().lose(),
             _ => {
@@ -102,26 +102,14 @@ impl App {
         self.shared.borrow().session.work()
     }
 
-    /// A small picture of the drawing: `width`, `height` and `rgba`, as of one that is exported.
+    /// A small picture of the drawing: `width`, `height` and `rgba`.
     pub fn thumbnail(&self) -> JsValue {
         js_from_picture(&self.shared.borrow_mut().session.thumbnail())
     }
 
-    fn export(&self) {
-        let mut shared = self.shared.borrow_mut();
-        let Shared { session, screen: Some(screen), .. } = &mut *shared else { return };
-        let export = session.export();
-        let picture = screen.picture(&export.painting());
-        session.repaint();
-        let shared = Rc::clone(&self.shared);
-        spawn_local(async move {
-            let effect = match picture.await {
-                Ok(picture) => Effect::Exported(picture),
-                Err(error) => Effect::Failed(error.to_string()),
-            };
-            shared.borrow_mut().session.tell(effect);
-            wake();
-        });
+    /// The picture of the drawing as it is, with so many pixels on its longer side.
+    pub fn export(&self, size_px: f64, lines: bool) -> Export {
+        Export(self.shared.borrow_mut().session.export(size_px, lines))
     }
 
     fn reopen(&self, args: &JsValue) -> Result<(), JsError> {
@@ -134,6 +122,36 @@ impl App {
             wake();
         });
         Ok(())
+    }
+}
+
+/// A picture for a file, which stays as it is while the drawing is worked on.
+#[wasm_bindgen]
+#[derive(Debug)]
+pub struct Export(crate::painting::Export);
+
+#[wasm_bindgen]
+impl Export {
+    /// Pixels of a row.
+    #[wasm_bindgen(getter)]
+    pub fn width(&self) -> u32 {
+        self.0.view.width_px
+    }
+
+    /// Rows.
+    #[wasm_bindgen(getter)]
+    pub fn height(&self) -> u32 {
+        self.0.view.height_px
+    }
+
+    /// The pixels of some rows: red, green, blue and straight alpha.
+    pub fn rows(&self, first: u32, count: u32, transparent: bool) -> Vec<u8> {
+        self.0.rows(first, count, (!transparent).then_some(PAPER)).rgba
+    }
+
+    /// The field, for the module that writes other files than pictures.
+    pub fn field(&self) -> Vec<u8> {
+        self.0.field.to_bytes()
     }
 }
 

@@ -139,7 +139,6 @@ fn js_from_effect(effect: Effect) -> (&'static str, JsValue) {
         Effect::Undone => ("undone", object(&[])),
         Effect::Redone => ("redone", object(&[])),
         Effect::Failed(sentence) => ("failed", object(&[("sentence", sentence.into())])),
-        Effect::Exported(picture) => ("exported", js_from_picture(&picture)),
         Effect::Renderer(name) => ("renderer", name.into()),
         Effect::Lost(next) => ("lost", next.map_or(JsValue::NULL, JsValue::from)),
     }

@@ -2,7 +2,6 @@
 
 use kurbo::Affine;
 use scumble_core::{Paint, Settings};
-use scumble_solve::Pixmap;
 
 use crate::brush::{Ink, Mode};
 use crate::command::Tool;
@@ -61,8 +60,6 @@ pub enum Effect {
     Redone,
     /// Something could not be done: a sentence for people.
     Failed(String),
-    /// A picture to keep; the page makes a file of its pixels.
-    Exported(Pixmap),
     /// The canvas is served by the renderer of this name.
     Renderer(&'static str),
     /// The canvas is served no more. On a new one, the renderer of this name is to be asked for; `None` where all

@@ -1,7 +1,7 @@
 //! What there is to paint, and what paints it.
 
 use scumble_core::Srgb8;
-use scumble_solve::{Field, Scene, View};
+use scumble_solve::{Field, Pixmap, Scene, View, paint};
 
 use crate::layers::Layers;
 
@@ -48,17 +48,24 @@ pub trait Painter {
     fn paint(&mut self, painting: &Painting<'_>, changed: Changed);
 }
 
-/// A picture for a file.
+/// A picture for a file, which stays as it is while the drawing is worked on.
 #[derive(Debug)]
-pub struct Export<'a> {
-    pub(crate) field: &'a Field,
+pub struct Export {
+    /// The coloured regions.
+    pub field: Field,
     pub(crate) layers: Layers,
-    pub(crate) view: View,
+    /// The whole page.
+    pub view: View,
 }
 
-impl Export<'_> {
-    /// What is to be painted.
-    pub fn painting(&self) -> Painting<'_> {
-        Painting { field: self.field, layers: &self.layers, view: self.view }
+impl Export {
+    /// Paints some rows of it, from the first one on. Without paper, what nothing covers is transparent.
+    pub fn rows(&self, first: u32, count: u32, paper: Option<Srgb8>) -> Pixmap {
+        let view = View {
+            px_from_du: self.view.px_from_du.then_translate((0.0, -f64::from(first)).into()),
+            height_px: count,
+            ..self.view
+        };
+        paint(&Scene { paper, field: &self.field, shapes: self.layers.shapes() }, &view)
     }
 }

@@ -3,13 +3,10 @@
 //! A canvas takes one kind of context in its life. WebGPU claims it only after its device is there; WebGL cannot be
 //! had without claiming it, and after a failure wants another canvas.
 
-use std::future::Future;
-use std::pin::Pin;
-
 use js_sys::{Object, Reflect};
 use scumble_gpu::wgpu::{self, CurrentSurfaceTexture};
 use scumble_gpu::{Gpu, GpuError, Layer, Renderer, instance, probe, surface_format};
-use scumble_solve::{Pixmap, View, paint};
+use scumble_solve::{View, paint};
 use thiserror::Error;
 use wasm_bindgen::{Clamped, JsCast, JsValue};
 use web_sys::{CanvasRenderingContext2d, HtmlCanvasElement, ImageData};
@@ -41,9 +38,6 @@ pub enum Screen {
     Cpu(CpuScreen),
 }
 
-/// A picture that is on its way back from a GPU.
-pub type Picture = Pin<Box<dyn Future<Output = Result<Pixmap, GpuError>>>>;
-
 impl Screen {
     /// Claims a canvas for the renderer of a name. `on_failure` is called when its device is lost.
     ///
@@ -65,14 +59,6 @@ impl Screen {
         match self {
             Self::Gpu(_) => GPU,
             Self::Cpu(_) => CPU,
-        }
-    }
-
-    /// Paints for a file. The screen has forgotten what it kept afterwards.
-    pub fn picture(&mut self, painting: &Painting<'_>) -> Picture {
-        match self {
-            Self::Gpu(screen) => Box::pin(screen.picture(painting)),
-            Self::Cpu(_) => Box::pin(std::future::ready(Ok(paint(&painting.scene(), &painting.view)))),
         }
     }
 }
@@ -129,11 +115,6 @@ impl GpuScreen {
             self.renderer.draw(&painting.view, Some(PAPER), &target);
             self.gpu.queue.present(frame);
         }
-    }
-
-    fn picture(&mut self, painting: &Painting<'_>) -> impl Future<Output = Result<Pixmap, GpuError>> + use<> {
-        self.upload(painting, Changed::ALL);
-        self.renderer.read_back(&painting.view, Some(PAPER))
     }
 
     fn resize(&mut self, view: &View) {

@@ -8,13 +8,13 @@ use std::mem::take;
 use kurbo::{Affine, Rect};
 use scumble_core::drawing::LONGER_SIDE_DU;
 use scumble_core::{Document, Drawing, Editor, MapError, Paint, Srgb8, Work, exact};
-use scumble_solve::{Field, Picture, Pixmap, View, paint};
+use scumble_solve::{Field, Picture, Pixmap, View};
 
 use crate::brush::Brush;
 use crate::command::{Command, Setting, Tool};
 use crate::effect::{Effect, SheetState, State};
 use crate::layers::Layers;
-use crate::painting::{Changed, Export, Painter, Painting};
+use crate::painting::{Changed, Export, PAPER, Painter, Painting};
 use crate::view::Viewport;
 
 mod gestures;
@@ -174,28 +174,25 @@ impl Session {
         self.stale.view = true;
     }
 
-    /// The picture for a file: the whole page, one pixel a du, with lines if they are shown and without scribbles.
-    pub fn export(&mut self) -> Export<'_> {
-        self.export_at(1.0)
-    }
-
-    /// The picture for a list of drawings: as in a file, but small.
+    /// The picture for a list of drawings: as in a file, but small, and with lines if they are shown.
     pub fn thumbnail(&mut self) -> Pixmap {
-        let export = self.export_at(THUMBNAIL_PX / LONGER_SIDE_DU);
-        paint(&export.painting().scene(), &export.view)
+        let export = self.export(THUMBNAIL_PX, self.lines_shown);
+        export.rows(0, export.view.height_px, Some(PAPER))
     }
 
-    fn export_at(&mut self, px_per_du: f64) -> Export<'_> {
-        self.refresh();
+    /// The picture for a file: the whole page without scribbles, with so many pixels on its longer side.
+    pub fn export(&mut self, size_px: f64, lines: bool) -> Export {
+        self.refresh_field();
         let drawing = &self.sheet.editor.document().drawing;
+        let px_per_du = size_px / LONGER_SIDE_DU;
         let size_px = drawing.size_du() * px_per_du;
         let mut layers = Layers::at_scale(px_per_du);
-        if self.lines_shown {
+        if lines {
             layers.add_lines(drawing, self.sheet.picture.map());
         }
         Export {
             layers,
-            field: &self.field,
+            field: self.field.clone(),
             view: View {
                 px_from_du: Affine::scale(px_per_du),
                 width_px: size_px.width.round().max(1.0) as u32,

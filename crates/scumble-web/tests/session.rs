@@ -4,11 +4,10 @@ mod page;
 
 use kurbo::{Point, Vec2};
 use scumble_core::{Blend, ColorPoint, EngineKind, Paint, Settings, Srgb8, exact};
-use scumble_solve::paint;
 use scumble_web::brush::Ink;
 use scumble_web::command::{Command, Phase, Setting, Tool, ViewChange};
 use scumble_web::effect::{Effect, SheetState};
-use scumble_web::painting::Changed;
+use scumble_web::painting::{Changed, PAPER};
 
 use page::{DESK, Page, SQUARE, pixel};
 
@@ -102,9 +101,7 @@ fn the_exported_picture_is_the_canvas_at_100_percent() {
     page.stroke(BLUE, &[(250.0, 200.0), (300.0, 260.0)]);
     page.session.command(Command::Scribbles(false));
     page.session.frame(&mut page.canvas);
-    let export = page.session.export();
-    let painting = export.painting();
-    let picture = paint(&painting.scene(), &painting.view);
+    let picture = page.session.export(1024.0, true).rows(0, 768, Some(PAPER));
     assert_eq!((picture.width_px, picture.height_px), (1024, 768));
     let shown = page.canvas.shown.as_ref().unwrap();
     let [.., x, y] = page.session.css_from_du().as_coeffs();
@@ -113,6 +110,20 @@ fn the_exported_picture_is_the_canvas_at_100_percent() {
         let of_canvas = &shown.rgba[start..start + 4 * 1024];
         assert_eq!(of_canvas, &picture.rgba[4 * 1024 * row..4 * 1024 * (row + 1)], "row {row}");
     }
+}
+
+#[test]
+fn an_exported_picture_comes_in_strips_and_stays_as_it_was() {
+    let mut page = Page::open(SQUARE);
+    page.stroke(RED, &ACROSS);
+    let export = page.session.export(500.0, false);
+    page.session.command(Command::Undo);
+    page.session.frame(&mut page.canvas);
+    let whole = export.rows(0, export.view.height_px, None);
+    let at = |(x, y): (f64, f64)| pixel(&whole, Point::new(x * 500.0 / 1024.0, y * 500.0 / 1024.0));
+    assert_eq!((at(INSIDE), at(OUTSIDE)), (RED, Srgb8([0; 3])));
+    let strips = [(0, 100), (100, 200), (300, 75)].map(|(first, count)| export.rows(first, count, None).rgba);
+    assert!(strips.concat() == whole.rgba);
 }
 
 #[test]

@@ -1,15 +1,12 @@
-//! The page's module in a browser: what JavaScript sees of it, and that each renderer paints the same picture.
+//! The page's module in a browser: what JavaScript sees of it.
 #![cfg(target_arch = "wasm32")]
 
 use js_sys::{Array, Function, Object, Promise, Reflect, Uint8Array};
-use kurbo::Point;
-use scumble_core::{Document, Srgb8, Work, exact};
+use scumble_core::{Document, Work, exact};
 use scumble_io::import_svg;
-use scumble_solve::Pixmap;
+use scumble_solve::Field;
 use scumble_web::App;
-use scumble_web::command::{Command, Phase, ViewChange};
-use scumble_web::screen::{CPU, GPU, Screen};
-use scumble_web::session::Session;
+use scumble_web::screen::CPU;
 use wasm_bindgen::{JsCast, JsValue};
 use wasm_bindgen_futures::JsFuture;
 use wasm_bindgen_test::{wasm_bindgen_test, wasm_bindgen_test_configure};
@@ -22,9 +19,6 @@ const DRAWING: &[u8] = br#"<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 
     <g fill="none" stroke="black" stroke-width="3"><circle cx="128" cy="96" r="80"/>
     <path d="M48 96C80 60 110 60 128 96S170 130 190 96"/></g></svg>"#;
 
-/// Neighbouring pixels that differ by more than this lie at an edge.
-const EDGE_LEVELS: u8 = 8;
-
 fn canvas() -> HtmlCanvasElement {
     let document = web_sys::window().and_then(|window| window.document()).expect("a page");
     document.create_element("canvas").expect("a canvas").unchecked_into()
@@ -34,66 +28,6 @@ fn canvas() -> HtmlCanvasElement {
 fn work() -> Vec<u8> {
     let drawing = import_svg(DRAWING).expect("a drawing").drawing;
     exact::write(&Work::new(Document::new(drawing)))
-}
-
-fn scribbled() -> Session {
-    let mut session = Session::new(Srgb8([90; 3])).expect("a blank page");
-    session.command(Command::View(ViewChange::Resize([640, 480], 1.0)));
-    session.command(Command::Open { work: work(), notes: String::new() });
-    for (color, from, to) in [
-        (Srgb8([230, 25, 75]), (400.0, 200.0), (600.0, 220.0)),
-        (Srgb8([0, 130, 200]), (400.0, 560.0), (600.0, 540.0)),
-    ] {
-        session.command(Command::Color(color.into()));
-        session.pointer(Phase::Down, &sample(&session, from));
-        session.pointer(Phase::Up, &sample(&session, to));
-    }
-    session
-}
-
-fn sample(session: &Session, place_du: (f64, f64)) -> [f32; 3] {
-    let Point { x, y } = session.css_from_du() * Point::from(place_du);
-    [x as f32, y as f32, 0.5]
-}
-
-async fn picture(session: &mut Session, renderer: &str) -> Pixmap {
-    let lost = |error| wasm_bindgen_test::console_log!("{error}");
-    let mut screen = Screen::open(canvas(), renderer, lost).await.expect("a screen");
-    session.frame(&mut screen);
-    let export = session.export();
-    screen.picture(&export.painting()).await.expect("a picture")
-}
-
-#[wasm_bindgen_test]
-async fn gpu_and_cpu_paint_the_same_picture() {
-    let mut session = scribbled();
-    let of_gpu = picture(&mut session, GPU).await;
-    let of_cpu = picture(&mut session, CPU).await;
-    assert_eq!((of_gpu.width_px, of_gpu.height_px), (1024, 768));
-    let inner: Vec<_> = inner_pixels(&of_cpu).collect();
-    assert!(inner.len() > 700_000, "most pixels are inner ones: {}", inner.len());
-    for i in inner {
-        let (a, b) = (&of_gpu.rgba[i..i + 4], &of_cpu.rgba[i..i + 4]);
-        assert!(difference(a, b) <= 2, "{a:?} on the GPU, {b:?} on the CPU at byte {i}");
-    }
-    assert!(of_cpu.rgba.chunks(4).any(|p| p[0] > 60 && p[2] > 60 && p[1] < 160), "some of it is shaded");
-}
-
-/// Where in `rgba` the pixels start that differ little from their eight neighbours.
-fn inner_pixels(picture: &Pixmap) -> impl Iterator<Item = usize> {
-    let row = 4 * picture.width_px as usize;
-    let at = |i: usize| &picture.rgba[i..i + 4];
-    let around = [row + 4, row, row - 4, 4];
-    let is_inner = move |i: &usize| {
-        around
-            .iter()
-            .all(|step| difference(at(*i), at(i - step)).max(difference(at(*i), at(i + step))) <= EDGE_LEVELS)
-    };
-    (row + 4..picture.rgba.len() - row - 4).step_by(4).filter(is_inner)
-}
-
-fn difference(a: &[u8], b: &[u8]) -> u8 {
-    a.iter().zip(b).map(|(a, b)| a.abs_diff(*b)).max().unwrap_or_default()
 }
 
 #[wasm_bindgen_test]
@@ -129,6 +63,20 @@ async fn javascript_sees_effects_by_name_and_errors_for_what_does_not_exist() {
     assert!(app.command("no such command", &JsValue::NULL).is_err());
     assert!(app.command("color", &"red".into()).is_err());
     assert!(app.pointer("sideways", &[]).is_err());
+}
+
+#[wasm_bindgen_test]
+async fn a_picture_for_a_file_is_had_in_strips_with_its_field() {
+    let options = object(&[("renderer", CPU.into()), ("desk", "#808080".into()), ("wake", wake().into())]);
+    let app = App::create(canvas(), options).await.expect("an app");
+    let open = object(&[("work", Uint8Array::from(&work()[..]).into()), ("notes", "".into())]);
+    app.command("open", &open).expect("effects");
+    let export = app.export(512.0, true);
+    assert_eq!((export.width(), export.height()), (512, 384));
+    assert_eq!(export.rows(380, 4, false), [255; 4 * 4 * 512]);
+    assert_eq!(export.rows(380, 4, true), [0; 4 * 4 * 512]);
+    assert!(export.rows(190, 4, true).chunks(4).any(|pixel| pixel == [0, 0, 0, 255]), "lines are there");
+    assert!(Field::from_bytes(&export.field()).is_some());
 }
 
 #[wasm_bindgen_test]

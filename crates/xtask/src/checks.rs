@@ -70,6 +70,7 @@ fn licences() -> Result<()> {
 }
 
 fn native_tests() -> Result<()> {
+    tools::poppler()?;
     run(cargo().args(["test", "--workspace", "--no-fail-fast"]))
 }
 

@@ -57,12 +57,22 @@ pub(crate) fn browsers() -> Result<()> {
     if missing_packages().is_empty() {
         return Ok(());
     }
-    if find("apt-get").is_some() && output(command("id").arg("-u")).as_deref() == Some("0") {
+    if may_install() {
         apt_install(&missing_packages())?;
     }
     let missing = missing_packages().join(" ");
     ensure!(missing.is_empty(), "the browser tests need {missing}: on Debian, apt-get install {missing}");
     Ok(())
+}
+
+/// Poppler, which shows tests what a PDF looks like: installed where this is Debian and we may. Elsewhere these tests
+/// say that they are skipped.
+pub(crate) fn poppler() -> Result<()> {
+    if find("pdftoppm").is_none() && may_install() { apt_install(&["poppler-utils"]) } else { Ok(()) }
+}
+
+fn may_install() -> bool {
+    find("apt-get").is_some() && output(command("id").arg("-u")).as_deref() == Some("0")
 }
 
 fn missing_packages() -> Vec<&'static str> {

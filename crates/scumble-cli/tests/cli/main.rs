@@ -7,6 +7,7 @@ mod color;
 mod corpus;
 mod curves;
 mod eval;
+mod exports;
 mod folder;
 mod palettes;
 mod samples;

@@ -1,0 +1,72 @@
+//! What `scumble render` writes for other programs.
+
+use crate::folder::{CIRCLE, Folder, INSIDE, stderr};
+
+/// A folder with a drawing that was coloured and kept.
+fn kept(name: &str) -> Folder {
+    let folder = Folder::new(name).with("d.svg", CIRCLE).with("s.json", INSIDE);
+    let color = ["color", "d.svg", "--scribbles", "s.json", "-o", "o.png", "--save", "w.scumble"];
+    run(&folder, &color);
+    folder
+}
+
+/// What was written to the error stream.
+#[track_caller]
+fn run(folder: &Folder, arguments: &[&str]) -> String {
+    let output = folder.run(arguments);
+    assert!(output.status.success(), "{arguments:?}: {}", stderr(&output));
+    stderr(&output)
+}
+
+fn text(folder: &Folder, name: &str) -> String {
+    String::from_utf8(folder.read(name)).unwrap()
+}
+
+#[test]
+fn an_svg_has_colours_and_lines_as_paths() {
+    let folder = kept("export-svg");
+    run(&folder, &["render", "w.scumble", "-o", "o.SVG", "--lines"]);
+    let svg = text(&folder, "o.SVG");
+    assert!(svg.contains(r#"width="1024" height="1024" viewBox="0 0 1024 1024""#), "{svg}");
+    assert!(svg.contains(r##"<rect width="1024" height="1024" fill="#ffffff"/>"##), "{svg}");
+    assert!(svg.contains(r##"<path fill="#e6194b""##), "{svg}");
+    assert!(svg.contains(r##"stroke="#000000" stroke-width="32""##), "{svg}");
+    assert!(!svg.contains("<image"), "{svg}");
+    run(&folder, &["render", "w.scumble", "-o", "bare.svg", "--transparent", "--size", "300"]);
+    let bare = text(&folder, "bare.svg");
+    assert!(bare.contains(r#"width="300" height="300""#) && !bare.contains("<rect"), "{bare}");
+    assert!(!bare.contains("stroke="), "{bare}");
+}
+
+#[test]
+fn an_svg_is_opened_with_its_scribbles() {
+    let folder = kept("export-opened");
+    run(&folder, &["render", "w.scumble", "-o", "o.svg"]);
+    assert_eq!(run(&folder, &["convert", "o.svg", "again.scumble"]), "");
+    assert_eq!(folder.read("again.scumble"), folder.read("w.scumble"));
+    run(&folder, &["render", "o.svg", "-o", "again.svg"]);
+    assert_eq!(folder.read("again.svg"), folder.read("o.svg"));
+}
+
+#[test]
+fn a_damaged_svg_is_opened_without_its_scribbles_and_says_so() {
+    let folder = kept("export-damaged");
+    run(&folder, &["render", "w.scumble", "-o", "o.svg", "--lines"]);
+    let damaged = text(&folder, "o.svg").replacen("\"points\"", "\"pints\"", 1);
+    let folder = folder.with("o.svg", damaged);
+    let warning = run(&folder, &["convert", "o.svg", "lines.scumble"]);
+    assert!(warning.contains("without the scribbles"), "{warning}");
+    let lines = text(&folder, "lines.scumble");
+    assert!(lines.contains("\"curves\"") && !lines.contains("\"scribbles\""), "{lines}");
+    assert_eq!(lines.matches("\"path\"").count(), 1, "the colours are no lines: {lines}");
+}
+
+#[test]
+fn a_pdf_is_written_as_large_as_asked_for() {
+    let folder = kept("export-pdf");
+    run(&folder, &["render", "w.scumble", "-o", "o.pdf", "--lines", "--size", "400"]);
+    let pdf = folder.read("o.pdf");
+    assert!(pdf.starts_with(b"%PDF-1.4\n") && pdf.ends_with(b"%%EOF\n"));
+    assert!(String::from_utf8_lossy(&pdf).contains("/MediaBox [0 0 300 300]"));
+    assert!(pdf.len() < folder.read("o.png").len());
+}

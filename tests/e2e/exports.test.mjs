@@ -1,0 +1,201 @@
+// Export: pictures for other programs show what the canvas shows, and an SVG opens again as the work that it was.
+import assert from "node:assert/strict";
+import { mkdtemp, rm, writeFile } from "node:fs/promises";
+import { tmpdir } from "node:os";
+import { join } from "node:path";
+import { after, before, describe, test } from "node:test";
+import { start } from "./harness.mjs";
+import { Picture, assertSame } from "./picture.mjs";
+
+/** @typedef {import("./harness.mjs").Editor} Editor */
+
+/** The longer side of the viewBox of `drawings/shading.svg`, and its size in pixels at 1×. */
+const SHADING = 200;
+const SIZE = { width: 1024, height: 512 };
+const SCRIBBLES = /** @type {[string, [number, number][]][]} */ ([
+  ["Yellow", [[35, 45], [60, 30], [90, 28]]],
+  ["Violet", [[40, 70], [80, 82], [110, 76]]],
+  ["Teal", [[150, 20], [185, 40], [180, 80]]],
+]);
+
+/** Files stay in the page: `window.saved` is the address of the last one. @param {Editor} editor */
+const catchFiles = (editor) =>
+  editor.tab.evaluate(`{
+    HTMLAnchorElement.prototype.click = function () { window.saved = this.href; };
+  }`);
+
+/** @param {Editor} editor @param {string} blob an expression in the page @returns {Promise<Buffer>} */
+async function bytes(editor, blob) {
+  const url = await editor.tab.evaluate(`Promise.resolve(${blob}).then((blob) => new Promise((done) => {
+    const reader = new FileReader();
+    reader.onload = () => done(reader.result);
+    reader.readAsDataURL(blob);
+  }))`);
+  return Buffer.from(String(url).split(",")[1], "base64");
+}
+
+/**
+ * @param {Editor} editor
+ * @param {string} format
+ * @param {() => Promise<unknown>} [choose] what else is chosen in the dialog
+ */
+async function exported(editor, format, choose = async () => {}) {
+  await editor.click("Export");
+  await editor.tab.click("radio", format);
+  await choose();
+  await editor.until("Exported", () => editor.click("Save file"));
+  return bytes(editor, "fetch(window.saved).then((file) => file.blob())");
+}
+
+/** An SVG as the browser shows it as an image. @param {Editor} editor @param {Buffer} svg */
+async function shownAsImage(editor, svg) {
+  const url = `data:image/svg+xml;base64,${svg.toString("base64")}`;
+  const png = await bytes(editor, `(async () => {
+    const image = new Image();
+    image.src = ${JSON.stringify(url)};
+    await image.decode();
+    const canvas = new OffscreenCanvas(image.width, image.height);
+    canvas.getContext("2d").drawImage(image, 0, 0);
+    return canvas.convertToBlob();
+  })()`);
+  return Picture.decode(png);
+}
+
+/** The whole page at 100%. @param {Editor} editor @param {{width: number, height: number}} size */
+async function shown(editor, size) {
+  await editor.tab.evaluate(`document.getElementById("zoom").click()`);
+  const [[left, top]] = await editor.place([[0, 0]], SHADING);
+  return (await editor.picture()).part(Math.round(left), Math.round(top), size);
+}
+
+for (const browser of /** @type {const} */ (["chromium", "firefox"])) {
+  describe(`exports in ${browser}`, () => {
+    /** @type {Awaited<ReturnType<typeof start>>} */
+    let session;
+    /** @type {string} */
+    let folder;
+    before(async () => {
+      folder = await mkdtemp(join(tmpdir(), "scumble-"));
+      session = await start(browser);
+    });
+    after(async () => {
+      await session.close();
+      await rm(folder, { recursive: true });
+    });
+
+    const shaded = async () => {
+      const editor = await session.open("cpu");
+      await editor.openDrawing("shading");
+      for (const [color, points] of SCRIBBLES) {
+        await editor.click(color);
+        await editor.scribble(points, SHADING);
+      }
+      await editor.toggle("Show scribbles");
+      await catchFiles(editor);
+      return editor;
+    };
+
+    test("pictures show what the canvas shows, and the SVG opens with its scribbles", async () => {
+      const editor = await shaded();
+      const png = Picture.decode(await exported(editor, "PNG"));
+      const svg = await exported(editor, "SVG");
+      const pdf = await exported(editor, "PDF");
+      assert.deepEqual([png.width, png.height], [SIZE.width, SIZE.height]);
+      const canvas = await shown(editor, SIZE);
+      assertSame(png, canvas);
+      assertSame(await shownAsImage(editor, svg), canvas);
+      assert.match(pdf.toString("latin1"), /^%PDF-1\.4[^]*MediaBox \[0 0 768 384\][^]*%%EOF\n$/);
+
+      const path = join(folder, "shading again.svg");
+      await writeFile(path, svg);
+      await editor.openSample("Pear");
+      await editor.until("Opened shading again.svg", () => editor.tab.chooseFiles([path]));
+      assertSame(await shown(editor, SIZE), canvas);
+      const way = await editor.place([[120, 45], [126, 52]], SHADING);
+      await editor.until("Scribble added, 4 in the drawing", () => editor.drag(way));
+      assert.deepEqual(editor.tab.faults, []);
+    });
+
+    test("size, lines and paper are as they are chosen", async () => {
+      const editor = await shaded();
+      /** @type {() => Promise<void>} */
+      const choose = async () => {
+        await editor.click("2×");
+        await editor.toggle("Lines");
+        await editor.toggle("Transparent");
+      };
+      const png = Picture.decode(await exported(editor, "PNG", choose));
+      assert.deepEqual([png.width, png.height], [2 * SIZE.width, 2 * SIZE.height]);
+      assert.ok([...png.rgba].some((value, i) => i % 4 === 3 && value === 0), "some of it is clear");
+      assert.deepEqual(editor.tab.faults, []);
+    });
+
+    test("a damaged SVG opens as its lines, and says so", async () => {
+      const editor = await shaded();
+      const svg = (await exported(editor, "SVG")).toString().replace('"points"', '"pints"');
+      const path = join(folder, "damaged.svg");
+      await writeFile(path, svg);
+      await editor.until("without the scribbles", () => editor.tab.chooseFiles([path]));
+      const way = await editor.place([[120, 45], [126, 52]], SHADING);
+      await editor.until("Scribble added, 1 in the drawing", () => editor.drag(way));
+    });
+
+    test("what takes long can be stopped", async () => {
+      const editor = await shaded();
+      await editor.click("Export");
+      await editor.tab.evaluate(`document.getElementById("export-size").value = "16384"`);
+      await editor.click("Save file");
+      await editor.tab.waitFor(`!document.getElementById("export-progress").hidden`);
+      await editor.click("Cancel");
+      await editor.tab.waitFor(`document.getElementById("export-status").textContent === "Cancelled"`);
+      assert.equal(await editor.tab.evaluate("window.saved"), undefined);
+      await editor.click("Close");
+      assert.equal((await exported(editor, "PDF", () => editor.click("1×"))).subarray(0, 5).toString(), "%PDF-");
+      assert.deepEqual(editor.tab.faults, []);
+    });
+  });
+}
+
+describe("the dialog of exports", () => {
+  /** @type {Awaited<ReturnType<typeof start>>} */
+  let session;
+  before(async () => {
+    session = await start("chromium");
+  });
+  after(() => session.close());
+
+  const open = async () => {
+    const editor = await session.open("cpu");
+    await editor.openDrawing("rooms");
+    await editor.tab.hold("Control", () => editor.tab.hold("Shift", () => editor.tab.press("E")));
+    await editor.tab.waitFor(`document.getElementById("export").open`);
+    return editor;
+  };
+
+  test("it opens and closes by keys, and bad sizes are not made", async () => {
+    const editor = await open();
+    await editor.tab.evaluate(`{
+      const size = document.getElementById("export-size");
+      size.value = "16385";
+      size.dispatchEvent(new Event("input", { bubbles: true }));
+    }`);
+    assert.equal(await editor.tab.evaluate(`document.getElementById("save-export").disabled`), true);
+    await editor.click("4×");
+    assert.equal(await editor.tab.evaluate(`document.getElementById("save-export").disabled`), false);
+    await editor.tab.press("Escape");
+    await editor.tab.waitFor(`!document.getElementById("export").open`);
+    assert.deepEqual(editor.tab.faults, []);
+  });
+
+  test("pixels are copied", async () => {
+    const editor = await open();
+    await editor.tab.evaluate(`
+      navigator.clipboard.write = async ([item]) => void (window.copied = await item.getType("image/png"))`);
+    await editor.click("Copy picture");
+    await editor.tab.waitFor(`document.getElementById("export-status").textContent === "Copied"`);
+    const picture = Picture.decode(await bytes(editor, "window.copied"));
+    assert.equal(picture.width, 1024);
+    await editor.tab.click("radio", "SVG");
+    assert.equal(await editor.tab.evaluate(`document.getElementById("copy-picture").hidden`), true);
+  });
+});
