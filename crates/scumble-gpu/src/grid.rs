@@ -8,6 +8,7 @@
 //! | levels, and the ways through them | `levels` |
 //! | sums over all texels | `reduction` |
 //! | a step of conjugate gradients | `gradients` |
+//! | the solution as a layer of a scene | `layer` |
 //! | why it cannot be done | `error` |
 //!
 //! Every pass draws a texture of numbers from others with a fragment shader, so that WebGL2 can do it too. The matrices
@@ -16,6 +17,7 @@
 mod error;
 mod gradients;
 pub(crate) mod kernels;
+pub(crate) mod layer;
 mod levels;
 mod reduction;
 mod tape;
@@ -90,7 +92,7 @@ impl GpuGridSolver {
     }
 
     /// What [`GpuGridSolver::pixels`] reads, on the GPU.
-    fn values(&self) -> &wgpu::TextureView {
+    pub(crate) fn values(&self) -> &wgpu::TextureView {
         &self.steps[1].values
     }
 

@@ -87,23 +87,23 @@ impl Kernels {
     }
 }
 
-const TEXELS: wgpu::BindingType = wgpu::BindingType::Texture {
+pub(super) const TEXELS: wgpu::BindingType = wgpu::BindingType::Texture {
     sample_type: wgpu::TextureSampleType::Uint,
     view_dimension: wgpu::TextureViewDimension::D2,
     multisampled: false,
 };
 
-const UNIFORM: wgpu::BindingType = wgpu::BindingType::Buffer {
+pub(super) const UNIFORM: wgpu::BindingType = wgpu::BindingType::Buffer {
     ty: wgpu::BufferBindingType::Uniform,
     has_dynamic_offset: false,
     min_binding_size: None,
 };
 
-fn entry(binding: u32, ty: wgpu::BindingType) -> wgpu::BindGroupLayoutEntry {
+pub(super) fn entry(binding: u32, ty: wgpu::BindingType) -> wgpu::BindGroupLayoutEntry {
     wgpu::BindGroupLayoutEntry { binding, visibility: wgpu::ShaderStages::FRAGMENT, ty, count: None }
 }
 
-fn bind_group_layout(
+pub(super) fn bind_group_layout(
     device: &wgpu::Device,
     label: &str,
     entries: &[wgpu::BindGroupLayoutEntry],

@@ -37,6 +37,13 @@ pub(super) fn uploaded_first(gpu: &Gpu, texture: &Texture) -> wgpu::TextureView 
     texels.create_view(&Default::default())
 }
 
+/// Pairs of numbers in rows on the GPU, to be read.
+pub(super) fn uploaded_pairs(gpu: &Gpu, size: [u32; 2], pairs: &[[u32; 2]]) -> wgpu::TextureView {
+    let texels = made(gpu, size, wgpu::TextureFormat::Rg32Uint, wgpu::TextureUsages::empty());
+    write(gpu, &texels, bytemuck::cast_slice(pairs));
+    texels.create_view(&Default::default())
+}
+
 /// A single texel of four equal numbers.
 pub(super) fn single(gpu: &Gpu, number: f32) -> wgpu::TextureView {
     uploaded(gpu, &Texture { width: 1, height: 1, texels: vec![[number; 4]] })
