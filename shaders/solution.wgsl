@@ -69,9 +69,9 @@ fn color_at(place: vec2<f32>) -> vec4<f32> {
     var seen_weight = 0.0;
     var all = vec4(0.0);
     for (var corner = 0; corner < 4; corner++) {
-        let is_far = vec2(corner % 2, corner / 2) == vec2(1);
-        let pixel = clamp(cell - select(vec2(1), vec2(0), is_far), vec2(0), last);
-        let weights = select(1.0 - far_weight, far_weight, is_far) + LEAST_WEIGHT;
+        let far = vec2(corner % 2, corner / 2);
+        let pixel = clamp(cell + far - 1, vec2(0), last);
+        let weights = mix(1.0 - far_weight, far_weight, vec2<f32>(far)) + LEAST_WEIGHT;
         let weight = weights.x * weights.y;
         let color = weight * bitcast<vec4<f32>>(textureLoad(values, pixel, 0));
         all += color;

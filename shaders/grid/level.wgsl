@@ -3,6 +3,8 @@
 struct Level {
     columns: i32,
     slots: i32,
+    // A uniform of WebGL is a multiple of 16 bytes.
+    padding: vec2<i32>,
 }
 
 // By unknown: weights of the links to the slots of the cell to the east, of that to the south, and of its own; and how

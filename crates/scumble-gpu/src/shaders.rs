@@ -71,6 +71,18 @@ mod tests {
         }
     }
 
+    #[test]
+    fn uniforms_have_the_sizes_that_webgl_takes() {
+        for (name, source) in all() {
+            let (module, _) = validated(name, source);
+            let uniforms =
+                module.global_variables.iter().filter(|(_, v)| v.space == naga::AddressSpace::Uniform);
+            for (_, uniform) in uniforms {
+                assert_eq!(module.types[uniform.ty].inner.size(module.to_ctx()) % 16, 0, "{name}");
+            }
+        }
+    }
+
     fn files(folder: &str) -> Vec<String> {
         let folder = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../../shaders").join(folder);
         let mut names: Vec<String> = std::fs::read_dir(folder)

@@ -56,6 +56,9 @@ pub const TOLERANCE: f32 = 0.05 / 255.0;
 /// up to 9.
 pub const MAX_STEPS: usize = 24;
 
+/// Steps where nobody looks at how far they have come, because that would take waiting for a GPU.
+pub const PAGE_STEPS: usize = 10;
+
 /// A picture on its way to the solution.
 #[derive(Clone, Debug)]
 pub struct GridSolver {

@@ -4,6 +4,7 @@ use kurbo::{Point, Vec2};
 use scumble_core::{Blend, EngineKind, Settings, Srgb8};
 
 use crate::brush::{Ink, ModeChange};
+use crate::solver::Solver;
 use crate::view::Viewport;
 
 /// Where a gesture of the pen is.
@@ -106,6 +107,8 @@ pub enum Command {
     Set(Setting),
     /// A slider is let go.
     Settle,
+    /// Which solver is to make the picture.
+    Solver(Solver),
     /// Whether lines are shown.
     Lines(bool),
     /// Whether scribbles are shown.

@@ -6,6 +6,7 @@ use scumble_solve::Pixmap;
 
 use crate::brush::{Ink, Mode};
 use crate::command::Tool;
+use crate::solver::SolverState;
 
 /// One thing that the page must know.
 #[derive(Clone, Debug, PartialEq)]
@@ -34,6 +35,8 @@ pub enum Effect {
     Scribbles(bool),
     /// How the drawing is coloured.
     Settings(Settings),
+    /// Which solver makes the picture.
+    Solver(SolverState),
     /// A drawing was opened.
     Opened {
         /// What was left out of it, in words.
@@ -94,6 +97,7 @@ pub(crate) struct State {
     pub(crate) lines: Option<bool>,
     pub(crate) scribbles: Option<bool>,
     pub(crate) settings: Option<Settings>,
+    pub(crate) solver: Option<SolverState>,
 }
 
 impl State {
@@ -112,6 +116,7 @@ impl State {
             news(self.lines, known.lines, Effect::Lines),
             news(self.scribbles, known.scribbles, Effect::Scribbles),
             news(self.settings, known.settings, Effect::Settings),
+            news(self.solver, known.solver, Effect::Solver),
         ];
         each.into_iter().flatten().collect()
     }
