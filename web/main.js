@@ -18,6 +18,9 @@ import { closeShare, copyLink, isLink, sendLink, showLink } from "./share.js";
 import { putAside } from "./storage.js";
 import { areLinesShown, connect, done, failed, pickColor, shown, showName, showUnkept, swatch, tell, warn } from "./toolbar.js";
 
+/** What the address may ask for. */
+const SOLVERS = ["automatic", "mesh", "gpu"];
+
 /** An arrow key moves the view by this much, in CSS pixels. */
 const STEP_PX = 48;
 
@@ -40,9 +43,15 @@ const handlers = {
   // The affine map from drawing units to CSS pixels of the canvas, for those who look at the canvas from outside.
   view: (matrix) => (canvas().dataset.view = [...matrix].join(" ")),
   renderer: (name) => {
-    if (canvas().dataset.renderer) tell(say("recovered"));
+    const { renderer } = canvas().dataset;
+    if (renderer) tell(say(renderer === name ? "recovered" : `recovered-${name}`));
     canvas().dataset.renderer = name;
   },
+  solver: both(shown.solver, ({ source }) => {
+    // Which one makes the picture, for those who look at the canvas from outside.
+    canvas().dataset.solver = source;
+    if (source.includes("-")) tell(say(`source-${source}`));
+  }),
   opened: ({ notes }) => done(say(notes === "" ? "opened" : "opened-in-part", { name: drawings.shown.name, notes })),
   ...Object.fromEntries(
     ["scribble-added", "scribbles-erased", "scribble-dropped", "undone", "redone"].map((key) => [
@@ -194,6 +203,8 @@ async function start() {
     return;
   }
   followSize();
+  const solver = new URLSearchParams(location.search).get("solver") ?? "";
+  if (SOLVERS.includes(solver)) engine.command("solver", solver);
   matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => engine.command("desk", desk()));
   listen(act, (held) => pointers.holdSpace(held));
   receive((file) => opening.file(file), (text) => opening.text(text));

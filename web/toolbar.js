@@ -66,7 +66,7 @@ export function connect(act, set) {
   for (const setting of ["lines", "scribbles", "spread", "crosses"]) {
     settingOf(setting).addEventListener("change", () => set(setting, settingOf(setting).checked));
   }
-  for (const setting of ["engine", "blend", "pressure"]) {
+  for (const setting of ["engine", "solver", "blend", "pressure"]) {
     settingOf(setting).addEventListener("change", () => set(setting, settingOf(setting).value));
   }
   connectSlider(settingOf("gap-closing"), set);
@@ -217,6 +217,10 @@ export const shown = {
     showPercent(settingOf("gap-closing"), control("gap-figure"), Math.round(gapClosing * 100));
     // The other engine does not spread.
     settingOf("spread").disabled = engine !== "global";
+  },
+  /** @param {{asked: string}} state which solver is to make the picture */
+  solver({ asked }) {
+    settingOf("solver").value = asked;
   },
   /** @param {number} zoom 1 where a drawing unit is a CSS pixel */
   zoom(zoom) {

@@ -1,7 +1,6 @@
 // The sum of the terms of a block; by rows, so that less is lost in rounding.
-@fragment
-fn fragment(@builtin(position) position: vec4<f32>) -> @location(0) vec4<f32> {
-    let origin = 8 * vec2<i32>(position.xy);
+fn kernel(place: vec2<i32>) -> vec4<f32> {
+    let origin = 8 * place;
     var sum = vec4(0.0);
     for (var y = 0; y < 8; y++) {
         var row = vec4(0.0);

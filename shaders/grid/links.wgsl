@@ -3,8 +3,8 @@
 fn linked(place: vec2<i32>) -> vec4<f32> {
     let cell = place.x % level.columns;
     let slot = place.x / level.columns;
-    let to_east = textureLoad(east, place, 0);
-    let to_south = textureLoad(south, place, 0);
+    let to_east = texel(east, place);
+    let to_south = texel(south, place);
     let inside = load(within, place);
     var sum = vec4(0.0);
     for (var other = 0; other < level.slots; other++) {

@@ -3,10 +3,10 @@
 var<private> own: vec4<f32>;
 
 fn linked_value(place: vec2<i32>) -> vec4<f32> {
-    return textureLoad(first, place, 0) - own;
+    return texel(first, place) - own;
 }
 
 fn multiplied(place: vec2<i32>) -> vec4<f32> {
-    own = textureLoad(first, place, 0);
-    return textureLoad(holds, place, 0).x * own - linked(place);
+    own = texel(first, place);
+    return texel(holds, place).x * own - linked(place);
 }

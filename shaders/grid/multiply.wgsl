@@ -1,6 +1,5 @@
 // The matrix times a vector.
 
-@fragment
-fn fragment(@builtin(position) position: vec4<f32>) -> @location(0) vec4<f32> {
-    return multiplied(vec2<i32>(position.xy));
+fn kernel(place: vec2<i32>) -> vec4<f32> {
+    return multiplied(place);
 }

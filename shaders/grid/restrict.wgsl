@@ -1,7 +1,7 @@
 // The right side of the coarser level, given the residual in first: the transpose of interpolate.
 
 fn linked_value(place: vec2<i32>) -> vec4<f32> {
-    return textureLoad(first, place, 0) * textureLoad(holds, place, 0).z;
+    return texel(first, place) * texel(holds, place).z;
 }
 
 // The share of one unknown, if it is a part of this slot at all.
@@ -10,12 +10,10 @@ fn share(place: vec2<i32>, slot: i32) -> vec4<f32> {
     if i32(hold.w) != slot + 1 {
         return vec4(0.0);
     }
-    return textureLoad(first, place, 0) * (1.0 - hold.y * hold.z) + linked(place);
+    return texel(first, place) * (1.0 - hold.y * hold.z) + linked(place);
 }
 
-@fragment
-fn fragment(@builtin(position) position: vec4<f32>) -> @location(0) vec4<f32> {
-    let place = vec2<i32>(position.xy);
+fn kernel(place: vec2<i32>) -> vec4<f32> {
     let cell = vec2(place.x % coarse_columns(), place.y);
     var sum = vec4(0.0);
     for (var quarter = 0; quarter < 4; quarter++) {

@@ -41,8 +41,12 @@ export async function start(name) {
     newTab: () => browser.open(),
     /** The page in a tab, as it comes up again. @param {Tab} tab */
     reopen: (tab) => Editor.open(tab, `${url}?renderer=cpu`, "cpu"),
-    /** @param {Target["renderer"]} renderer */
-    open: async (renderer) => Editor.open(await browser.open(), `${url}?renderer=${renderer}`, renderer),
+    /**
+     * @param {Target["renderer"]} renderer
+     * @param {string} [more] of the address
+     */
+    open: async (renderer, more = "") =>
+      Editor.open(await browser.open(), `${url}?renderer=${renderer}${more}`, renderer),
     close: async () => {
       await browser.close();
       server.close();
@@ -153,6 +157,15 @@ export class Editor {
   async openSample(name) {
     await this.click("Samples");
     await this.until(`Opened ${name}`, () => this.click(name));
+  }
+
+  /**
+   * Waits until the picture comes from a source: "mesh" or "gpu", or "without-gpu" or "so-close", which are the mesh
+   * solver in place of the other.
+   * @param {string} source
+   */
+  shows(source) {
+    return this.tab.waitFor(`document.getElementById("canvas").dataset.solver === ${JSON.stringify(source)}`);
   }
 
   /** The corner and the size of the canvas in the window. @returns {Promise<DOMRect>} */

@@ -62,6 +62,10 @@ impl Gpu {
     }
 }
 
+/// Whether a device is destroyed when nobody uses it any more. In WebGPU it is not: what is destroyed there is gone under
+/// its users.
+const IS_DESTROYED_IF_DROPPED: bool = !cfg!(all(target_arch = "wasm32", feature = "webgpu"));
+
 /// WebGL2's limits, but the adapter's texture size, and one colour attachment: some adapters have few.
 fn device_descriptor(adapter: &wgpu::Adapter) -> wgpu::DeviceDescriptor<'static> {
     let limits = wgpu::Limits::downlevel_webgl2_defaults().using_resolution(adapter.limits());
@@ -79,7 +83,7 @@ fn watch(device: &wgpu::Device, on_failure: impl Fn(GpuError) + Send + Sync + 's
         on_error(GpuError::Failed(error.to_string()));
     }));
     device.set_device_lost_callback(move |reason, message| {
-        if reason != wgpu::DeviceLostReason::Destroyed {
+        if reason != wgpu::DeviceLostReason::Destroyed || !IS_DESTROYED_IF_DROPPED {
             on_failure(GpuError::Lost(message));
         }
     });

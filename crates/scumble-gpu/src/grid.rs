@@ -8,14 +8,16 @@
 //! | levels, and the ways through them | `levels` |
 //! | sums over all texels | `reduction` |
 //! | a step of conjugate gradients | `gradients` |
+//! | the solution as a layer of a scene | `layer` |
 //! | why it cannot be done | `error` |
 //!
-//! Every pass draws a texture of floats from others with a fragment shader, so that WebGL2 can do it too. The matrices
+//! Every pass draws a texture of numbers from others with a fragment shader, so that WebGL2 can do it too. The matrices
 //! of the levels come from the CPU.
 
 mod error;
 mod gradients;
 pub(crate) mod kernels;
+pub(crate) mod layer;
 mod levels;
 mod reduction;
 mod tape;
@@ -30,7 +32,7 @@ use crate::error::GpuError;
 use crate::gpu::Gpu;
 pub use error::GridError;
 use gradients::{Gradients, Step};
-use kernels::Kernels;
+pub use kernels::Kernels;
 use levels::GpuLevels;
 use tape::Recorder;
 
@@ -48,13 +50,12 @@ impl GpuGridSolver {
     /// With a first picture.
     ///
     /// # Errors
-    /// When the device cannot draw floats, or not so many.
-    pub fn new(gpu: &Gpu, constraints: &Constraints) -> Result<Self, GridError> {
+    /// When the device cannot draw so large a picture.
+    pub fn new(gpu: &Gpu, kernels: &Kernels, constraints: &Constraints) -> Result<Self, GridError> {
         let hierarchy = Hierarchy::new(constraints);
         check(gpu, &hierarchy)?;
-        let kernels = Kernels::new(&gpu.device);
-        let mut recorder = Recorder::new(gpu, &kernels);
-        let mut gradients = Gradients::new(gpu, GpuLevels::new(gpu, &kernels, &hierarchy), &mut recorder);
+        let mut recorder = Recorder::new(gpu, kernels);
+        let mut gradients = Gradients::new(gpu, GpuLevels::new(gpu, kernels, &hierarchy), &mut recorder);
         recorder.take().play(gpu);
         let [first, second] = [(); 2].map(|()| gradients.step(&mut recorder));
         Ok(Self { gpu: gpu.clone(), steps: [first, second], change: gradients.change().clone() })
@@ -90,21 +91,22 @@ impl GpuGridSolver {
         Ok(changes.into_iter().flatten().fold(0.0, |largest, change| largest.max(change.abs())))
     }
 
+    /// What [`GpuGridSolver::pixels`] reads, on the GPU.
+    pub(crate) fn values(&self) -> &wgpu::TextureView {
+        &self.steps[1].values
+    }
+
     /// Blend-space colours times opacity, and opacity, row by row.
     ///
     /// # Errors
     /// When the device fails.
     pub async fn pixels(&self) -> Result<Vec<Texel>, GpuError> {
-        texels::read(&self.gpu, &self.steps[1].values).await
+        texels::read(&self.gpu, self.values()).await
     }
 }
 
-/// Whether a device can draw what the solver needs.
+/// Whether textures hold what the solver needs.
 fn check(gpu: &Gpu, hierarchy: &Hierarchy) -> Result<(), GridError> {
-    let usages = gpu.adapter.get_texture_format_features(texels::FORMAT).allowed_usages;
-    if !usages.contains(wgpu::TextureUsages::RENDER_ATTACHMENT) {
-        return Err(GridError::NoFloats);
-    }
     let longest = hierarchy.given.iter().map(|t| t.width.max(t.height)).max().unwrap_or(0);
     let most = gpu.device.limits().max_texture_dimension_2d;
     if longest > most as usize { Err(GridError::TooLarge { most_px: most }) } else { Ok(()) }

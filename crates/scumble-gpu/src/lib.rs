@@ -27,7 +27,7 @@ mod shaders;
 
 pub use error::GpuError;
 pub use gpu::{Gpu, instance, surface_format};
-pub use grid::{GpuGridSolver, GridError};
+pub use grid::{GpuGridSolver, GridError, Kernels as GridKernels};
 pub use probe::probe;
 pub use renderer::{Layer, Renderer};
 pub use wgpu;

@@ -1,10 +1,10 @@
-//! The two pipelines: field triangles, and shapes over them.
+//! The pipelines: field triangles, or what the grid solver found, and shapes over them.
 
 use crate::items;
 use crate::samples::{DEPTH_FORMAT, SAMPLES};
 use crate::shaders;
 
-/// How both reach the view.
+/// How all of them reach the view.
 pub(crate) const VIEW_LAYOUT: wgpu::BindGroupLayoutDescriptor<'static> = wgpu::BindGroupLayoutDescriptor {
     label: Some("view"),
     entries: &[wgpu::BindGroupLayoutEntry {
@@ -23,7 +23,7 @@ pub(crate) const VIEW_LAYOUT: wgpu::BindGroupLayoutDescriptor<'static> = wgpu::B
 struct Kernel {
     label: &'static str,
     source: &'static str,
-    layout: wgpu::VertexBufferLayout<'static>,
+    buffers: &'static [Option<wgpu::VertexBufferLayout<'static>>],
     depth_write: bool,
     depth_compare: wgpu::CompareFunction,
 }
@@ -37,11 +37,11 @@ pub(crate) fn field(
     let kernel = Kernel {
         label: "field",
         source: shaders::FIELD,
-        layout: items::FIELD_LAYOUT,
+        buffers: &[Some(items::FIELD_LAYOUT)],
         depth_write: false,
         depth_compare: wgpu::CompareFunction::Always,
     };
-    kernel.pipeline(device, view_layout, format)
+    kernel.pipeline(device, &[Some(view_layout)], format)
 }
 
 /// Mixes triangles in, once a sample and shape: where a shape has been, its depth is no longer greater.
@@ -53,18 +53,34 @@ pub(crate) fn shape(
     let kernel = Kernel {
         label: "shape",
         source: shaders::SHAPE,
-        layout: items::SHAPE_LAYOUT,
+        buffers: &[Some(items::SHAPE_LAYOUT)],
         depth_write: true,
         depth_compare: wgpu::CompareFunction::Greater,
     };
-    kernel.pipeline(device, view_layout, format)
+    kernel.pipeline(device, &[Some(view_layout)], format)
+}
+
+/// Draws what the grid solver found, over the paper where it is not opaque.
+pub(crate) fn solution(
+    device: &wgpu::Device,
+    layouts: [&wgpu::BindGroupLayout; 2],
+    format: wgpu::TextureFormat,
+) -> wgpu::RenderPipeline {
+    let kernel = Kernel {
+        label: "solution",
+        source: shaders::SOLUTION,
+        buffers: &[],
+        depth_write: false,
+        depth_compare: wgpu::CompareFunction::Always,
+    };
+    kernel.pipeline(device, &layouts.map(Some), format)
 }
 
 impl Kernel {
     fn pipeline(
         self,
         device: &wgpu::Device,
-        view_layout: &wgpu::BindGroupLayout,
+        bind_group_layouts: &[Option<&wgpu::BindGroupLayout>],
         format: wgpu::TextureFormat,
     ) -> wgpu::RenderPipeline {
         let label = Some(self.label);
@@ -72,7 +88,7 @@ impl Kernel {
         let module = device.create_shader_module(wgpu::ShaderModuleDescriptor { label, source });
         let layout = device.create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
             label,
-            bind_group_layouts: &[Some(view_layout)],
+            bind_group_layouts,
             immediate_size: 0,
         });
         let blend = Some(wgpu::BlendState::PREMULTIPLIED_ALPHA_BLENDING);
@@ -84,7 +100,7 @@ impl Kernel {
                 module: &module,
                 entry_point: Some("vertex"),
                 compilation_options: Default::default(),
-                buffers: &[Some(self.layout)],
+                buffers: self.buffers,
             },
             primitive: wgpu::PrimitiveState::default(),
             depth_stencil: Some(wgpu::DepthStencilState {

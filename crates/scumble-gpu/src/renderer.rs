@@ -3,10 +3,13 @@
 use bytemuck::{Pod, Zeroable};
 use kurbo::{Affine, Point};
 use scumble_core::{Blend, Srgb8};
+use scumble_solve::grid::GridProblem;
 use scumble_solve::{Field, Pixmap, Shape, View};
 
 use crate::error::GpuError;
 use crate::gpu::Gpu;
+use crate::grid::GpuGridSolver;
+use crate::grid::layer::{self, GridLayer};
 use crate::items::{self, Items};
 use crate::pipelines;
 use crate::read_back::{self, Copy};
@@ -36,11 +39,22 @@ pub struct Renderer {
     shape_pipeline: wgpu::RenderPipeline,
     view_buffer: wgpu::Buffer,
     view_group: wgpu::BindGroup,
+    view_layout: wgpu::BindGroupLayout,
     blend: Blend,
     field: Items,
+    /// What the grid solver found, in place of the field.
+    solution: Option<Solution>,
     scribbles: Items,
     ink: Items,
     samples: Option<Samples>,
+}
+
+/// A solved grid, and what draws it.
+#[derive(Debug)]
+struct Solution {
+    layout: wgpu::BindGroupLayout,
+    pipeline: wgpu::RenderPipeline,
+    layer: GridLayer,
 }
 
 /// The view as the shaders read it.
@@ -77,16 +91,36 @@ impl Renderer {
             shape_pipeline: pipelines::shape(device, &view_layout, format),
             view_buffer,
             view_group,
+            view_layout,
             blend: Blend::default(),
             field: Items::default(),
+            solution: None,
             scribbles: Items::default(),
             ink: Items::default(),
             samples: None,
         }
     }
 
-    /// Replaces the field.
+    /// Has what a solver finds for a problem drawn in place of the field, from the next [`Renderer::update_solution`] on.
+    pub fn set_problem(&mut self, problem: &GridProblem) {
+        self.blend = problem.blend;
+        let layer = GridLayer::new(&self.gpu, problem);
+        match &mut self.solution {
+            Some(solution) => solution.layer = layer,
+            None => self.solution = Some(Solution::new(&self.gpu, &self.view_layout, self.format, layer)),
+        }
+    }
+
+    /// Takes the picture that a solver has come to.
+    pub fn update_solution(&mut self, solver: &GpuGridSolver) {
+        if let Some(Solution { layout, layer, .. }) = &mut self.solution {
+            layer.set_values(&self.gpu, layout, solver.values());
+        }
+    }
+
+    /// Replaces the field, and draws it again if it was not drawn.
     pub fn set_field(&mut self, field: &Field) {
+        self.solution = None;
         self.blend = field.blend;
         self.field.write(&self.gpu.device, &self.gpu.queue, &items::field_items(field));
     }
@@ -107,6 +141,9 @@ impl Renderer {
     pub fn draw(&mut self, view: &View, paper: Option<Srgb8>, target: &wgpu::TextureView) {
         let uniform = ViewUniform::new(view, self.blend);
         self.gpu.queue.write_buffer(&self.view_buffer, 0, bytemuck::bytes_of(&uniform));
+        if let Some(solution) = &self.solution {
+            solution.layer.look(&self.gpu.queue, view);
+        }
         let mut encoder = self.gpu.device.create_command_encoder(&Default::default());
         self.encode(&mut encoder, view, paper, target);
         self.gpu.queue.submit([encoder.finish()]);
@@ -146,10 +183,9 @@ impl Renderer {
         let samples = samples.unwrap_or_else(|| Samples::new(&self.gpu.device, view, self.format));
         let mut pass = samples.begin(encoder, paper, target);
         pass.set_bind_group(0, &self.view_group, &[]);
-        pass.set_pipeline(&self.field_pipeline);
-        for (buffer, count) in self.field.parts() {
-            pass.set_vertex_buffer(0, buffer.slice(..));
-            pass.draw(0..3, 0..count);
+        match &self.solution {
+            Some(solution) => solution.draw(&mut pass),
+            None => self.draw_field(&mut pass),
         }
         pass.set_pipeline(&self.shape_pipeline);
         for (buffer, count) in self.scribbles.parts().chain(self.ink.parts()) {
@@ -158,6 +194,35 @@ impl Renderer {
         }
         drop(pass);
         self.samples = Some(samples);
+    }
+
+    fn draw_field(&self, pass: &mut wgpu::RenderPass<'_>) {
+        pass.set_pipeline(&self.field_pipeline);
+        for (buffer, count) in self.field.parts() {
+            pass.set_vertex_buffer(0, buffer.slice(..));
+            pass.draw(0..3, 0..count);
+        }
+    }
+}
+
+impl Solution {
+    fn new(
+        gpu: &Gpu,
+        view_layout: &wgpu::BindGroupLayout,
+        format: wgpu::TextureFormat,
+        layer: GridLayer,
+    ) -> Self {
+        let layout = layer::layout(&gpu.device);
+        let pipeline = pipelines::solution(&gpu.device, [view_layout, &layout], format);
+        Self { layout, pipeline, layer }
+    }
+
+    fn draw(&self, pass: &mut wgpu::RenderPass<'_>) {
+        if let Some(group) = &self.layer.group {
+            pass.set_pipeline(&self.pipeline);
+            pass.set_bind_group(1, group, &[]);
+            pass.draw(0..3, 0..1);
+        }
     }
 }
 

@@ -14,6 +14,9 @@ pub(crate) const FIELD: &str = with_common!("field.wgsl");
 /// Draws flat shapes.
 pub(crate) const SHAPE: &str = with_common!("shape.wgsl");
 
+/// Draws what the grid solver found.
+pub(crate) const SOLUTION: &str = with_common!("solution.wgsl");
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -22,7 +25,8 @@ mod tests {
     use naga::back::glsl;
     use naga::valid::{Capabilities, ModuleInfo, ValidationFlags, Validator};
 
-    const SCENE: [(&str, &str); 2] = [("field.wgsl", FIELD), ("shape.wgsl", SHAPE)];
+    const SCENE: [(&str, &str); 3] =
+        [("field.wgsl", FIELD), ("shape.wgsl", SHAPE), ("solution.wgsl", SOLUTION)];
 
     /// Pieces of the grid solver's kernels that are none themselves.
     const PIECES: [&str; 6] = ["block", "level", "links", "matrix", "parent", "pass"];
@@ -67,6 +71,18 @@ mod tests {
         }
     }
 
+    #[test]
+    fn uniforms_have_the_sizes_that_webgl_takes() {
+        for (name, source) in all() {
+            let (module, _) = validated(name, source);
+            let uniforms =
+                module.global_variables.iter().filter(|(_, v)| v.space == naga::AddressSpace::Uniform);
+            for (_, uniform) in uniforms {
+                assert_eq!(module.types[uniform.ty].inner.size(module.to_ctx()) % 16, 0, "{name}");
+            }
+        }
+    }
+
     fn files(folder: &str) -> Vec<String> {
         let folder = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../../shaders").join(folder);
         let mut names: Vec<String> = std::fs::read_dir(folder)
@@ -80,7 +96,7 @@ mod tests {
 
     #[test]
     fn every_shader_file_is_used() {
-        assert_eq!(files(""), ["common.wgsl", "field.wgsl", "shape.wgsl"]);
+        assert_eq!(files(""), ["common.wgsl", "field.wgsl", "shape.wgsl", "solution.wgsl"]);
         let mut names: Vec<_> = SOURCES.iter().map(|source| source.name).chain(PIECES).collect();
         names.sort();
         assert_eq!(files("grid"), names.iter().map(|name| format!("{name}.wgsl")).collect::<Vec<_>>());

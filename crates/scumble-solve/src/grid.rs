@@ -11,7 +11,8 @@
 //! | what is computed from texel to texel | `kernels` |
 //! | grids from pixels to a single cell, and cycles through them | `hierarchy` |
 //! | another solver, to compare with | `jeschke` |
-//! | what a painter needs of a solved grid | `picture` |
+//! | what a painter needs of a solved grid | `picture`, `curve_cells` |
+//! | a picture to be solved | `problem` |
 //!
 //! Conjugate gradients, preconditioned by a symmetric multigrid cycle; after O. Tatebe, *The multigrid preconditioned
 //! conjugate gradient method* (1993). Interpolation is that of smoothed aggregation (P. Vaněk, J. Mandel, M. Brezina,
@@ -20,6 +21,7 @@
 //! Everything is computed texel by texel in `f32`, as it is on the GPU.
 
 mod constraints;
+mod curve_cells;
 mod cut_links;
 mod hierarchy;
 mod jeschke;
@@ -27,6 +29,7 @@ pub mod kernels;
 mod level;
 mod parts;
 mod picture;
+mod problem;
 mod pulls;
 mod regions;
 mod texture;
@@ -34,11 +37,13 @@ mod unreached;
 mod wall;
 
 pub use constraints::Constraints;
+pub use curve_cells::CurveCells;
 pub use cut_links::{Cut, Face, LEAST_FRACTION, Link};
 pub use hierarchy::{Hierarchy, STEPS};
 pub use jeschke::JeschkeSolver;
 pub use level::Level;
 pub use picture::GridPicture;
+pub use problem::GridProblem;
 pub use pulls::Pull;
 pub use texture::{Texel, Texture};
 
@@ -50,6 +55,9 @@ pub const TOLERANCE: f32 = 0.05 / 255.0;
 /// Steps after which a picture is taken as it is. Real drawings need up to 6; where half of the sides have no colour,
 /// up to 9.
 pub const MAX_STEPS: usize = 24;
+
+/// Steps where nobody looks at how far they have come, because that would take waiting for a GPU.
+pub const PAGE_STEPS: usize = 10;
 
 /// A picture on its way to the solution.
 #[derive(Clone, Debug)]

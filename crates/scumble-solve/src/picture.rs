@@ -44,6 +44,11 @@ impl Picture {
         self.solver.get_or_insert_with(|| MeshSolver::new(map.refined().clone()))
     }
 
+    /// Whether [`Picture::mesh`] has been called since the map is what it is.
+    pub fn has_mesh(&self) -> bool {
+        self.solver.is_some()
+    }
+
     /// The labels of the sides and gaps, by the scribbles that fill; they name scribbles by their indices among all.
     pub fn label(&mut self, scribbles: &[Scribble], settings: &Settings) -> Labels {
         let settings = settings.clamped();

@@ -15,10 +15,10 @@ use crate::boundary::{color, command_from_js, field, js_from_effects, js_from_pi
 use crate::command::Phase;
 use crate::effect::Effect;
 use crate::painting::PAPER;
-use crate::screen::{CPU, Screen};
+use crate::screen::{CPU, GPU, Screen};
 use crate::session::Session;
 
-/// A device that is lost this often is not asked for again.
+/// A device that is lost or not had this often while nobody draws is not asked for again: it may be lost by what is drawn.
 const LOSSES_BORNE: u32 = 3;
 
 thread_local! {
@@ -38,6 +38,7 @@ struct Shared {
     session: Session,
     /// `None` while a renderer is being opened.
     screen: Option<Screen>,
+    /// How often the renderer of the moment was lost or not had since the pen did something.
     losses: u32,
 }
 
@@ -57,6 +58,7 @@ impl App {
         let mut session = Session::new(desk)?;
         let screen = Screen::open(canvas, &renderer, on_device_failure).await?;
         session.tell(Effect::Renderer(screen.renderer()));
+        session.set_grids(screen.grids());
         let shared = Shared { session, screen: Some(screen), losses: 0 };
         Ok(Self { shared: Rc::new(RefCell::new(shared)) })
     }
@@ -69,6 +71,7 @@ impl App {
     pub fn pointer(&self, phase: &str, samples: &[f32]) -> Result<Array, JsError> {
         let phase = Phase::from_name(phase).ok_or_else(|| missing(phase))?;
         let mut shared = self.shared.borrow_mut();
+        shared.losses = 0;
         shared.session.pointer(phase, samples);
         Ok(shared.effects())
     }
@@ -160,28 +163,41 @@ impl Shared {
         if DEVICE_LOST.take() && matches!(self.screen, Some(Screen::Gpu(_))) {
             self.lose();
         }
-        if let Some(screen) = &mut self.screen {
-            self.session.frame(screen);
+        if let Some(screen) = &mut self.screen
+            && self.session.frame(screen)
+        {
+            wake();
         }
     }
 
     /// Everything that was on the device is dropped; the document has all that it takes to draw it again.
     fn lose(&mut self) {
         if let Some(screen) = self.screen.take() {
-            self.losses += 1;
-            let next = if self.losses < LOSSES_BORNE { screen.renderer() } else { CPU };
-            self.session.tell(Effect::Lost(Some(next)));
+            self.ask_after(screen.renderer());
         }
     }
 
-    fn reopened(&mut self, screen: Option<Screen>, renderer: &str) {
-        let effect = match &screen {
-            Some(screen) => Effect::Renderer(screen.renderer()),
-            None => Effect::Lost((renderer != CPU).then_some(CPU)),
+    /// Has the page ask for a renderer once more, or for what there is in its place.
+    fn ask_after(&mut self, renderer: &'static str) {
+        self.losses += 1;
+        let next = if renderer == CPU {
+            None
+        } else if self.losses < LOSSES_BORNE {
+            Some(renderer)
+        } else {
+            Some(CPU)
         };
-        self.screen = screen;
+        self.session.tell(Effect::Lost(next));
+    }
+
+    fn reopened(&mut self, screen: Option<Screen>, renderer: &str) {
+        let Some(screen) = screen else {
+            return self.ask_after(if renderer == CPU { CPU } else { GPU });
+        };
+        self.session.set_grids(screen.grids());
+        self.session.tell(Effect::Renderer(screen.renderer()));
         self.session.repaint();
-        self.session.tell(effect);
+        self.screen = Some(screen);
     }
 
     fn effects(&mut self) -> Array {

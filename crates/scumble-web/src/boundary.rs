@@ -11,12 +11,14 @@ use wasm_bindgen::{JsCast, JsValue};
 use crate::brush::{Ink, Mode, ModeChange};
 use crate::command::{Command, Setting, ViewChange};
 use crate::effect::{Effect, SheetState};
+use crate::solver::SolverState;
 
 mod names;
 
 use names::{
     blend_from_name, blend_name, engine_from_name, engine_name, ink_from_name, kind_from_name, kind_name,
-    pressure_from_name, pressure_name, tone_name, tool_from_name, tool_name,
+    pressure_from_name, pressure_name, solver_from_name, solver_name, source_name, tone_name, tool_from_name,
+    tool_name,
 };
 
 /// The command of a name, or `None` where there is none of it that takes these arguments.
@@ -45,6 +47,7 @@ pub(crate) fn command_from_js(name: &str, args: &JsValue) -> Option<Command> {
         "spread" => Command::Set(Setting::Spread(args.as_bool()?)),
         "palette" => Command::Palette(palette(args)?),
         "settle" => Command::Settle,
+        "solver" => Command::Solver(solver_from_name(&args.as_string()?)?),
         "lines" => Command::Lines(args.as_bool()?),
         "scribbles" => Command::Scribbles(args.as_bool()?),
         "desk" => Command::Desk(color(args)?),
@@ -126,6 +129,10 @@ fn js_from_effect(effect: Effect) -> (&'static str, JsValue) {
         Effect::Lines(shown) => ("lines", shown.into()),
         Effect::Scribbles(shown) => ("scribbles", shown.into()),
         Effect::Settings(settings) => ("settings", js_from_settings(settings)),
+        Effect::Solver(SolverState { asked, source }) => (
+            "solver",
+            object(&[("asked", solver_name(asked).into()), ("source", source_name(source).into())]),
+        ),
         Effect::Opened { notes } => ("opened", object(&[("notes", notes.into())])),
         Effect::Palette(paints) => {
             ("palette", paints.iter().map(|p| JsValue::from(p.to_string())).collect::<Array>().into())

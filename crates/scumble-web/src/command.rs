@@ -4,6 +4,7 @@ use kurbo::{Point, Vec2};
 use scumble_core::{Blend, EngineKind, Paint, Settings, Srgb8};
 
 use crate::brush::{Ink, ModeChange};
+use crate::solver::Solver;
 use crate::view::Viewport;
 
 /// Where a gesture of the pen is.
@@ -108,6 +109,8 @@ pub enum Command {
     Palette(Vec<Paint>),
     /// A slider is let go.
     Settle,
+    /// Which solver is to make the picture.
+    Solver(Solver),
     /// Whether lines are shown.
     Lines(bool),
     /// Whether scribbles are shown.

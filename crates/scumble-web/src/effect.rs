@@ -5,6 +5,7 @@ use scumble_core::{Paint, Settings};
 
 use crate::brush::{Ink, Mode};
 use crate::command::Tool;
+use crate::solver::SolverState;
 
 /// One thing that the page must know.
 #[derive(Clone, Debug, PartialEq)]
@@ -33,6 +34,8 @@ pub enum Effect {
     Scribbles(bool),
     /// How the drawing is coloured.
     Settings(Settings),
+    /// Which solver makes the picture.
+    Solver(SolverState),
     /// A drawing was opened.
     Opened {
         /// What was left out of it, in words.
@@ -92,6 +95,7 @@ pub(crate) struct State {
     pub(crate) scribbles: Option<bool>,
     pub(crate) settings: Option<Settings>,
     pub(crate) palette: Option<Vec<Paint>>,
+    pub(crate) solver: Option<SolverState>,
 }
 
 impl State {
@@ -110,6 +114,7 @@ impl State {
             news(self.lines, known.lines, Effect::Lines),
             news(self.scribbles, known.scribbles, Effect::Scribbles),
             news(self.settings, known.settings, Effect::Settings),
+            news(self.solver, known.solver, Effect::Solver),
         ];
         let palette = self.palette.as_ref().filter(|_| self.palette != known.palette);
         each.into_iter().flatten().chain(palette.cloned().map(Effect::Palette)).collect()

@@ -7,6 +7,7 @@
 //! | what the pen draws with | [`brush`] |
 //! | what the page can ask for | [`command`] |
 //! | what the page must know | [`effect`] |
+//! | which solver makes the picture | [`solver`] |
 //! | pan, zoom, fit | [`view`] |
 //! | scribbles, ink and desk over the picture | [`layers`] |
 //! | the canvas and what paints it: GPU or CPU | `screen` |
@@ -21,6 +22,7 @@ pub mod effect;
 pub mod layers;
 pub mod painting;
 pub mod session;
+pub mod solver;
 pub mod view;
 
 #[cfg(target_arch = "wasm32")]

@@ -1,6 +1,7 @@
 //! What there is to paint, and what paints it.
 
 use scumble_core::Srgb8;
+use scumble_solve::grid::GridProblem;
 use scumble_solve::{Field, Pixmap, Scene, View, paint};
 
 use crate::layers::Layers;
@@ -13,6 +14,8 @@ pub const PAPER: Srgb8 = Srgb8([255; 3]);
 pub struct Painting<'a> {
     /// The coloured regions.
     pub field: &'a Field,
+    /// What they are to be solved from in place of the field.
+    pub problem: Option<&'a GridProblem>,
     /// What lies over them.
     pub layers: &'a Layers,
     /// Which part of the plane, at which size.
@@ -31,6 +34,8 @@ impl Painting<'_> {
 pub struct Changed {
     /// The colour field.
     pub field: bool,
+    /// What is to be solved in place of it.
+    pub problem: bool,
     /// The layer of scribbles.
     pub scribbles: bool,
     /// The layer of ink.
@@ -39,13 +44,14 @@ pub struct Changed {
 
 impl Changed {
     /// Everything, as for a painter that has painted nothing yet.
-    pub const ALL: Self = Self { field: true, scribbles: true, ink: true };
+    pub const ALL: Self = Self { field: true, problem: true, scribbles: true, ink: true };
 }
 
 /// Puts paintings on the screen.
 pub trait Painter {
-    /// Shows a painting. A painter may keep what has not changed since the call before.
-    fn paint(&mut self, painting: &Painting<'_>, changed: Changed);
+    /// Shows a painting, and tells whether that is all: if not, it is to be called again for the rest. A painter may keep
+    /// what has not changed since the call before.
+    fn paint(&mut self, painting: &Painting<'_>, changed: Changed) -> bool;
 }
 
 /// A picture for a file, which stays as it is while the drawing is worked on.

@@ -5,13 +5,17 @@
 
 use js_sys::{Object, Reflect};
 use scumble_gpu::wgpu::{self, CurrentSurfaceTexture};
-use scumble_gpu::{Gpu, GpuError, Layer, Renderer, instance, probe, surface_format};
+use scumble_gpu::{
+    Gpu, GpuError, GpuGridSolver, GridKernels, Layer, Renderer, instance, probe, surface_format,
+};
+use scumble_solve::grid::{GridProblem, PAGE_STEPS};
 use scumble_solve::{View, paint};
 use thiserror::Error;
 use wasm_bindgen::{Clamped, JsCast, JsValue};
 use web_sys::{CanvasRenderingContext2d, HtmlCanvasElement, ImageData};
 
 use crate::painting::{Changed, PAPER, Painter, Painting};
+use crate::solver::Grids;
 
 /// The name of the painter on the CPU.
 pub const CPU: &str = "cpu";
@@ -61,13 +65,24 @@ impl Screen {
             Self::Cpu(_) => CPU,
         }
     }
+
+    /// What it can do with grids.
+    pub fn grids(&self) -> Grids {
+        match self {
+            Self::Gpu(screen) => screen.grids(),
+            Self::Cpu(_) => Grids::No,
+        }
+    }
 }
 
 impl Painter for Screen {
-    fn paint(&mut self, painting: &Painting<'_>, changed: Changed) {
+    fn paint(&mut self, painting: &Painting<'_>, changed: Changed) -> bool {
         match self {
             Self::Gpu(screen) => screen.paint(painting, changed),
-            Self::Cpu(screen) => screen.paint(painting),
+            Self::Cpu(screen) => {
+                screen.paint(painting);
+                true
+            }
         }
     }
 }
@@ -80,7 +95,20 @@ pub struct GpuScreen {
     surface: wgpu::Surface<'static>,
     config: wgpu::SurfaceConfiguration,
     renderer: Renderer,
+    /// Once there has been a problem to solve.
+    kernels: Option<GridKernels>,
+    solving: Option<Solving>,
 }
+
+/// A problem on its way to its solution, a few steps a frame: nothing is waited for, so their number is given.
+#[derive(Debug)]
+struct Solving {
+    solver: GpuGridSolver,
+    steps_left: usize,
+}
+
+/// Steps of the grid solver from one frame to the next.
+const FRAME_STEPS: usize = 5;
 
 impl GpuScreen {
     async fn open(
@@ -101,12 +129,20 @@ impl GpuScreen {
         let config = configuration(&surface, &gpu)?;
         let mut renderer = Renderer::new(&gpu, config.format);
         probe(&mut renderer).await?;
-        Ok(Self { canvas, gpu, surface, config, renderer })
+        Ok(Self { canvas, gpu, surface, config, renderer, kernels: None, solving: None })
     }
 
-    fn paint(&mut self, painting: &Painting<'_>, changed: Changed) {
+    fn grids(&self) -> Grids {
+        match self.gpu.adapter.get_info().device_type {
+            wgpu::DeviceType::Cpu => Grids::Slow,
+            _ => Grids::Fast,
+        }
+    }
+
+    fn paint(&mut self, painting: &Painting<'_>, changed: Changed) -> bool {
         self.resize(&painting.view);
         self.upload(painting, changed);
+        self.solve_on();
         // A frame that cannot be had is dropped: a lost device is reported by itself.
         if let CurrentSurfaceTexture::Success(frame) | CurrentSurfaceTexture::Suboptimal(frame) =
             self.surface.get_current_texture()
@@ -114,6 +150,25 @@ impl GpuScreen {
             let target = frame.texture.create_view(&wgpu::TextureViewDescriptor::default());
             self.renderer.draw(&painting.view, Some(PAPER), &target);
             self.gpu.queue.present(frame);
+        }
+        self.solving.as_ref().is_none_or(|solving| solving.steps_left == 0)
+    }
+
+    /// Takes a problem to its first picture.
+    fn begin(&mut self, problem: &GridProblem) {
+        let kernels = self.kernels.get_or_insert_with(|| GridKernels::new(&self.gpu.device));
+        let solver = GpuGridSolver::new(&self.gpu, kernels, &problem.constraints);
+        self.renderer.set_problem(problem);
+        // Grids of the page fit into the textures of every device.
+        self.solving = solver.ok().map(|solver| Solving { solver, steps_left: PAGE_STEPS });
+    }
+
+    fn solve_on(&mut self) {
+        if let Some(Solving { solver, steps_left }) = &mut self.solving {
+            let steps = FRAME_STEPS.min(*steps_left);
+            (0..steps).for_each(|_| solver.step());
+            *steps_left -= steps;
+            self.renderer.update_solution(solver);
         }
     }
 
@@ -126,8 +181,13 @@ impl GpuScreen {
     }
 
     fn upload(&mut self, painting: &Painting<'_>, changed: Changed) {
-        if changed.field {
-            self.renderer.set_field(painting.field);
+        match painting.problem {
+            Some(problem) if changed.problem => self.begin(problem),
+            None if changed.field => {
+                self.solving = None;
+                self.renderer.set_field(painting.field);
+            }
+            _ => {}
         }
         if changed.scribbles {
             self.renderer.set_shapes(Layer::Scribbles, painting.layers.scribbles());

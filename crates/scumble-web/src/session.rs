@@ -7,7 +7,8 @@ use std::mem::take;
 
 use kurbo::{Affine, Rect};
 use scumble_core::drawing::LONGER_SIDE_DU;
-use scumble_core::{Document, Drawing, Editor, MapError, Paint, Srgb8, Work, exact};
+use scumble_core::{Boundary, Document, Drawing, Editor, MapError, Paint, Srgb8, Work, exact};
+use scumble_solve::grid::GridProblem;
 use scumble_solve::{Field, Picture, Pixmap, View};
 
 use crate::brush::Brush;
@@ -15,8 +16,10 @@ use crate::command::{Command, Setting, Tool};
 use crate::effect::{Effect, SheetState, State};
 use crate::layers::Layers;
 use crate::painting::{Changed, Export, PAPER, Painter, Painting};
+use crate::solver::{Grids, Solver, SolverState, Source};
 use crate::view::Viewport;
 
+mod coloring;
 mod gestures;
 
 use gestures::{Eraser, Stroke};
@@ -40,7 +43,11 @@ pub struct Session {
     shelf: Vec<Sheet>,
     /// How many drawings have been opened.
     opened: u32,
+    /// The colours of the sides, and of the sheet's shades.
+    boundary: Boundary,
     field: Field,
+    /// What the grid solver is given, once it is to make the picture.
+    problem: Option<GridProblem>,
     layers: Layers,
     viewport: Viewport,
     tool: Tool,
@@ -51,6 +58,11 @@ pub struct Session {
     lines_shown: bool,
     scribbles_shown: bool,
     desk: Srgb8,
+    solver: Solver,
+    grids: Grids,
+    source: Source,
+    /// Whether a picture of a grid, shown before that of the mesh, has been there.
+    was_at_once: bool,
     stale: Stale,
     changed: Changed,
     known: State,
@@ -71,14 +83,22 @@ struct Sheet {
 /// What must be derived anew before the next frame is painted.
 #[derive(Clone, Copy, Debug)]
 struct Stale {
+    boundary: bool,
     field: bool,
+    problem: bool,
     scribbles: bool,
     lines: bool,
     view: bool,
 }
 
 impl Stale {
-    const ALL: Self = Self { field: true, scribbles: true, lines: true, view: true };
+    const ALL: Self =
+        Self { boundary: true, field: true, problem: true, scribbles: true, lines: true, view: true };
+
+    /// The colours are to be found anew.
+    fn colors(&mut self) {
+        (self.boundary, self.field, self.problem) = (true, true, true);
+    }
 }
 
 impl Session {
@@ -93,7 +113,9 @@ impl Session {
             sheet: Sheet::new(0, Work::new(Document::new(drawing)))?,
             shelf: Vec::new(),
             opened: 0,
+            boundary: Boundary::default(),
             field: Field::default(),
+            problem: None,
             layers: Layers::default(),
             tool: Tool::default(),
             eraser: None,
@@ -102,6 +124,10 @@ impl Session {
             lines_shown: true,
             scribbles_shown: true,
             desk,
+            solver: Solver::default(),
+            grids: Grids::default(),
+            source: Source::default(),
+            was_at_once: false,
             stale: Stale::ALL,
             changed: Changed::ALL,
             known: State::default(),
@@ -149,6 +175,7 @@ impl Session {
             Command::Set(setting) => self.set(setting),
             Command::Palette(palette) => self.set_palette(palette),
             Command::Settle => self.settle(),
+            Command::Solver(solver) => self.solver = solver,
             Command::Lines(shown) => self.show_lines(shown),
             Command::Scribbles(shown) => self.show_scribbles(shown),
             Command::Desk(desk) => self.set_desk(desk),
@@ -159,19 +186,32 @@ impl Session {
         }
     }
 
-    /// Derives what is stale and shows it; does nothing where nothing has changed.
-    pub fn frame(&mut self, painter: &mut dyn Painter) {
+    /// Derives what is stale and shows it; does nothing where nothing has changed. Tells whether there is more to show.
+    pub fn frame(&mut self, painter: &mut dyn Painter) -> bool {
         self.refresh();
         if take(&mut self.stale.view) {
-            let painting = Painting { field: &self.field, layers: &self.layers, view: self.viewport.view() };
-            painter.paint(&painting, take(&mut self.changed));
+            let painting = Painting {
+                field: &self.field,
+                problem: self.problem.as_ref().filter(|_| self.source == Source::Grid),
+                layers: &self.layers,
+                view: self.viewport.view(),
+            };
+            let is_all = painter.paint(&painting, take(&mut self.changed));
+            self.was_at_once |= is_all;
+            self.stale.view = !is_all || self.choice() != self.source;
         }
+        self.stale.view
     }
 
     /// Everything is to be painted anew, by a painter that has nothing yet.
     pub fn repaint(&mut self) {
         self.changed = Changed::ALL;
         self.stale.view = true;
+    }
+
+    /// What the painter to come can do with grids.
+    pub fn set_grids(&mut self, grids: Grids) {
+        self.grids = grids;
     }
 
     /// The picture for a list of drawings: as in a file, but small, and with lines if they are shown.
@@ -185,19 +225,20 @@ impl Session {
         self.refresh_field();
         let drawing = &self.sheet.editor.document().drawing;
         let px_per_du = size_px / LONGER_SIDE_DU;
-        let size_px = drawing.size_du() * px_per_du;
         let mut layers = Layers::at_scale(px_per_du);
         if lines {
             layers.add_lines(drawing, self.sheet.picture.map());
         }
-        Export {
-            layers,
-            field: self.field.clone(),
-            view: View {
-                px_from_du: Affine::scale(px_per_du),
-                width_px: size_px.width.round().max(1.0) as u32,
-                height_px: size_px.height.round().max(1.0) as u32,
-            },
+        Export { layers, field: self.field.clone(), view: self.page(px_per_du) }
+    }
+
+    /// The whole page.
+    fn page(&self, px_per_du: f64) -> View {
+        let size_px = self.sheet.editor.document().drawing.size_du() * px_per_du;
+        View {
+            px_from_du: Affine::scale(px_per_du),
+            width_px: size_px.width.round().max(1.0) as u32,
+            height_px: size_px.height.round().max(1.0) as u32,
         }
     }
 
@@ -262,7 +303,9 @@ impl Session {
         }
         let before = editor.document().settings;
         editor.set_settings(setting.put_into(before));
-        self.stale.field |= editor.document().settings != before;
+        if editor.document().settings != before {
+            self.stale.colors();
+        }
     }
 
     fn set_palette(&mut self, palette: Vec<Paint>) {
@@ -299,13 +342,13 @@ impl Session {
     }
 
     fn scribbles_changed(&mut self) {
-        self.stale.field = true;
+        self.stale.colors();
         self.stale.scribbles = true;
     }
 
     fn refresh(&mut self) {
-        self.refresh_field();
-        let px_per_du = self.viewport.view().px_from_du.as_coeffs()[0];
+        self.refresh_colors();
+        let px_per_du = self.px_per_du();
         if !self.layers.suit_scale(px_per_du) {
             self.layers = Layers::at_scale(px_per_du);
             (self.stale.lines, self.stale.scribbles) = (true, true);
@@ -318,19 +361,8 @@ impl Session {
         }
     }
 
-    fn refresh_field(&mut self) {
-        if take(&mut self.stale.field) {
-            self.solve();
-        }
-    }
-
-    fn solve(&mut self) {
-        match self.sheet.picture.update(self.sheet.editor.document()) {
-            Ok(field) => self.field.clone_from(field),
-            Err(error) => self.effects.push(Effect::Failed(error.to_string())),
-        }
-        self.changed.field = true;
-        self.stale.view = true;
+    fn px_per_du(&self) -> f64 {
+        self.viewport.view().px_from_du.as_coeffs()[0]
     }
 
     fn draw_ink(&mut self) {
@@ -366,6 +398,7 @@ impl Session {
             scribbles: Some(self.scribbles_shown),
             settings: Some(self.document().settings),
             palette: Some(self.document().palette.clone()),
+            solver: Some(SolverState { asked: self.solver, source: self.source }),
         }
     }
 }

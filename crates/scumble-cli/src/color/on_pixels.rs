@@ -4,7 +4,7 @@ use std::sync::{Arc, OnceLock};
 
 use anyhow::Context;
 use scumble_core::Boundary;
-use scumble_gpu::{Gpu, GpuGridSolver, GridError};
+use scumble_gpu::{Gpu, GpuGridSolver, GridError, GridKernels};
 use scumble_solve::grid::{Constraints, GridPicture, GridSolver, JeschkeSolver, TOLERANCE};
 use scumble_solve::{Pixmap, paint_grid};
 
@@ -43,7 +43,7 @@ async fn on_gpu(constraints: &Constraints) -> Result<Vec<[f32; 4]>, GridError> {
     let failure = Arc::new(OnceLock::new());
     let noted = Arc::clone(&failure);
     let gpu = Gpu::headless(move |error| drop(noted.set(error))).await?;
-    let mut solver = GpuGridSolver::new(&gpu, constraints)?;
+    let mut solver = GpuGridSolver::new(&gpu, &GridKernels::new(&gpu.device), constraints)?;
     solver.solve(TOLERANCE).await?;
     let pixels = solver.pixels().await?;
     failure.get().map_or(Ok(pixels), |error| Err(error.clone().into()))

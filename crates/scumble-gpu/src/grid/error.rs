@@ -7,9 +7,6 @@ use crate::error::GpuError;
 /// Why there is no solution. Apart from [`GpuError`], so that what only draws carries none of these sentences.
 #[derive(Clone, Debug, Error, PartialEq, Eq)]
 pub enum GridError {
-    /// A step needs targets of floats.
-    #[error("the graphics device cannot draw floats; use a solver on the CPU")]
-    NoFloats,
     /// A picture that does not fit into a texture.
     #[error(
         "the graphics device takes pictures of up to {most_px} pixels; make it smaller, or use a solver on the CPU"

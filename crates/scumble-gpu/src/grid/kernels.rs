@@ -58,16 +58,17 @@ pub(crate) const SOURCES: [Source; 13] = [
 /// What a kernel may read besides a level.
 pub(super) const OPERANDS: usize = 3;
 
-/// A pipeline for each kernel, and how they are given what they read.
+/// A pipeline for each kernel, and how they are given what they read: the same for all solvers on a device.
 #[derive(Debug)]
-pub(crate) struct Kernels {
+pub struct Kernels {
     pipelines: Vec<wgpu::RenderPipeline>,
     pub(super) operands_layout: wgpu::BindGroupLayout,
     pub(super) level_layout: wgpu::BindGroupLayout,
 }
 
 impl Kernels {
-    pub(crate) fn new(device: &wgpu::Device) -> Self {
+    /// Has all of them compiled.
+    pub fn new(device: &wgpu::Device) -> Self {
         let operands: [_; OPERANDS] = std::array::from_fn(|i| entry(i as u32, TEXELS));
         let level =
             [entry(0, UNIFORM), entry(1, TEXELS), entry(2, TEXELS), entry(3, TEXELS), entry(4, TEXELS)];
@@ -86,23 +87,23 @@ impl Kernels {
     }
 }
 
-const TEXELS: wgpu::BindingType = wgpu::BindingType::Texture {
-    sample_type: wgpu::TextureSampleType::Float { filterable: false },
+pub(super) const TEXELS: wgpu::BindingType = wgpu::BindingType::Texture {
+    sample_type: wgpu::TextureSampleType::Uint,
     view_dimension: wgpu::TextureViewDimension::D2,
     multisampled: false,
 };
 
-const UNIFORM: wgpu::BindingType = wgpu::BindingType::Buffer {
+pub(super) const UNIFORM: wgpu::BindingType = wgpu::BindingType::Buffer {
     ty: wgpu::BufferBindingType::Uniform,
     has_dynamic_offset: false,
     min_binding_size: None,
 };
 
-fn entry(binding: u32, ty: wgpu::BindingType) -> wgpu::BindGroupLayoutEntry {
+pub(super) fn entry(binding: u32, ty: wgpu::BindingType) -> wgpu::BindGroupLayoutEntry {
     wgpu::BindGroupLayoutEntry { binding, visibility: wgpu::ShaderStages::FRAGMENT, ty, count: None }
 }
 
-fn bind_group_layout(
+pub(super) fn bind_group_layout(
     device: &wgpu::Device,
     label: &str,
     entries: &[wgpu::BindGroupLayoutEntry],

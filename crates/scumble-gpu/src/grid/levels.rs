@@ -27,7 +27,7 @@ pub(crate) struct GpuLevels {
     pub(super) zero: wgpu::TextureView,
 }
 
-/// As `Level` in WGSL has it; a uniform of WebGL is a multiple of 16 bytes.
+/// As `Level` in WGSL has it.
 type LevelUniform = [i32; 4];
 
 impl GpuLevel {

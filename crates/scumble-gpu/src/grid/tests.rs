@@ -7,7 +7,7 @@ use scumble_solve::grid::{
     Constraints, GridSolver, Hierarchy, Level, STEPS, Texel, Texture, kernels as twin,
 };
 
-use super::kernels::{Kernel, Kernels};
+use super::kernels::Kernel;
 use super::levels::{GpuLevels, matrix};
 use super::reduction::Reduction;
 use super::tape::Recorder;
@@ -208,7 +208,7 @@ fn farthest(a: &[Texel], b: &[Texel]) -> f32 {
 fn assert_same_picture(gpu: &Gpu, constraints: &Constraints, tolerance: f32) {
     let size = [constraints.width_px, constraints.height_px];
     let mut on_cpu = GridSolver::new(constraints);
-    let mut on_gpu = GpuGridSolver::new(gpu, constraints).expect("a solver");
+    let mut on_gpu = GpuGridSolver::new(gpu, &Kernels::new(&gpu.device), constraints).expect("a solver");
     let pixels = |solver: &GpuGridSolver| pollster::block_on(solver.pixels()).expect("the pixels come back");
     let start = farthest(&pixels(&on_gpu), on_cpu.pixels());
     assert!(start <= TENTH, "{size:?}: {start} at first");
@@ -253,5 +253,8 @@ fn a_picture_that_no_texture_holds_is_refused() {
         faces: Vec::new(),
         pulls: Vec::new(),
     };
-    assert_eq!(GpuGridSolver::new(&gpu, &constraints).err(), Some(GridError::TooLarge { most_px }));
+    assert_eq!(
+        GpuGridSolver::new(&gpu, &Kernels::new(&gpu.device), &constraints).err(),
+        Some(GridError::TooLarge { most_px })
+    );
 }

@@ -6,8 +6,9 @@ use crate::error::GpuError;
 use crate::gpu::Gpu;
 use crate::read_back::{copied, mapped, read_back_error};
 
-/// Four numbers a texel. Halves would not do: conjugate gradients live on the last bits.
-pub(super) const FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rgba32Float;
+/// The bits of four floats a texel: every device draws whole numbers, many phones no floats but halves. Those would not do:
+/// conjugate gradients live on the last bits.
+pub(super) const FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rgba32Uint;
 
 /// Texels that a kernel may draw; at first zeros.
 pub(super) fn target(gpu: &Gpu, width: u32, height: u32) -> wgpu::TextureView {
@@ -30,9 +31,16 @@ pub(crate) fn uploaded(gpu: &Gpu, texture: &Texture) -> wgpu::TextureView {
 /// The first number of each texel on the GPU, to be read.
 pub(super) fn uploaded_first(gpu: &Gpu, texture: &Texture) -> wgpu::TextureView {
     let size = [texture.width as u32, texture.height as u32];
-    let texels = made(gpu, size, wgpu::TextureFormat::R32Float, wgpu::TextureUsages::empty());
+    let texels = made(gpu, size, wgpu::TextureFormat::R32Uint, wgpu::TextureUsages::empty());
     let firsts: Vec<f32> = texture.texels.iter().map(|texel| texel[0]).collect();
     write(gpu, &texels, bytemuck::cast_slice(&firsts));
+    texels.create_view(&Default::default())
+}
+
+/// Pairs of numbers in rows on the GPU, to be read.
+pub(super) fn uploaded_pairs(gpu: &Gpu, size: [u32; 2], pairs: &[[u32; 2]]) -> wgpu::TextureView {
+    let texels = made(gpu, size, wgpu::TextureFormat::Rg32Uint, wgpu::TextureUsages::empty());
+    write(gpu, &texels, bytemuck::cast_slice(pairs));
     texels.create_view(&Default::default())
 }
 

@@ -99,15 +99,48 @@ impl Level {
         let slots = SLOTS[usize::from(self.slots > 1)];
         let mut coarse = Self::empty(self.columns.div_ceil(2), self.rows.div_ceil(2), slots);
         parts::mark(self, slots);
-        let mut drawn = [(); 4].map(|()| coarse.holds.clone());
-        let [east, south, within, holds] = &mut drawn;
-        east.draw(|x, y| coarse_links(self, &coarse, [1, 0], x, y));
-        south.draw(|x, y| coarse_links(self, &coarse, [0, 1], x, y));
-        within.draw(|x, y| coarse_links(self, &coarse, [0, 0], x, y));
-        holds.draw(|x, y| coarse_hold(self, &coarse, x, y));
-        [coarse.east, coarse.south, coarse.within, coarse.holds] = drawn;
+        self.gather_into(&mut coarse);
         coarse.sum_up();
         coarse
+    }
+
+    /// Adds up what the unknowns give to those of the coarser level that they are parts of: links, and what holds them, each
+    /// through the links of that part.
+    fn gather_into(&self, coarse: &mut Self) {
+        for y in 0..self.rows as i32 {
+            for cell in 0..self.columns as i32 {
+                (0..self.slots as i32).for_each(|slot| self.add_to(coarse, [cell, y], slot));
+            }
+        }
+    }
+
+    /// Adds what one unknown gives.
+    fn add_to(&self, coarse: &mut Self, [cell, y]: [i32; 2], slot: i32) {
+        let x = self.column(cell, slot);
+        let [hold, diagonal, damping, parent] = self.holds.load(x, y);
+        if parent == 0.0 {
+            return;
+        }
+        let own = parent as usize - 1;
+        let i = (y / 2) as usize * coarse.holds.width + coarse.column(cell / 2, own as i32) as usize;
+        let mut sum = (diagonal - hold) / diagonal * hold;
+        self.for_each_link(x, y, |weight, nx, ny| {
+            let [other_hold, other_diagonal, other_damping, other_parent] = self.holds.load(nx, ny);
+            if other_parent == 0.0 {
+                sum += weight / other_diagonal * other_hold;
+                return;
+            }
+            let (beside, _) = self.cell_and_slot(nx);
+            let other = other_parent as usize - 1;
+            let links = match (beside / 2 - cell / 2, ny / 2 - y / 2) {
+                (1, 0) => &mut coarse.east,
+                (0, 1) => &mut coarse.south,
+                (0, 0) if other != own => &mut coarse.within,
+                _ => return,
+            };
+            links.texels[i][other] += lengthened(weight, damping + other_damping);
+        });
+        coarse.holds.texels[i][0] += sum;
     }
 
     /// Completes the numbers of the unknowns.
@@ -204,33 +237,8 @@ fn summed(level: &Level, x: i32, y: i32) -> Texel {
     [hold, diagonal, if damping > 0.0 { 1.0 / damping } else { 0.0 }, 0.0]
 }
 
-/// The links of a coarser unknown to the slots of a cell, its own or one beside it.
-fn coarse_links(fine: &Level, coarse: &Level, [dx, dy]: [i32; 2], x: i32, y: i32) -> Texel {
-    let (cell, slot) = coarse.cell_and_slot(x);
-    let mut sums = [0.0; 4];
-    for (fx, fy) in fine.parts(coarse, x, y) {
-        let [.., damping, _] = fine.holds.load(fx, fy);
-        fine.for_each_link(fx, fy, |weight, nx, ny| {
-            let [.., other_damping, parent] = fine.holds.load(nx, ny);
-            let (beside, _) = fine.cell_and_slot(nx);
-            let is_own = dx == 0 && dy == 0 && parent as i32 == slot + 1;
-            if parent > 0.0 && !is_own && (beside / 2, ny / 2) == (cell + dx, y + dy) {
-                sums[parent as usize - 1] += lengthened(weight, damping + other_damping);
-            }
-        });
-    }
-    sums
-}
-
 /// The weight of a link that leads on, from the middle of one part to that of the other: half of it for one as strong as
 /// the links around it; all of a weak one, such as one through a gap.
 fn lengthened(weight: f32, dampings: f32) -> f32 {
     weight / (1.0 + 2.0 * weight * dampings)
-}
-
-/// How strongly a coarser unknown is held: by all that holds its parts, each through the links of that part.
-fn coarse_hold(fine: &Level, coarse: &Level, x: i32, y: i32) -> Texel {
-    let mut sum = 0.0;
-    fine.for_each_hold(coarse, x, y, |part, fx, fy| sum += part * fine.holds.load(fx, fy)[0]);
-    [sum, 0.0, 0.0, 0.0]
 }

@@ -11,9 +11,10 @@ const STRONG: f32 = 0.08;
 
 /// Marks for each unknown which slot of its coarser cell it is a part of.
 pub(super) fn mark(level: &mut Level, slots: usize) {
+    let mut members = Members::default();
     for y in 0..level.rows.div_ceil(2) as i32 {
         for x in 0..level.columns.div_ceil(2) as i32 {
-            let members = Members::new(level, x, y);
+            members.find(level, x, y);
             let parents = members.parents(slots);
             for (i, (x, y)) in members.places.into_iter().take(members.count).enumerate() {
                 level.holds.texels[y as usize * level.holds.width + x as usize][3] = f32::from(parents[i]);
@@ -23,6 +24,7 @@ pub(super) fn mark(level: &mut Level, slots: usize) {
 }
 
 /// The unknowns of four cells, and the links between them.
+#[derive(Default)]
 struct Members {
     count: usize,
     places: [(i32, i32); MOST],
@@ -34,21 +36,15 @@ struct Members {
 }
 
 impl Members {
-    fn new(level: &Level, cell_x: i32, cell_y: i32) -> Self {
-        let mut members = Self {
-            count: 0,
-            places: [(0, 0); MOST],
-            links: [0.0; MOST],
-            holds: [0.0; MOST],
-            inner: Vec::new(),
-        };
+    fn find(&mut self, level: &Level, cell_x: i32, cell_y: i32) {
+        self.count = 0;
+        self.inner.clear();
         for (dx, dy) in [(0, 0), (1, 0), (0, 1), (1, 1)] {
             let (x, y) = (2 * cell_x + dx, 2 * cell_y + dy);
             if x < level.columns as i32 && y < level.rows as i32 {
-                (0..level.slots as i32).for_each(|slot| members.add(level, level.column(x, slot), y));
+                (0..level.slots as i32).for_each(|slot| self.add(level, level.column(x, slot), y));
             }
         }
-        members
     }
 
     /// Adds an unknown, if it is one at all, with its links to those that are there already.

@@ -4,6 +4,7 @@ use scumble_core::{Blend, EngineKind, Tone};
 
 use crate::brush::{Ink, Kind, Pressure};
 use crate::command::Tool;
+use crate::solver::{Solver, Source};
 
 pub(super) fn tool_from_name(name: &str) -> Option<Tool> {
     [Tool::Scribble, Tool::Erase].into_iter().find(|tool| tool_name(*tool) == name)
@@ -73,5 +74,26 @@ pub(super) fn blend_name(blend: Blend) -> &'static str {
     match blend {
         Blend::Oklab => "oklab",
         Blend::Srgb => "srgb",
+    }
+}
+
+pub(super) fn solver_from_name(name: &str) -> Option<Solver> {
+    [Solver::Automatic, Solver::Mesh, Solver::Gpu].into_iter().find(|solver| solver_name(*solver) == name)
+}
+
+pub(super) fn solver_name(solver: Solver) -> &'static str {
+    match solver {
+        Solver::Automatic => "automatic",
+        Solver::Mesh => "mesh",
+        Solver::Gpu => "gpu",
+    }
+}
+
+pub(super) fn source_name(source: Source) -> &'static str {
+    match source {
+        Source::Mesh => "mesh",
+        Source::Grid => "gpu",
+        Source::MeshWithoutGpu => "without-gpu",
+        Source::MeshSoClose => "so-close",
     }
 }

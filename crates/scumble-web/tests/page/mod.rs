@@ -22,9 +22,10 @@ pub(crate) struct Canvas {
 }
 
 impl Painter for Canvas {
-    fn paint(&mut self, painting: &Painting<'_>, changed: Changed) {
+    fn paint(&mut self, painting: &Painting<'_>, changed: Changed) -> bool {
         self.frames.push(changed);
         self.shown = Some(paint(&painting.scene(), &painting.view));
+        true
     }
 }
 

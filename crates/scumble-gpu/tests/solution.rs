@@ -1,0 +1,119 @@
+//! What the grid solver finds is drawn as the painter on the CPU paints it. Needs a graphics driver; Mesa's software one
+//! is enough.
+
+use kurbo::{Affine, BezPath, Circle, Rect, Shape};
+use scumble_core::{Blend, Boundary, Curve, Drawing, PlanarMap, Sampling, Srgb8};
+use scumble_gpu::wgpu::TextureFormat::Rgba8Unorm;
+use scumble_gpu::{Gpu, GpuError, GpuGridSolver, GridKernels, Renderer};
+use scumble_solve::grid::{GridPicture, GridProblem};
+use scumble_solve::{Field, FieldTriangle, Pixmap, View, paint_grid};
+
+const PAPER: Option<Srgb8> = Some(Srgb8([255; 3]));
+const RED: Srgb8 = Srgb8([230, 25, 75]);
+const BLUE: Srgb8 = Srgb8([0, 130, 200]);
+const GREEN: Srgb8 = Srgb8([60, 180, 75]);
+
+/// An open device, or `None`, said aloud, where there is none.
+fn gpu() -> Option<Gpu> {
+    let failed = |error: GpuError| panic!("{error}");
+    pollster::block_on(Gpu::headless(failed)).map_err(|error| eprintln!("skipped: {error}")).ok()
+}
+
+/// A circle with an open curve in it, of several colours, and around it paper.
+fn map() -> PlanarMap {
+    let mut arm = BezPath::new();
+    arm.move_to((300.0, 400.0));
+    arm.curve_to((450.0, 250.0), (600.0, 750.0), (740.0, 610.0));
+    let curves = [Circle::new((512.0, 512.0), 340.3).to_path(1e-3), arm];
+    let curves = curves.map(|path| Curve { path, line: None }).into();
+    let drawing = Drawing { curves, ..Drawing::new(Rect::new(0.0, 0.0, 1024.0, 1024.0)) };
+    PlanarMap::build(&drawing, &Sampling::default()).expect("a map")
+}
+
+/// Green inside of the circle, red and blue on the sides of the arm.
+fn boundary(map: &PlanarMap) -> Boundary {
+    let mut sides = vec![None; map.side_count()];
+    for (curve, colors) in [[Some(GREEN), None], [Some(RED), Some(BLUE)]].into_iter().enumerate() {
+        for step in map.steps(curve) {
+            for (side, color) in [step.left, step.left.opposite()].into_iter().zip(colors) {
+                sides[side.index()] = color.map(|color| [Blend::Oklab.from_srgb8(color); 3]);
+            }
+        }
+    }
+    sides.into()
+}
+
+fn page(side_px: u32) -> View {
+    View { px_from_du: Affine::scale(f64::from(side_px) / 1024.0), width_px: side_px, height_px: side_px }
+}
+
+/// A problem with so many pixels to a side, solved, in a renderer.
+fn solved(gpu: &Gpu, side_px: u32) -> (GridProblem, GpuGridSolver, Renderer) {
+    let map = map();
+    let problem = GridProblem::new(&map, &boundary(&map), &page(side_px), Blend::Oklab);
+    let mut solver =
+        GpuGridSolver::new(gpu, &GridKernels::new(&gpu.device), &problem.constraints).expect("a solver");
+    (0..8).for_each(|_| solver.step());
+    let mut renderer = Renderer::new(gpu, Rgba8Unorm);
+    renderer.set_problem(&problem);
+    renderer.update_solution(&solver);
+    (problem, solver, renderer)
+}
+
+fn read(renderer: &mut Renderer, view: &View) -> Pixmap {
+    pollster::block_on(renderer.read_back(view, PAPER)).expect("the pixels come back")
+}
+
+fn pixel(picture: &Pixmap, [x, y]: [f64; 2]) -> [u8; 3] {
+    let start = 4 * (y as usize * picture.width_px as usize + x as usize);
+    std::array::from_fn(|c| picture.rgba[start + c])
+}
+
+fn difference(a: &[u8], b: &[u8]) -> u8 {
+    a.iter().zip(b).map(|(a, b)| a.abs_diff(*b)).max().unwrap_or_default()
+}
+
+#[test]
+fn pixel_for_pixel_it_is_what_the_painter_on_the_cpu_paints() {
+    let Some(gpu) = gpu() else { return };
+    let (problem, solver, mut renderer) = solved(&gpu, 300);
+    let pixels = pollster::block_on(solver.pixels()).expect("the pixels come back");
+    let painted =
+        paint_grid(&GridPicture::new(&map(), &problem.view, Blend::Oklab, pixels), &[], &problem.view, PAPER);
+    let drawn = read(&mut renderer, &problem.view);
+    let levels: Vec<u8> =
+        drawn.rgba.chunks_exact(4).zip(painted.rgba.chunks_exact(4)).map(|(a, b)| difference(a, b)).collect();
+    let beyond = |limit: u8| levels.iter().filter(|level| **level > limit).count();
+    // Where curves pass, both take 16 samples of a pixel, but not the same.
+    assert!(beyond(2) < levels.len() / 50, "{} pixels differ", beyond(2));
+    assert!(beyond(40) < 20, "{} pixels differ much", beyond(40));
+}
+
+#[test]
+fn curves_cut_it_exactly_at_any_zoom() {
+    let Some(gpu) = gpu() else { return };
+    let (_, _, mut renderer) = solved(&gpu, 256);
+    // 16 pixels for one of the grid, at the right end of the circle: x = 852.3 there.
+    let view = View {
+        px_from_du: Affine::scale(4.0) * Affine::translate((-802.3, -487.0)),
+        width_px: 400,
+        height_px: 200,
+    };
+    let picture = read(&mut renderer, &view);
+    for y in [80.0, 100.0, 120.0] {
+        let inside = pixel(&picture, [197.0, y]);
+        assert!(difference(&inside, &GREEN.0) <= 3, "{inside:?} inside");
+        assert_eq!(pixel(&picture, [202.0, y]), [255; 3], "outside");
+    }
+}
+
+#[test]
+fn a_field_takes_its_place() {
+    let Some(gpu) = gpu() else { return };
+    let (problem, _, mut renderer) = solved(&gpu, 64);
+    let corners = [[-1.0, -1.0], [9000.0, -1.0], [-1.0, 9000.0]];
+    let color = Blend::Oklab.from_srgb8(RED).map(|c| c as f32);
+    let triangles = vec![FieldTriangle { corners, colors: [color; 6], side_edges: 7 }];
+    renderer.set_field(&Field { blend: Blend::Oklab, triangles });
+    assert_eq!(pixel(&read(&mut renderer, &problem.view), [32.0, 32.0]), RED.0);
+}

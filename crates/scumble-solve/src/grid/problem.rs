@@ -1,0 +1,28 @@
+//! What the grid solver is given, with what it takes to show what it finds.
+
+use scumble_core::{Blend, Boundary, PlanarMap};
+
+use super::constraints::Constraints;
+use super::curve_cells::CurveCells;
+use crate::scene::View;
+
+/// A picture to be solved on the pixels of a view.
+#[derive(Clone, Debug, PartialEq)]
+pub struct GridProblem {
+    /// The pixels.
+    pub view: View,
+    /// The space that the colours are in.
+    pub blend: Blend,
+    /// What is given.
+    pub constraints: Constraints,
+    /// Where the picture may jump.
+    pub curves: CurveCells,
+}
+
+impl GridProblem {
+    /// What a map and the colours of its sides make of a view.
+    pub fn new(map: &PlanarMap, boundary: &Boundary, view: &View, blend: Blend) -> Self {
+        let constraints = Constraints::new(map, boundary, view);
+        Self { view: *view, blend, constraints, curves: CurveCells::new(map, view) }
+    }
+}

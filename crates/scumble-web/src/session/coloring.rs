@@ -1,0 +1,86 @@
+//! The colours of the picture: those of the sides, and what a solver makes of them.
+
+use std::mem::take;
+
+use scumble_core::Document;
+use scumble_solve::View;
+use scumble_solve::grid::GridProblem;
+
+use super::Session;
+use crate::effect::Effect;
+use crate::solver::{Moment, Source};
+
+/// While a gesture is on its way, pixels of the grid are so many times wider: then it keeps up with the pen.
+const IN_HASTE: f64 = 2.0;
+
+impl Session {
+    /// What the picture on the canvas is made of.
+    pub(super) fn refresh_colors(&mut self) {
+        self.refresh_boundary();
+        let source = self.choice();
+        if source != std::mem::replace(&mut self.source, source) {
+            (self.changed.field, self.changed.problem) = (true, true);
+            self.stale.view = true;
+        }
+        if source == Source::Grid { self.refresh_problem() } else { self.refresh_field() }
+    }
+
+    /// Where the picture is to come from.
+    pub(super) fn choice(&self) -> Source {
+        self.solver.source(&self.moment())
+    }
+
+    fn moment(&self) -> Moment {
+        let picture = &self.sheet.picture;
+        Moment {
+            grids: self.grids,
+            px_per_du: self.px_per_du(),
+            pieces: picture.map().pieces().len(),
+            is_mesh_due: picture.has_mesh() || self.was_at_once,
+        }
+    }
+
+    fn refresh_boundary(&mut self) {
+        if take(&mut self.stale.boundary) {
+            let Document { scribbles, color_points, settings, .. } = self.sheet.editor.document();
+            self.boundary = self.sheet.picture.color(scribbles, color_points, settings);
+            self.was_at_once = false;
+        }
+    }
+
+    /// The picture of the mesh solver.
+    pub(super) fn refresh_field(&mut self) {
+        self.refresh_boundary();
+        if take(&mut self.stale.field) {
+            self.solve();
+        }
+    }
+
+    fn solve(&mut self) {
+        let blend = self.sheet.editor.document().settings.blend;
+        match self.sheet.picture.mesh().solve(&self.boundary, blend) {
+            Ok(field) => self.field.clone_from(field),
+            Err(error) => self.effects.push(Effect::Failed(error.to_string())),
+        }
+        self.changed.field = true;
+        self.stale.view = true;
+    }
+
+    fn refresh_problem(&mut self) {
+        let view = self.grid_view();
+        let is_other_view = self.problem.as_ref().is_none_or(|problem| problem.view != view);
+        if take(&mut self.stale.problem) || is_other_view {
+            let blend = self.sheet.editor.document().settings.blend;
+            self.problem = Some(GridProblem::new(self.sheet.picture.map(), &self.boundary, &view, blend));
+            self.changed.problem = true;
+            self.stale.view = true;
+        }
+    }
+
+    /// The page on pixels about as large as those of the canvas.
+    fn grid_view(&self) -> View {
+        let scale = self.moment().grid_scale(self.solver);
+        let editor = &self.sheet.editor;
+        self.page(if editor.is_scribbling() || editor.is_changing() { scale / IN_HASTE } else { scale })
+    }
+}

@@ -1,0 +1,143 @@
+//! Which solver makes the picture on the canvas. Files and lists of drawings have that of the mesh solver always.
+
+use scumble_core::drawing::LONGER_SIDE_DU;
+
+/// What the user asks for.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Solver {
+    /// The mesh solver, and before it the grid solver where that is there sooner.
+    #[default]
+    Automatic,
+    /// On triangles: exact at every zoom.
+    Mesh,
+    /// On pixels.
+    Gpu,
+}
+
+/// What a painter can do with problems of the grid solver.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Grids {
+    /// Nothing.
+    #[default]
+    No,
+    /// It solves them, without a graphics card.
+    Slow,
+    /// It solves them.
+    Fast,
+}
+
+/// Where the picture on the canvas comes from.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Source {
+    /// The mesh solver.
+    #[default]
+    Mesh,
+    /// The grid solver.
+    Grid,
+    /// The mesh solver: the grid solver was asked for, but the painter solves no grids.
+    MeshWithoutGpu,
+    /// The mesh solver: the grid solver was asked for, but one of its pixels would be many of the canvas.
+    MeshSoClose,
+}
+
+/// What is asked for, and what it comes to.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct SolverState {
+    /// By the user.
+    pub asked: Solver,
+    /// For the picture of the moment.
+    pub source: Source,
+}
+
+/// Pixels of a grid to a side, at most: between and around their centres there is one more, which every device has room for.
+const MOST_PX: f64 = 2047.0;
+
+/// The same for a picture that another follows at once, and without a graphics card.
+const FEW_PX: f64 = 512.0;
+
+/// A pixel of a grid is at most so many of the canvas wide.
+const WIDEST_PX: f64 = 2.0;
+
+/// The mesh solver takes longer to its first picture of a drawing with more pieces than the grid solver takes for
+/// [`FEW_PX`].
+const MANY_PIECES: usize = 100_000;
+
+/// What the choice depends on.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Moment {
+    pub(crate) grids: Grids,
+    /// Device pixels of one du.
+    pub(crate) px_per_du: f64,
+    pub(crate) pieces: usize,
+    /// Whether the mesh is there, or nothing else will be shown before it is.
+    pub(crate) is_mesh_due: bool,
+}
+
+impl Solver {
+    /// Where the picture is to come from.
+    pub(crate) fn source(self, moment: &Moment) -> Source {
+        let is_quick = moment.grids == Grids::Fast && moment.pieces > MANY_PIECES;
+        match self {
+            Self::Automatic if is_quick && !moment.is_mesh_due => Source::Grid,
+            Self::Automatic | Self::Mesh => Source::Mesh,
+            Self::Gpu if moment.grids == Grids::No => Source::MeshWithoutGpu,
+            Self::Gpu if moment.px_per_du > WIDEST_PX * MOST_PX / LONGER_SIDE_DU => Source::MeshSoClose,
+            Self::Gpu => Source::Grid,
+        }
+    }
+}
+
+impl Moment {
+    /// Pixels of a grid for one du, about as large as those of the canvas; in steps of √2, so that it is solved anew only
+    /// once in a while as the zoom changes.
+    pub(crate) fn grid_scale(&self, solver: Solver) -> f64 {
+        let has_time = solver == Solver::Gpu && self.grids == Grids::Fast;
+        let most_px = if has_time { MOST_PX } else { FEW_PX };
+        ((2.0 * self.px_per_du.log2()).round() / 2.0).exp2().min(most_px / LONGER_SIDE_DU)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const SMALL: Moment = Moment { grids: Grids::Fast, px_per_du: 1.0, pieces: 1000, is_mesh_due: false };
+    const LARGE: Moment = Moment { pieces: 200_000, ..SMALL };
+
+    #[test]
+    fn what_is_asked_for_is_taken_where_it_can_be() {
+        for grids in [Grids::Slow, Grids::Fast] {
+            assert_eq!(Solver::Gpu.source(&Moment { grids, ..SMALL }), Source::Grid);
+        }
+        assert_eq!(Solver::Gpu.source(&Moment { grids: Grids::No, ..SMALL }), Source::MeshWithoutGpu);
+        assert_eq!(Solver::Gpu.source(&Moment { px_per_du: 5.0, ..SMALL }), Source::MeshSoClose);
+        assert_eq!(Solver::Mesh.source(&LARGE), Source::Mesh);
+    }
+
+    #[test]
+    fn a_large_drawing_has_a_grid_until_its_mesh_is_due_where_a_graphics_card_solves_it() {
+        assert_eq!(Solver::Automatic.source(&LARGE), Source::Grid);
+        assert_eq!(Solver::Automatic.source(&SMALL), Source::Mesh);
+        for moment in [Moment { is_mesh_due: true, ..LARGE }, Moment { grids: Grids::Slow, ..LARGE }] {
+            assert_eq!(Solver::Automatic.source(&moment), Source::Mesh);
+        }
+    }
+
+    #[test]
+    fn pixels_of_a_grid_are_about_those_of_the_canvas() {
+        for px_per_du in [0.05, 0.3, 0.7, 1.0, 1.3, 1.9] {
+            let wide_px = px_per_du / Moment { px_per_du, ..SMALL }.grid_scale(Solver::Gpu);
+            assert!((0.84..=1.19).contains(&wide_px), "{wide_px} at {px_per_du}");
+        }
+        let close = Moment { px_per_du: 64.0, ..SMALL };
+        assert_eq!(close.grid_scale(Solver::Gpu) * LONGER_SIDE_DU, MOST_PX);
+    }
+
+    #[test]
+    fn in_haste_a_grid_has_few_pixels() {
+        let without_card = Moment { grids: Grids::Slow, ..SMALL };
+        for (moment, solver) in [(without_card, Solver::Gpu), (LARGE, Solver::Automatic)] {
+            assert_eq!(moment.grid_scale(solver) * LONGER_SIDE_DU, FEW_PX);
+        }
+    }
+}

@@ -1,0 +1,118 @@
+//! Which solver makes the picture on the canvas, and what its painter is given for that.
+
+mod page;
+
+use page::{DESK, SQUARE, open};
+use scumble_core::Srgb8;
+use scumble_web::command::{Command, Phase, ViewChange};
+use scumble_web::effect::Effect;
+use scumble_web::painting::{Changed, Painter, Painting};
+use scumble_web::session::Session;
+use scumble_web::solver::{Grids, Solver, SolverState, Source};
+
+/// A painter that takes three frames for a grid, and notes what it is given.
+#[derive(Default)]
+struct Screen {
+    frames_left: usize,
+    /// Of each frame: the longer side of the grid, or 0 for a field; and whether it is another than before.
+    frames: Vec<(u32, bool)>,
+}
+
+impl Painter for Screen {
+    fn paint(&mut self, painting: &Painting<'_>, changed: Changed) -> bool {
+        let Some(problem) = painting.problem else {
+            self.frames.push((0, changed.field));
+            return true;
+        };
+        self.frames.push((problem.view.width_px, changed.problem));
+        self.frames_left = if changed.problem { 2 } else { self.frames_left.saturating_sub(1) };
+        self.frames_left == 0
+    }
+}
+
+/// A page whose painter solves grids.
+fn page(grids: Grids) -> (Session, Screen) {
+    let mut session = Session::new(DESK).expect("a blank page");
+    session.set_grids(grids);
+    session.command(Command::View(ViewChange::Resize([1200, 900], 1.0)));
+    session.command(open(SQUARE, &[]));
+    session.command(Command::View(ViewChange::ZoomReset));
+    (session, Screen::default())
+}
+
+fn draw(session: &mut Session, phase: Phase, [x, y]: [f64; 2]) {
+    let p = session.css_from_du() * kurbo::Point::new(x, y);
+    session.pointer(phase, &[p.x as f32, p.y as f32, 1.0]);
+}
+
+fn frames(session: &mut Session, screen: &mut Screen) -> Vec<(u32, bool)> {
+    while session.frame(screen) {}
+    std::mem::take(&mut screen.frames)
+}
+
+fn source(session: &mut Session) -> Option<SolverState> {
+    let effects = session.take_effects();
+    effects.into_iter().rev().find_map(|effect| match effect {
+        Effect::Solver(state) => Some(state),
+        _ => None,
+    })
+}
+
+#[test]
+fn the_mesh_solver_makes_the_picture_of_a_small_drawing() {
+    let (mut session, mut screen) = page(Grids::Fast);
+    assert_eq!(frames(&mut session, &mut screen), [(0, true)]);
+    assert_eq!(source(&mut session), Some(SolverState { asked: Solver::Automatic, source: Source::Mesh }));
+}
+
+#[test]
+fn a_grid_is_painted_until_it_is_solved_and_then_left() {
+    let (mut session, mut screen) = page(Grids::Fast);
+    session.command(Command::Solver(Solver::Gpu));
+    assert_eq!(frames(&mut session, &mut screen), [(1024, true), (1024, false), (1024, false)]);
+    assert_eq!(source(&mut session), Some(SolverState { asked: Solver::Gpu, source: Source::Grid }));
+    assert_eq!(frames(&mut session, &mut screen), []);
+    session.command(Command::Solver(Solver::Mesh));
+    assert_eq!(frames(&mut session, &mut screen), [(0, true)]);
+}
+
+#[test]
+fn a_grid_is_coarser_while_the_pen_is_down() {
+    let (mut session, mut screen) = page(Grids::Fast);
+    session.command(Command::Solver(Solver::Gpu));
+    session.command(Command::Color(Srgb8([1, 2, 3]).into()));
+    frames(&mut session, &mut screen);
+    draw(&mut session, Phase::Down, [300.0, 300.0]);
+    assert_eq!(frames(&mut session, &mut screen)[0], (512, true));
+    draw(&mut session, Phase::Up, [400.0, 400.0]);
+    assert_eq!(frames(&mut session, &mut screen)[0], (1024, true));
+}
+
+#[test]
+fn a_picture_for_a_file_leaves_the_grid_as_it_is() {
+    let (mut session, mut screen) = page(Grids::Fast);
+    session.command(Command::Solver(Solver::Gpu));
+    session.command(Command::Color(Srgb8([1, 2, 3]).into()));
+    draw(&mut session, Phase::Down, [300.0, 300.0]);
+    draw(&mut session, Phase::Up, [400.0, 400.0]);
+    frames(&mut session, &mut screen);
+    assert!(!session.export(64.0, false).field.triangles.is_empty());
+    assert!(
+        frames(&mut session, &mut screen).iter().all(|(side_px, is_other)| *side_px == 1024 && !is_other)
+    );
+}
+
+#[test]
+fn a_painter_that_comes_in_the_place_of_a_lost_one_is_given_everything() {
+    let (mut session, mut screen) = page(Grids::Fast);
+    session.command(Command::Solver(Solver::Gpu));
+    session.frame(&mut screen);
+    session.repaint();
+    let mut next = Screen::default();
+    assert_eq!(frames(&mut session, &mut next), [(1024, true), (1024, false), (1024, false)]);
+    session.set_grids(Grids::No);
+    session.repaint();
+    assert_eq!(frames(&mut session, &mut next), [(0, true)]);
+    let state = SolverState { asked: Solver::Gpu, source: Source::MeshWithoutGpu };
+    assert_eq!(source(&mut session), Some(state));
+}

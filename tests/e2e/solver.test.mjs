@@ -1,0 +1,143 @@
+// The solver of the picture on the canvas: both make the same one, and the page says where it takes the other.
+import assert from "node:assert/strict";
+import { after, before, describe, test } from "node:test";
+import { start } from "./harness.mjs";
+import { distance, hex } from "./picture.mjs";
+
+/** @typedef {[number, number]} Point */
+/** @typedef {import("./harness.mjs").Editor} Editor */
+/** @typedef {import("./picture.mjs").Picture} Picture */
+
+/** The longer side of the viewBox of the drawings here. */
+const SIDE = 200;
+const SHADED = /** @type {[string, Point[]][]} */ ([
+  ["Yellow", [[35, 45], [60, 30], [90, 28]]],
+  ["Violet", [[40, 70], [80, 82], [110, 76]]],
+  ["Teal", [[150, 20], [185, 40], [180, 80]]],
+  ["Red", [[120, 45], [126, 52]]],
+]);
+const IN_LEFT_ROOM = /** @type {Point[]} */ ([[30, 30], [50, 60], [70, 40]]);
+/** A place in the left room, and one in the wall's other side. */
+const ROOMS = /** @type {Point[]} */ ([[20, 80], [180, 80]]);
+
+/** How far solvers are apart where there is no edge: in the mean, and in most pixels, in levels. */
+const MEAN_LEVELS = 0.7;
+const MOST_LEVELS = 3;
+
+/** @param {Editor} editor */
+async function shade(editor) {
+  await editor.openDrawing("shading");
+  for (const [color, points] of SHADED) {
+    await editor.click(color);
+    await editor.scribble(points, SIDE);
+  }
+}
+
+/**
+ * @param {Picture} actual
+ * @param {Picture} expected
+ */
+function assertAlike(actual, expected) {
+  assert.deepEqual([actual.width, actual.height], [expected.width, expected.height]);
+  let [count, sum, far] = [0, 0, 0];
+  for (let y = 0; y < expected.height; y++) {
+    for (let x = 0; x < expected.width; x++) {
+      if (expected.isEdge(x, y) || actual.isEdge(x, y)) continue;
+      const levels = distance(actual.at(x, y), expected.at(x, y));
+      [count, sum, far] = [count + 1, sum + levels, far + (levels > MOST_LEVELS ? 1 : 0)];
+    }
+  }
+  assert.ok(count > 0.8 * expected.width * expected.height, `only ${count} pixels are on no edge`);
+  assert.ok(sum < MEAN_LEVELS * count, `${sum / count} levels in the mean`);
+  assert.ok(far < 0.01 * count, `${far} of ${count} pixels differ by more than ${MOST_LEVELS} levels`);
+}
+
+describe("the solver", () => {
+  /** @type {Awaited<ReturnType<typeof start>>} */
+  let session;
+  /** @type {Editor} */
+  let editor;
+  before(async () => {
+    session = await start("chromium");
+  });
+  after(() => session.close());
+
+  /**
+   * A test with a page that is closed after it: what draws without a graphics card draws for one at a time.
+   * @param {string} name
+   * @param {import("./harness.mjs").Target["renderer"]} renderer
+   * @param {string} more of the address
+   * @param {() => Promise<void>} act
+   */
+  const testPage = (name, renderer, more, act) =>
+    test(`${renderer}: ${name}`, async () => {
+      editor = await session.open(renderer, more);
+      await act();
+      assert.deepEqual(editor.tab.faults, []);
+      await editor.tab.close();
+    });
+
+  const asked = () => editor.tab.evaluate(`document.querySelector('[data-setting="solver"]').value`);
+
+  for (const renderer of /** @type {const} */ (["webgpu", "webgl"])) {
+    testPage("both make the same picture", renderer, "", async () => {
+      await shade(editor);
+      await editor.shows("mesh");
+      const mesh = await editor.picture();
+      await editor.choose("Solver", "gpu");
+      await editor.shows("gpu");
+      const grid = await editor.picture();
+      assert.ok(!grid.equals(mesh), "the canvas shows the picture of the other solver");
+      assertAlike(grid, mesh);
+      await editor.choose("Solver", "mesh");
+      await editor.shows("mesh");
+      assert.ok((await editor.picture()).equals(mesh));
+    });
+
+    testPage("GPU colours exactly as picked, and undo takes it back", renderer, "", async () => {
+      await editor.openDrawing("rooms");
+      await editor.choose("Solver", "gpu");
+      await editor.toggle("Show scribbles");
+      const empty = await editor.picture();
+      await editor.click("Red");
+      await editor.scribble(IN_LEFT_ROOM, SIDE);
+      await editor.shows("gpu");
+      const [places, picture] = [await editor.place(ROOMS, SIDE), await editor.picture()];
+      assert.deepEqual(places.map(([x, y]) => hex(picture.at(x, y))), ["#e5484d", "#ffffff"]);
+      await editor.until("Undone", () => editor.click("Undo"));
+      assert.ok((await editor.picture()).equals(empty));
+    });
+  }
+
+  for (const [name, expected] of [["mesh", "mesh"], ["gpu", "gpu"], ["automatic", "automatic"], ["other", "automatic"]]) {
+    testPage(`the address names ${name}: ${expected}`, "cpu", `&solver=${name}`, async () => {
+      assert.equal(await asked(), expected);
+    });
+  }
+
+  testPage("Automatic leaves a graphics card that is none to the canvas", "webgl", "", async () => {
+    assert.equal(await asked(), "automatic");
+    await editor.openDrawing("shading");
+    await editor.shows("mesh");
+  });
+
+  testPage("GPU without a GPU: the mesh solver, and the page says so", "cpu", "", async () => {
+    await shade(editor);
+    const mesh = await editor.picture();
+    await editor.until("Without WebGPU or WebGL2", () => editor.choose("Solver", "gpu"));
+    await editor.shows("without-gpu");
+    assert.ok((await editor.picture()).equals(mesh));
+  });
+
+  testPage("GPU so close that its pixels would show: the mesh solver, and the page says so", "webgl", "", async () => {
+    await editor.openDrawing("rooms");
+    await editor.choose("Solver", "gpu");
+    await editor.shows("gpu");
+    await editor.until("At this zoom,", async () => {
+      for (let steps = 0; steps < 6; steps++) await editor.click("Zoom in");
+    });
+    await editor.shows("so-close");
+    await editor.click("Fit");
+    await editor.shows("gpu");
+  });
+});
