@@ -182,6 +182,7 @@ fn a_palette_is_of_its_drawing_and_undo_takes_it_back() {
     let effects = page.session.take_effects();
     assert!(effects.contains(&Effect::Palette(vec![])) && effects.contains(&Effect::Undone), "{effects:?}");
     page.session.command(Command::Redo);
+    assert!(page.session.take_effects().contains(&Effect::Palette(palette.clone())));
     page.session.command(page::open(SQUARE, &[]));
     assert!(page.session.take_effects().contains(&Effect::Palette(vec![])));
     page.session.command(Command::Undo);
