@@ -37,6 +37,9 @@ const withoutDialogs = () => {
   Object.assign(window, { showOpenFilePicker: undefined, showSaveFilePicker: undefined });
 };
 
+/** What draws without a graphics card takes its time on a busy machine. */
+const PATIENCE_MS = 120_000;
+
 const VIEWPORT = { width: 1200, height: 800 };
 
 /**
@@ -95,6 +98,7 @@ async function launchChromium() {
  * @returns {Promise<Tab>}
  */
 async function chromiumTab(page) {
+  page.setDefaultTimeout(PATIENCE_MS);
   await page.addInitScript(withoutDialogs);
   /** @type {string[]} */
   const faults = [];

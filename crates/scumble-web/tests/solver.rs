@@ -1,9 +1,7 @@
 //! Which solver makes the picture on the canvas, and what its painter is given for that.
 
-mod page;
-
-use page::{DESK, SQUARE, open};
-use scumble_core::Srgb8;
+use scumble_core::{Document, Srgb8, Work, exact};
+use scumble_io::import_svg;
 use scumble_web::command::{Command, Phase, ViewChange};
 use scumble_web::effect::Effect;
 use scumble_web::painting::{Changed, Painter, Painting};
@@ -30,12 +28,18 @@ impl Painter for Screen {
     }
 }
 
-/// A page whose painter solves grids.
+/// A square within a page of 1024 by 768 du.
+const SQUARE: &[u8] = br#"<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 1024 768">
+    <path d="M200 150H680V630H200Z" fill="none" stroke="black" stroke-width="8"/></svg>"#;
+
+/// A page whose painter can do this with grids.
 fn page(grids: Grids) -> (Session, Screen) {
-    let mut session = Session::new(DESK).expect("a blank page");
+    let mut session = Session::new(Srgb8([90; 3])).expect("a blank page");
+    let drawing = import_svg(SQUARE).expect("a drawing").drawing;
+    let work = exact::write(&Work::new(Document::new(drawing)));
     session.set_grids(grids);
     session.command(Command::View(ViewChange::Resize([1200, 900], 1.0)));
-    session.command(open(SQUARE, &[]));
+    session.command(Command::Open { work, notes: String::new() });
     session.command(Command::View(ViewChange::ZoomReset));
     (session, Screen::default())
 }
