@@ -56,12 +56,21 @@ fn find(map: &PlanarMap, clearance: &Clearance, ratio: f64) -> Vec<Gap> {
         let narrower_du = basins.width_du(a).min(basins.width_du(b));
         let ratio = if clearance.is_at_tip[h.index()] { ratio } else { WAIST * ratio };
         if a != b && is_gabriel(mesh, h) && width_du < ratio * narrower_du.max(0.0) {
-            gaps.push(Gap { nodes: mesh.ends(h), is_wide: clear_width_du(map, h) > WIDE * narrower_du });
+            let [is_wide, is_plain] = wide_widths_du(map, h, width_du).map(|du| du > WIDE * narrower_du);
+            gaps.push(Gap { nodes: mesh.ends(h), is_wide, is_plain: is_wide && is_plain });
         } else {
             basins.join(a, b);
         }
     }
     gaps
+}
+
+/// The width by which a gap is wide, and the one by which it is plain. Beside the border of the page, what is at hand
+/// counts as much as a passage there counts, unless a line ends at it: that may well mean to reach the border.
+fn wide_widths_du(map: &PlanarMap, h: HalfEdge, width_du: f64) -> [f64; 2] {
+    let is_beside_border = map.is_at_border(map.triangulation().ends(h));
+    let counts = is_beside_border && !map.clearance().is_at_tip[h.index()];
+    [if counts { width_du } else { clear_width_du(map, h) }, width_du]
 }
 
 /// All passages with their widths, the widest first; once each, by both their half-edges.

@@ -58,6 +58,8 @@ pub struct Gap {
     /// Whether it is hardly narrower than the places it joins: the end of a shape where one side of it has a colour
     /// and the other has none, but two colours meet in it softly, as they do within one place.
     pub is_wide: bool,
+    /// Whether it is so even as far as widths count beside the tips of lines.
+    pub is_plain: bool,
 }
 
 /// Why a drawing has no planar map.
@@ -163,6 +165,11 @@ impl PlanarMap {
     /// passes through it.
     pub fn half_width_du(&self, node: u32) -> Option<f64> {
         self.half_widths_du.get(node as usize).copied().filter(|half_width_du| *half_width_du >= 0.0)
+    }
+
+    /// Whether only the frame passes through one of two nodes.
+    pub(crate) fn is_at_border(&self, nodes: [u32; 2]) -> bool {
+        nodes.iter().any(|&node| self.half_width_du(node).is_none())
     }
 
     /// Whether a curve ends where it starts, without a gap where it leaves the page.

@@ -194,37 +194,51 @@ impl Progressive {
     /// The sides that a scribble wants and one other scribble has, as stretches of outlines.
     fn contested_chains(&self, map: &PlanarMap, outline: &Outline, scribble: usize) -> Vec<Chain> {
         let influence = self.reaches[scribble].influence();
-        let owner = |side: SideId| self.labels[side.index()];
-        let number = |side: SideId| influence.binary_search_by_key(&side, |&(side, _)| side).ok();
         let mut is_taken = vec![false; influence.len()];
-        let mut chains = Vec::new();
-        let is_start = |side: SideId| {
-            let prev = outline.prev(side);
-            owner(prev) != owner(side) || number(prev).is_none()
-        };
-        let starts = (0..influence.len()).filter(|&i| is_start(influence[i].0));
+        let starts = (0..influence.len()).filter(|&i| self.is_start(outline, influence, i));
         // Whole outlines have no start: they are what is left.
-        for first in starts.chain(0..influence.len()) {
-            let Some(other) = owner(influence[first].0).filter(|_| !is_taken[first]) else { continue };
-            let mut chain = Chain::default();
-            let mut at = Some(first);
-            while let Some(i) = at.filter(|&i| !is_taken[i]) {
-                is_taken[i] = true;
-                let (side, evidence) = influence[i];
-                chain.push(map, side, [self.evidence(other, side).unwrap_or(evidence), evidence]);
-                at = number(outline.next(side)).filter(|&next| owner(influence[next].0) == Some(other));
-            }
-            chain.is_closed = at == Some(first);
-            chains.push(chain);
+        let all = starts.chain(0..influence.len());
+        all.filter_map(|first| self.contested_chain(map, outline, influence, first, &mut is_taken)).collect()
+    }
+
+    fn is_start(&self, outline: &Outline, influence: &[(SideId, Evidence)], i: usize) -> bool {
+        let side = influence[i].0;
+        let prev = outline.prev(side);
+        self.labels[prev.index()] != self.labels[side.index()] || number(influence, prev).is_none()
+    }
+
+    /// The stretch from a side on; `None` where nobody else has that, or it is in a stretch already.
+    fn contested_chain(
+        &self,
+        map: &PlanarMap,
+        outline: &Outline,
+        influence: &[(SideId, Evidence)],
+        first: usize,
+        is_taken: &mut [bool],
+    ) -> Option<Chain> {
+        let owner = |i: usize| self.labels[influence[i].0.index()];
+        let other = owner(first).filter(|_| !is_taken[first])?;
+        let mut chain = Chain::default();
+        let mut at = Some(first);
+        while let Some(i) = at.filter(|&i| !is_taken[i]) {
+            is_taken[i] = true;
+            let (side, evidence) = influence[i];
+            chain.push(map, side, [self.evidence(other, side).unwrap_or(evidence), evidence]);
+            at = number(influence, outline.next(side)).filter(|&next| owner(next) == Some(other));
         }
-        chains
+        chain.is_closed = at == Some(first);
+        Some(chain)
     }
 
     fn evidence(&self, scribble: u32, side: SideId) -> Option<Evidence> {
         let influence = self.reaches[scribble as usize].influence();
-        let number = influence.binary_search_by_key(&side, |&(side, _)| side).ok()?;
-        Some(influence[number].1)
+        Some(influence[number(influence, side)?].1)
     }
+}
+
+/// Where a side is in the influence of a scribble.
+fn number(influence: &[(SideId, Evidence)], side: SideId) -> Option<usize> {
+    influence.binary_search_by_key(&side, |&(side, _)| side).ok()
 }
 
 /// Sides along an outline that two scribbles want.

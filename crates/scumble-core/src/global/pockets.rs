@@ -1,23 +1,34 @@
 //! Pockets: small rooms beside what a colour has already, behind a gap so wide that a person hardly sees it as the end
 //! of a shape. The space between the scales of a fish is one, or that between the rays of its fin.
 //!
-//! A colour takes those first that are small beside the rooms that it was drawn in, then those that are small beside
-//! all that it has by then. So a stroke or two fill a body, and a leaf still does not run out onto the page: what is as
-//! open to the border of the page as to what is within is no pocket of that. From the border itself a colour goes
-//! through wide gaps, but no further: how large the place is that it comes from, nobody knows.
+//! A gap that a line's tip points across, so that hardly any of its width counts, is as good as an end: no pocket lies
+//! behind it. The others are *plain*.
+//!
+//! A colour takes those pockets first that are small beside the rooms that it was drawn in, then those that are small
+//! beside all that it has by then. So a stroke or two fill a body, and a leaf still does not run out onto the page: what
+//! is as open to the border of the page as to what is within is no pocket of that. From the border itself a colour goes
+//! through wide gaps, but no further: how large the place is that it comes from, nobody knows. Only where a plain gap
+//! lies between a line and the border, it goes on along that, as the sky does behind what stands before it.
 //!
 //! Rooms that hang together through wide gaps, none of them open to the border, are a *hall*. Once colours have most of
-//! one, they have all of it: nobody leaves a hole.
+//! one, they have all of it: nobody leaves a hole. Where lines are all around, a part of it is enough.
 //!
 //! No colour ever takes less after more was drawn, of whatever colour. Where two may go into a room, the flood decides.
 
-use crate::planar_map::PlanarMap;
+use crate::planar_map::{Gap, PlanarMap};
 use crate::sets::Sets;
 use crate::sort;
 use crate::triangulation::HalfEdge;
 
 /// A pocket has less than this part of the area that the colour beside it has already.
 const POCKET: f64 = 0.5;
+
+/// Colours have a hall once they have more than this part of its area.
+const HALL: f64 = 0.5;
+
+/// The same where lines are all around: nothing runs out onto the page there, and a stroke between two rays of a fin
+/// fills the fin. A quarter would leave more alone of what has another colour on the quality set.
+const CLOSED_HALL: f64 = 1.0 / 6.0;
 
 /// From a room to one behind a wide gap.
 type Door = [u32; 2];
@@ -31,25 +42,30 @@ pub(super) struct Rooms {
     are_beside_border: Vec<bool>,
     /// In ascending order.
     doors: Vec<Door>,
+    /// Those that a colour may go on through by itself, in ascending order.
+    plain_doors: Vec<Door>,
     /// Per room its hall, by one of the rooms in it.
     hall_of: Vec<u32>,
+    /// Per room the part of its hall that colours must have to have all of it.
+    hall_parts: Vec<f64>,
 }
 
 impl Rooms {
     /// The rooms that the triangles of the refined mesh belong to.
     pub(super) fn new(map: &PlanarMap, room_of: &[u32], room_count: usize) -> Self {
         let areas_du2 = areas_du2(map, room_of, room_count);
-        let mut doors: Vec<Door> =
-            map.refined().half_edges().filter_map(|h| wide_gap(map, room_of, h)).collect();
-        sort::sort_copies_by_key(&mut doors, |&door| sort::pair(door));
-        doors.dedup();
+        let doors = doors(map, room_of, |gap, _| gap.is_wide);
+        let is_within = |door: Door| !door.iter().all(|&room| areas_du2[room as usize].is_infinite());
+        let is_plain = |gap: &Gap, door| gap.is_plain && (map.is_at_border(gap.nodes) || is_within(door));
+        let plain_doors = self::doors(map, room_of, is_plain);
         let mut are_beside_border: Vec<bool> =
             areas_du2.iter().map(|area_du2| area_du2.is_infinite()).collect();
         for &[from, to] in &doors {
             are_beside_border[from as usize] |= areas_du2[to as usize].is_infinite();
         }
         let hall_of = halls(&are_beside_border, &doors);
-        Self { areas_du2, are_beside_border, doors, hall_of }
+        let hall_parts = hall_parts(map, room_of, &areas_du2);
+        Self { areas_du2, are_beside_border, doors, plain_doors, hall_of, hall_parts }
     }
 
     /// The doors that colours go through, in ascending order; `drawn` are pairs of a colour and a room that it was drawn
@@ -71,24 +87,17 @@ impl Rooms {
             from == to && are_colored[from as usize]
         };
         open.extend(self.doors.iter().filter(is_within));
-        sort::sort_copies_by_key(&mut open, |&door| sort::pair(door));
-        open.dedup();
-        open
+        sorted(open)
     }
 
-    /// Per room that stands for a hall whether most of the hall is taken.
+    /// Per room that stands for a hall whether colours have it.
     fn colored_halls(&self, are_taken: &[bool]) -> Vec<bool> {
         let mut free_du2 = vec![0.0; are_taken.len()];
         for (room, &hall) in self.hall_of.iter().enumerate() {
-            free_du2[hall as usize] += self.areas_du2[room] * if are_taken[room] { -1.0 } else { 1.0 };
+            let part = self.hall_parts[hall as usize];
+            free_du2[hall as usize] += self.areas_du2[room] * if are_taken[room] { part - 1.0 } else { part };
         }
         free_du2.iter().map(|&free_du2| free_du2 < 0.0).collect()
-    }
-
-    fn doors_of(&self, room: u32) -> &[Door] {
-        let start = self.doors.partition_point(|&[from, _]| from < room);
-        let count = self.doors[start..].partition_point(|&[from, _]| from == room);
-        &self.doors[start..start + count]
     }
 
     fn is_at_border(&self, room: u32) -> bool {
@@ -96,12 +105,37 @@ impl Rooms {
     }
 }
 
-/// The rooms on this side of a half-edge and on the other, if it is part of a wide gap.
-pub(super) fn wide_gap(map: &PlanarMap, room_of: &[u32], h: HalfEdge) -> Option<Door> {
+/// The rooms on this side of a half-edge and on the other, if it is part of a gap, with that.
+fn gap_and_door<'a>(map: &'a PlanarMap, room_of: &[u32], h: HalfEdge) -> Option<(&'a Gap, Door)> {
     let mesh = map.refined();
     let gap = &map.gaps()[mesh.gap(h)? as usize];
     let twin = mesh.passage(h)?;
-    gap.is_wide.then(|| [h, twin].map(|h| room_of[h.triangle()]))
+    Some((gap, [h, twin].map(|h| room_of[h.triangle()])))
+}
+
+/// The rooms on this side of a half-edge and on the other, if it is part of a wide gap.
+pub(super) fn wide_gap(map: &PlanarMap, room_of: &[u32], h: HalfEdge) -> Option<Door> {
+    gap_and_door(map, room_of, h).filter(|(gap, _)| gap.is_wide).map(|(_, door)| door)
+}
+
+/// From room to room through the gaps of some kind, in ascending order.
+fn doors(map: &PlanarMap, room_of: &[u32], is_kind: impl Fn(&Gap, Door) -> bool) -> Vec<Door> {
+    let all = map.refined().half_edges().filter_map(|h| gap_and_door(map, room_of, h));
+    sorted(all.filter(|&(gap, door)| is_kind(gap, door)).map(|(_, door)| door).collect())
+}
+
+/// In ascending order, each once.
+fn sorted(mut doors: Vec<Door>) -> Vec<Door> {
+    sort::sort_copies_by_key(&mut doors, |&door| sort::pair(door));
+    doors.dedup();
+    doors
+}
+
+/// Those of the doors, in ascending order, that lead from a room.
+fn doors_of(doors: &[Door], room: u32) -> &[Door] {
+    let start = doors.partition_point(|&[from, _]| from < room);
+    let count = doors[start..].partition_point(|&[from, _]| from == room);
+    &doors[start..start + count]
 }
 
 fn areas_du2(map: &PlanarMap, room_of: &[u32], room_count: usize) -> Vec<f64> {
@@ -113,6 +147,21 @@ fn areas_du2(map: &PlanarMap, room_of: &[u32], room_count: usize) -> Vec<f64> {
         areas_du2[room as usize] += if is_at_border { f64::INFINITY } else { 0.5 * (b - a).cross(c - a) };
     }
     areas_du2
+}
+
+fn hall_parts(map: &PlanarMap, room_of: &[u32], areas_du2: &[f64]) -> Vec<f64> {
+    let (region_of, region_count) = map.refined().regions();
+    let mut are_closed = vec![true; region_count];
+    for (&region, &room) in region_of.iter().zip(room_of) {
+        are_closed[region as usize] &= areas_du2[room as usize].is_finite();
+    }
+    let mut parts = vec![HALL; areas_du2.len()];
+    for (&region, &room) in region_of.iter().zip(room_of) {
+        if are_closed[region as usize] {
+            parts[room as usize] = CLOSED_HALL;
+        }
+    }
+    parts
 }
 
 fn halls(are_beside_border: &[bool], doors: &[Door]) -> Vec<u32> {
@@ -144,7 +193,7 @@ impl<'a> Taken<'a> {
     fn add(&mut self, room: u32) {
         self.taken.push(room);
         self.is_taken[room as usize] = true;
-        for &[_, beside] in self.rooms.doors_of(room) {
+        for &[_, beside] in doors_of(&self.rooms.doors, room) {
             if self.is_taken[beside as usize] && ![room, beside].iter().any(|&at| self.rooms.is_at_border(at))
             {
                 let [from, to] = [room, beside].map(|room| self.groups.find(room));
@@ -163,8 +212,8 @@ impl<'a> Taken<'a> {
             known = self.taken.len();
             let mut next = 0;
             while let Some(&room) = self.taken.get(next) {
-                for &[_, beside] in self.rooms.doors_of(room) {
-                    if self.is_pocket(room, beside) {
+                for &[_, beside] in doors_of(&self.rooms.plain_doors, room) {
+                    if self.goes_on(room, beside) {
                         self.add(beside);
                     }
                 }
@@ -173,16 +222,21 @@ impl<'a> Taken<'a> {
         }
     }
 
+    /// Whether the colour goes on through a plain door: from page to page, or into a pocket.
+    fn goes_on(&mut self, room: u32, beside: u32) -> bool {
+        let [is_at_border, is_beside_at_border] = [room, beside].map(|room| self.rooms.is_at_border(room));
+        let is_page = is_at_border && is_beside_at_border;
+        !self.is_taken[beside as usize] && (is_page || !is_at_border && self.is_pocket(room, beside))
+    }
+
     fn is_pocket(&mut self, room: u32, beside: u32) -> bool {
         let group = self.groups.find(room) as usize;
-        !self.rooms.is_at_border(room)
-            && !self.is_taken[beside as usize]
-            && !self.rooms.are_beside_border[beside as usize]
+        !self.rooms.are_beside_border[beside as usize]
             && self.rooms.areas_du2[beside as usize] < POCKET * self.areas_du2[group]
     }
 
     fn leads(&self, [from, to]: Door) -> bool {
-        let is_within = self.is_taken[to as usize] || self.rooms.is_at_border(from);
-        self.is_taken[from as usize] && is_within && !self.rooms.is_at_border(to)
+        let is_from_border = self.rooms.is_at_border(from) && !self.rooms.is_at_border(to);
+        self.is_taken[from as usize] && (self.is_taken[to as usize] || is_from_border)
     }
 }

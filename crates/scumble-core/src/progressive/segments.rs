@@ -63,20 +63,28 @@ impl<'a> Segments<'a> {
             place_of: vec![(u32::MAX, u32::MAX); sightings.len()],
             cost_before: Vec::new(),
         };
-        let is_start = |sighting: usize| {
-            let before = index.get(outline.prev(sightings[sighting].side));
-            before.is_none_or(|before| !sightings[before].joined)
-        };
-        for &sighting in numbers.iter().filter(|&&sighting| is_start(sighting)) {
-            this.add_segment(outline, sighting);
-        }
-        for &sighting in numbers {
-            if this.place_of[sighting].0 == u32::MAX {
-                this.add_segment(outline, sighting);
-            }
-        }
+        this.add_segments(outline, numbers);
         this.charge(sample_count);
         this
+    }
+
+    /// From each start on; whole outlines have no start: they are what is left.
+    fn add_segments(&mut self, outline: &Outline, numbers: &[usize]) {
+        for &sighting in numbers {
+            if self.is_start(outline, sighting) {
+                self.add_segment(outline, sighting);
+            }
+        }
+        for &sighting in numbers {
+            if self.place_of[sighting].0 == u32::MAX {
+                self.add_segment(outline, sighting);
+            }
+        }
+    }
+
+    fn is_start(&self, outline: &Outline, sighting: usize) -> bool {
+        let before = self.index.get(outline.prev(self.sightings[sighting].side));
+        before.is_none_or(|before| !self.sightings[before].joined)
     }
 
     fn add_segment(&mut self, outline: &Outline, start: usize) {
