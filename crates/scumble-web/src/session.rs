@@ -7,13 +7,13 @@ use std::mem::take;
 
 use kurbo::{Affine, Rect};
 use scumble_core::drawing::LONGER_SIDE_DU;
-use scumble_core::{Boundary, Document, Drawing, Editor, MapError, Paint, Srgb8, Work, exact};
+use scumble_core::{Boundary, Document, Drawing, MapError, Paint, Srgb8, Work, exact};
 use scumble_solve::grid::GridProblem;
-use scumble_solve::{Field, Picture, Pixmap, View};
+use scumble_solve::{Field, Pixmap, View};
 
 use crate::brush::Brush;
 use crate::command::{Command, Setting, Tool};
-use crate::effect::{Effect, SheetState, State};
+use crate::effect::{Effect, State};
 use crate::layers::Layers;
 use crate::painting::{Changed, Export, PAPER, Painter, Painting};
 use crate::solver::{Grids, Solver, SolverState, Source};
@@ -21,19 +21,17 @@ use crate::view::Viewport;
 
 mod coloring;
 mod gestures;
+mod ink;
+mod sheet;
 
 use gestures::{Eraser, Stroke};
-
-/// Drawings that undo can come back to.
-const SHELF_SIZE: usize = 8;
+use sheet::Sheet;
 
 /// The page that is there before a drawing is opened, in du.
 const BLANK: Rect = Rect::new(0.0, 0.0, 1024.0, 768.0);
 
 /// The longer side of a drawing's picture in a list.
 const THUMBNAIL_PX: f64 = 240.0;
-
-const DAMAGED: &str = "what the browser kept of the drawing is damaged; open it from a file";
 
 /// A document in work.
 #[derive(Debug)]
@@ -67,17 +65,6 @@ pub struct Session {
     changed: Changed,
     known: State,
     effects: Vec<Effect>,
-}
-
-/// A drawing in work, and what is derived from it.
-#[derive(Debug)]
-struct Sheet {
-    /// Its place among all that were opened.
-    number: u32,
-    /// What belongs to it without being edited here; it has no lines.
-    kept: Work,
-    editor: Editor,
-    picture: Picture,
 }
 
 /// What must be derived anew before the next frame is painted.
@@ -188,7 +175,8 @@ impl Session {
 
     /// Derives what is stale and shows it; does nothing where nothing has changed. Tells whether there is more to show.
     pub fn frame(&mut self, painter: &mut dyn Painter) -> bool {
-        self.refresh();
+        self.refresh_colors();
+        self.refresh_ink();
         if take(&mut self.stale.view) {
             let painting = Painting {
                 field: &self.field,
@@ -247,53 +235,6 @@ impl Session {
         self.effects.push(effect);
     }
 
-    fn open(&mut self, work: &[u8], notes: String) {
-        let Some(work) = exact::read(work) else {
-            return self.tell(Effect::Failed(DAMAGED.into()));
-        };
-        match Sheet::new(self.opened + 1, work) {
-            Ok(sheet) => self.lay_over(sheet),
-            Err(error) => return self.tell(Effect::Failed(error.to_string())),
-        }
-        self.opened += 1;
-        self.tell(Effect::Opened { notes });
-    }
-
-    /// Shows another drawing. The one that was there is kept if somebody worked on it.
-    fn lay_over(&mut self, sheet: Sheet) {
-        let under = self.show(sheet);
-        if under.editor.can_undo() {
-            self.shelf.push(under);
-            self.shelf.drain(..self.shelf.len().saturating_sub(SHELF_SIZE));
-        }
-    }
-
-    fn show(&mut self, sheet: Sheet) -> Sheet {
-        self.eraser = None;
-        self.viewport.show_page(sheet.editor.document().drawing.frame());
-        self.stale = Stale::ALL;
-        std::mem::replace(&mut self.sheet, sheet)
-    }
-
-    fn undo(&mut self) {
-        self.eraser = None;
-        if self.sheet.editor.undo() {
-            self.scribbles_changed();
-        } else if let Some(sheet) = self.shelf.pop() {
-            self.show(sheet);
-        } else {
-            return;
-        }
-        self.tell(Effect::Undone);
-    }
-
-    fn redo(&mut self) {
-        if self.sheet.editor.redo() {
-            self.tell(Effect::Redone);
-            self.scribbles_changed();
-        }
-    }
-
     fn set(&mut self, setting: Setting) {
         let editor = &mut self.sheet.editor;
         if !setting.is_slid() {
@@ -326,61 +267,13 @@ impl Session {
         change(&mut self.brush);
     }
 
-    fn show_lines(&mut self, shown: bool) {
-        self.lines_shown = shown;
-        self.stale.lines = true;
-    }
-
-    fn show_scribbles(&mut self, shown: bool) {
-        self.scribbles_shown = shown;
-        self.stale.scribbles = true;
-    }
-
-    fn set_desk(&mut self, desk: Srgb8) {
-        self.desk = desk;
-        self.stale.lines = true;
-    }
-
     fn scribbles_changed(&mut self) {
         self.stale.colors();
         self.stale.scribbles = true;
     }
 
-    fn refresh(&mut self) {
-        self.refresh_colors();
-        let px_per_du = self.px_per_du();
-        if !self.layers.suit_scale(px_per_du) {
-            self.layers = Layers::at_scale(px_per_du);
-            (self.stale.lines, self.stale.scribbles) = (true, true);
-        }
-        if take(&mut self.stale.lines) {
-            self.draw_ink();
-        }
-        if take(&mut self.stale.scribbles) {
-            self.draw_scribbles();
-        }
-    }
-
     fn px_per_du(&self) -> f64 {
         self.viewport.view().px_from_du.as_coeffs()[0]
-    }
-
-    fn draw_ink(&mut self) {
-        let drawing = &self.sheet.editor.document().drawing;
-        self.layers.clear_ink();
-        if self.lines_shown {
-            self.layers.add_lines(drawing, self.sheet.picture.map());
-        }
-        self.layers.add_desk(drawing.frame(), self.desk);
-        self.changed.ink = true;
-        self.stale.view = true;
-    }
-
-    fn draw_scribbles(&mut self) {
-        let scribbles = if self.scribbles_shown { &*self.sheet.editor.document().scribbles } else { &[] };
-        self.layers.set_scribbles(scribbles);
-        self.changed.scribbles = true;
-        self.stale.view = true;
     }
 
     fn state(&self) -> State {
@@ -400,19 +293,5 @@ impl Session {
             palette: Some(self.document().palette.clone()),
             solver: Some(SolverState { asked: self.solver, source: self.source }),
         }
-    }
-}
-
-impl Sheet {
-    fn new(number: u32, mut work: Work) -> Result<Self, MapError> {
-        let picture = Picture::new(&work.document.drawing)?;
-        let blank = Drawing::new(work.document.drawing.page);
-        let drawing = std::mem::replace(&mut work.document.drawing, blank);
-        let editor = Editor::new(Document { drawing, ..work.document.clone() });
-        Ok(Self { number, kept: work, editor, picture })
-    }
-
-    fn state(&self) -> SheetState {
-        SheetState { sheet: self.number, revision: self.editor.revision() }
     }
 }
