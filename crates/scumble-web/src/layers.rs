@@ -1,14 +1,17 @@
 //! What lies over the colour field, back to front: scribbles, the ink of the drawing, the desk around the page.
 
 use kurbo::Rect;
-use scumble_core::{Drawing, PlanarMap, Rgba8, Scribble, Srgb8};
+use scumble_core::{Drawing, Paint, PlanarMap, Rgba8, Scribble, Srgb8};
 use scumble_solve::{Shape, line_shapes, scribble_shape};
 
 /// Largest distance of a drawn edge from its true place, in device pixels.
 const TOLERANCE_PX: f64 = 0.1;
 
-/// Opacity of scribbles, of 255: the picture shows through.
-const SCRIBBLE_OPACITY: u8 = 160;
+/// A scribble has a rim this wide, in device pixels: without one it is not to be seen on what it coloured.
+const RIM_PX: f64 = 1.5;
+
+/// Opacity of the rim, where it is light and where it is dark.
+const RIM_OPACITIES: [u8; 2] = [128, 80];
 
 /// A scribble that shades is drawn this wide, in du: its colours are to be seen.
 const SPINE_DU: f64 = 4.0;
@@ -16,10 +19,13 @@ const SPINE_DU: f64 = 4.0;
 /// The desk reaches so far beyond the page, in du: past the widest canvas at the smallest zoom.
 const DESK_REACH_DU: f64 = 262_144.0;
 
+/// Shapes of a scribble: its rim, and it.
+const EACH: usize = 2;
+
 /// The shapes of a scene.
 #[derive(Clone, Debug, Default)]
 pub struct Layers {
-    /// Scribbles, then ink, then the desk.
+    /// Scribbles, [`EACH`] for each, then ink, then the desk.
     shapes: Vec<Shape>,
     /// What the first shapes are of: a long scribbling draws only what is new.
     scribbles: Vec<Scribble>,
@@ -39,12 +45,12 @@ impl Layers {
 
     /// The layer of scribbles.
     pub fn scribbles(&self) -> &[Shape] {
-        self.shapes.get(..self.scribbles.len()).unwrap_or_default()
+        self.shapes.get(..EACH * self.scribbles.len()).unwrap_or_default()
     }
 
     /// The layer of ink, with the desk.
     pub fn ink(&self) -> &[Shape] {
-        self.shapes.get(self.scribbles.len()..).unwrap_or_default()
+        self.shapes.get(EACH * self.scribbles.len()..).unwrap_or_default()
     }
 
     /// Whether shapes would be drawn with the same tolerance at this many device pixels a du.
@@ -55,13 +61,13 @@ impl Layers {
     pub(crate) fn set_scribbles(&mut self, scribbles: &[Scribble]) {
         let kept = self.scribbles.iter().zip(scribbles).take_while(|(old, new)| old == new).count();
         let fresh = scribbles.get(kept..).unwrap_or_default();
-        let shapes = fresh.iter().map(|s| shape(s, self.tolerance_du));
-        self.shapes.splice(kept..self.scribbles.len(), shapes);
+        let shapes = fresh.iter().flat_map(|scribble| shapes(scribble, self.tolerance_du));
+        self.shapes.splice(EACH * kept..EACH * self.scribbles.len(), shapes);
         self.scribbles.splice(kept.., fresh.iter().cloned());
     }
 
     pub(crate) fn clear_ink(&mut self) {
-        self.shapes.truncate(self.scribbles.len());
+        self.shapes.truncate(EACH * self.scribbles.len());
     }
 
     pub(crate) fn add_lines(&mut self, drawing: &Drawing, map: &PlanarMap) {
@@ -83,9 +89,24 @@ impl Layers {
     }
 }
 
-fn shape(scribble: &Scribble, tolerance_du: f64) -> Shape {
+fn shapes(scribble: &Scribble, tolerance_du: f64) -> [Shape; EACH] {
     let width_du = if scribble.is_fill() { scribble.width_du } else { SPINE_DU.min(scribble.width_du) };
-    scribble_shape(&Scribble { width_du, ..scribble.clone() }, SCRIBBLE_OPACITY, tolerance_du)
+    let drawn = Scribble { width_du, ..scribble.clone() };
+    let rim_du = RIM_PX * tolerance_du / TOLERANCE_PX;
+    let is_pale = is_pale(scribble.color);
+    let color = Srgb8([if is_pale { 0 } else { 255 }; 3]).into();
+    let rim = Scribble { width_du: width_du + 2.0 * rim_du, color, ..drawn.clone() };
+    [
+        scribble_shape(&rim, RIM_OPACITIES[usize::from(is_pale)], tolerance_du),
+        scribble_shape(&drawn, 255, tolerance_du),
+    ]
+}
+
+/// Whether a dark rim is seen better around a colour than a light one.
+fn is_pale(color: Paint) -> bool {
+    let Paint::Color(Srgb8([r, g, b])) = color else { return false };
+    let [r, g, b] = [r, g, b].map(u32::from);
+    2 * r + 7 * g + b > 10 * 190
 }
 
 /// Steps of two, so that shapes are drawn anew only once in a while as the zoom changes.
