@@ -80,7 +80,7 @@ for (const browser of /** @type {const} */ (["chromium", "firefox"])) {
       await editor.openSample("Apple");
       await editor.tab.evaluate(`window.chosen = "rooms.scumble"`);
       await editor.until("Opened rooms.scumble", () => editor.tab.hold("Control", () => editor.tab.press("o")));
-      assert.ok((await editor.picture()).equals(picture));
+      assertSame(await editor.picture(), picture);
       assert.equal(await editor.tab.evaluate(`document.querySelector("[data-setting=blend]").value`), "srgb");
       assert.equal(await title(editor), saved("rooms.scumble"));
 
