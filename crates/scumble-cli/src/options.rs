@@ -184,18 +184,19 @@ fn color(mut arguments: Arguments) -> anyhow::Result<ColorOptions> {
 fn render(mut arguments: Arguments) -> anyhow::Result<RenderOptions> {
     let output = picture(&mut arguments)?;
     let samples = arguments.opt_value_from_os_str("--samples", path).map_err(advise)?;
-    let format = format(&output);
+    let format = format(&output)?;
     let look = look(&mut arguments)?;
     let [file] = rest(arguments, ["FILE"])?;
     Ok(RenderOptions { file: file.into(), output, samples, look, format })
 }
 
-/// Anything but what ends in `.svg` or `.pdf` is a PNG.
-fn format(output: &Path) -> Format {
+/// The kind of picture that a file is named for.
+fn format(output: &Path) -> anyhow::Result<Format> {
     match &*works::extension(output) {
-        "svg" => Format::Svg,
-        "pdf" => Format::Pdf,
-        _ => Format::Png,
+        "svg" => Ok(Format::Svg),
+        "pdf" => Ok(Format::Pdf),
+        "png" => Ok(Format::Png),
+        _ => bail!("{} cannot be written; name a file that ends in .png, .svg or .pdf", output.display()),
     }
 }
 

@@ -1,6 +1,7 @@
 //! What `scumble render` writes for other programs.
 
 use crate::folder::{CIRCLE, Folder, INSIDE, stderr};
+use crate::share::refused;
 
 /// A folder with a drawing that was coloured and kept.
 fn kept(name: &str) -> Folder {
@@ -44,6 +45,7 @@ fn an_svg_is_opened_with_its_scribbles() {
     run(&folder, &["render", "w.scumble", "-o", "o.svg"]);
     assert_eq!(run(&folder, &["convert", "o.svg", "again.scumble"]), "");
     assert_eq!(folder.read("again.scumble"), folder.read("w.scumble"));
+    refused(&folder, &["render", "o.svg", "-o", "o.svg"], "name another file");
     run(&folder, &["render", "o.svg", "-o", "again.svg"]);
     assert_eq!(folder.read("again.svg"), folder.read("o.svg"));
 }
@@ -69,4 +71,10 @@ fn a_pdf_is_written_as_large_as_asked_for() {
     assert!(pdf.starts_with(b"%PDF-1.4\n") && pdf.ends_with(b"%%EOF\n"));
     assert!(String::from_utf8_lossy(&pdf).contains("/MediaBox [0 0 300 300]"));
     assert!(pdf.len() < folder.read("o.png").len());
+}
+
+#[test]
+fn a_name_of_another_kind_of_picture_is_refused() {
+    let folder = kept("export-jpg");
+    refused(&folder, &["render", "w.scumble", "-o", "o.jpg"], "name a file that ends in .png, .svg or .pdf");
 }

@@ -59,7 +59,7 @@ fn a_coloured_drawing_is_kept_with_its_scribbles_and_settings() {
     assert!(file.contains(r#""gap_closing": 0.25, "spread": true"#), "{file}");
     run(&folder, &["render", "w.scumble", "-o", "again.png", "--size", "200"]);
     assert!(difference(&pixels(&folder, "o.png"), &pixels(&folder, "again.png")) < 0.01);
-    refused(&folder, &["render", "w.scumble", "-o", "w.scumble"], "name another file");
+    refused(&folder, &["render", "w.scumble", "-o", "w.scumble"], "ends in .png, .svg or .pdf");
 }
 
 #[test]
