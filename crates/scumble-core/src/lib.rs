@@ -10,7 +10,7 @@
 //! | the document, gestures, undo | [`edit`] |
 //! | triangles, half-edges, sides | [`triangulation`] |
 //! | Delaunay triangulation and refinement | `delaunay` |
-//! | ways along a path | [`arc`] |
+//! | distances along a path | [`measured_path`] |
 //! | curves sampled on a lattice | `sample` |
 //! | crossings found and rounded | `snap` |
 //! | curves as pieces that meet only at nodes | [`planar_map`] |
@@ -23,9 +23,8 @@
 //! | colours along the sides of curves | [`color_points`] |
 //! | what is kept of somebody's work | [`work`] |
 //! | … as bytes that lose nothing | [`exact`] |
-//! | sorting and small maps, with little code | [`sort`], `small_map` |
+//! | sorting, small maps and disjoint sets, with little code | [`sort`], `small_map`, `sets` |
 
-pub mod arc;
 mod clearance;
 pub mod color;
 pub mod color_points;
@@ -36,6 +35,7 @@ pub mod engine;
 pub mod exact;
 mod gaps;
 pub mod global;
+pub mod measured_path;
 pub mod planar_map;
 pub mod progressive;
 mod sample;

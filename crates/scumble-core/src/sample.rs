@@ -9,7 +9,7 @@ use kurbo::{
     Size,
 };
 
-use crate::arc;
+use crate::measured_path;
 use crate::planar_map::Sampling;
 
 /// Lattice units in one du.
@@ -106,7 +106,7 @@ impl Sampler<'_> {
             || hull.x0 > self.rect.x1
             || hull.y0 > self.rect.y1
         {
-            self.arc_du += if straight { (c.p3 - c.p0).hypot() } else { arc::length_du(&c) };
+            self.arc_du += if straight { (c.p3 - c.p0).hypot() } else { measured_path::length_du(&c) };
             return Some(());
         }
         if hull.size().max_side() > 2.0 * frame_size && halvings < MAX_HALVINGS {
@@ -120,7 +120,7 @@ impl Sampler<'_> {
     /// Nodes at equal distances along the arc, closer where the chord would leave the curve.
     fn inside(&mut self, c: CubicBez, straight: bool) -> Option<()> {
         let line = Line::new(c.p0, c.p3);
-        let length_du = if straight { line.arclen(1e-3) } else { arc::length_du(&c) };
+        let length_du = if straight { line.arclen(1e-3) } else { measured_path::length_du(&c) };
         let count = (length_du / self.sampling.spacing_du).ceil().max(1.0) as usize;
         if self.stretches.len() + count > self.limit {
             return None;
@@ -307,7 +307,7 @@ mod tests {
     #[test]
     fn a_bend_off_the_page_counts_in_full() {
         let path = BezPath::from_svg("M 500 10 V -50 C 500 -300 800 -300 800 -50 V 500").expect("a path");
-        let length_du = arc::Arc::new(&path).length_du();
+        let length_du = measured_path::MeasuredPath::new(&path).length_du();
         let end_du = sampled(&path).last().map(|s| s.arc_du[1]).unwrap_or_default();
         assert!((end_du - length_du).abs() < 1e-3, "{end_du} of {length_du}");
     }

@@ -2,7 +2,7 @@
 
 use kurbo::{BezPath, Point, Rect};
 use roxmltree::Node;
-use scumble_core::arc::Arc;
+use scumble_core::measured_path::MeasuredPath;
 use scumble_core::work::{MAX_CURVES, is_page};
 use scumble_core::{Blend, ColorPoint, Curve, Document, Drawing, Settings, Srgb8};
 
@@ -66,7 +66,7 @@ impl Reader {
             self.notes.broken += 1;
             return;
         };
-        let arc = Arc::new(&path);
+        let measured = MeasuredPath::new(&path);
         let index = self.document.drawing.curves.len() as u32;
         for (set, is_left) in [("left_colors_set", true), ("right_colors_set", false)] {
             let sets = elements(curve, set).filter(|set| set.attribute("boundary") != Some(BARRIER));
@@ -75,7 +75,7 @@ impl Reader {
                     Some((place, color)) => self.document.color_points.push(ColorPoint {
                         curve: index,
                         is_left,
-                        at_du: arc.at_du(place),
+                        at_du: measured.at_du(place),
                         color: color.into(),
                     }),
                     None => self.notes.bad_colors += 1,

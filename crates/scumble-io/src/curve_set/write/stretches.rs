@@ -1,8 +1,8 @@
 //! One curve's colours, and the parts into which they cut it.
 
 use kurbo::{BezPath, CubicBez, ParamCurve};
-use scumble_core::arc::Arc;
 use scumble_core::color_points::{ColorSpan, Knot, color_at};
+use scumble_core::measured_path::MeasuredPath;
 use scumble_core::{Blend, BlendColor, Paint};
 
 use super::{PAPER, Part};
@@ -19,7 +19,7 @@ const SAME_PLACE: f64 = 1e-9;
 
 /// A curve with the coloured stretches of its left and its right side.
 pub(super) struct Stretches {
-    arc: Arc,
+    path: MeasuredPath,
     sides: [Vec<Stretch>; 2],
     blend: Blend,
 }
@@ -30,12 +30,12 @@ type Stretch = Vec<Knot>;
 impl Stretches {
     /// The stretches of spans that are all of one curve, of which one round is so long.
     pub(super) fn new(path: &BezPath, spans: &[&ColorSpan], round_du: f64, blend: Blend) -> Self {
-        let mut this = Self { arc: Arc::new(path), sides: [vec![], vec![]], blend };
+        let mut this = Self { path: MeasuredPath::new(path), sides: [vec![], vec![]], blend };
         for span in spans {
             let knots: Stretch =
                 span.stops.iter().map(|stop| (stop.arc_du, color_of(stop.color, blend))).collect();
             let side = &mut this.sides[usize::from(!span.is_left)];
-            let end_du = this.arc.length_du();
+            let end_du = this.path.length_du();
             let last_du = if (round_du - end_du).abs() < SAME_LENGTH_DU { round_du } else { end_du };
             let is_around = ends_du(&knots)[1] - ends_du(&knots)[0] > last_du - SAME_PLACE;
             let inset_du = if is_around { 0.0 } else { INSET_DU };
@@ -58,7 +58,7 @@ impl Stretches {
     /// The curve in parts, of which each side has colours from end to end or none.
     pub(super) fn parts(&self) -> impl Iterator<Item = Part> {
         let ends = self.sides.iter().flatten().flat_map(|stretch| ends_du(stretch));
-        let mut cuts: Vec<_> = ends.chain([0.0, self.arc.length_du()]).collect();
+        let mut cuts: Vec<_> = ends.chain([0.0, self.path.length_du()]).collect();
         cuts.sort_by(f64::total_cmp);
         cuts.dedup();
         let parts: Vec<_> = cuts.windows(2).map(|ends| self.part([ends[0], ends[1]])).collect();
@@ -71,7 +71,7 @@ impl Stretches {
         let colors = self.sides.each_ref().map(|stretches| {
             let here = stretches.iter().find(is_here);
             let knots = here.and_then(|stretch| clipped(stretch, ends)).unwrap_or_default();
-            knots.into_iter().map(|(at_du, color)| (self.arc.place(at_du), color)).collect::<Vec<_>>()
+            knots.into_iter().map(|(at_du, color)| (self.path.place(at_du), color)).collect::<Vec<_>>()
         });
         let places = self.places(ends, colors.iter().flatten().map(|(place, _)| *place));
         let cubics = places.windows(2).filter_map(|pair| self.cubic([pair[0], pair[1]])).collect();
@@ -84,7 +84,7 @@ impl Stretches {
 
     /// Where one cubic ends and the next one begins: at the ends, at colours, and where it is so in the curve.
     fn places(&self, ends: [f64; 2], colors: impl Iterator<Item = f64>) -> Vec<f64> {
-        let [first, last] = ends.map(|at_du| self.arc.place(at_du));
+        let [first, last] = ends.map(|at_du| self.path.place(at_du));
         let joints = (first.ceil() as usize..=last as usize).map(|joint| joint as f64);
         let mut places: Vec<_> = joints.chain(colors).chain([first, last]).collect();
         places.sort_by(f64::total_cmp);
@@ -94,7 +94,7 @@ impl Stretches {
 
     fn cubic(&self, [from, to]: [f64; 2]) -> Option<CubicBez> {
         let segment = (0.5 * (from + to)).floor();
-        let cubic = self.arc.segments().get(segment as usize)?;
+        let cubic = self.path.segments().get(segment as usize)?;
         Some(cubic.subsegment((from - segment).max(0.0)..(to - segment).min(1.0)))
     }
 }

@@ -1,4 +1,4 @@
-//! Ways along a path: from a place on it to the distance from its start, and back.
+//! Distances along a path: from a place on it to the distance from its start, and back.
 
 use kurbo::{BezPath, CubicBez, ParamCurve, ParamCurveArclen};
 
@@ -6,16 +6,16 @@ use kurbo::{BezPath, CubicBez, ParamCurve, ParamCurveArclen};
 const ACCURACY_DU: f64 = 1e-3;
 const ACCURACY: f64 = 1e-6;
 
-/// The segments of a path and where each begins. A *place* is the number of a segment and, behind the point, how far
+/// A path, and where each of its segments begins. A *place* is the number of a segment and, behind the point, how far
 /// along it in its own parameter.
 #[derive(Clone, Debug)]
-pub struct Arc {
+pub struct MeasuredPath {
     segments: Vec<CubicBez>,
     /// The distance of each segment's start from that of the path, and of the end.
     starts_du: Vec<f64>,
 }
 
-impl Arc {
+impl MeasuredPath {
     /// Measures a path; its coordinates are finite.
     pub fn new(path: &BezPath) -> Self {
         let segments: Vec<_> = path.segments().map(|segment| segment.to_cubic()).collect();
@@ -79,24 +79,24 @@ mod tests {
 
     #[test]
     fn places_and_distances_turn_into_each_other() {
-        let arc = Arc::new(&Circle::new((500.0, 500.0), 100.0).to_path(1e-6));
+        let path = MeasuredPath::new(&Circle::new((500.0, 500.0), 100.0).to_path(1e-6));
         let length_du = 200.0 * std::f64::consts::PI;
-        assert!((arc.length_du() - length_du).abs() < 0.01);
+        assert!((path.length_du() - length_du).abs() < 0.01);
         for part in [0.0, 0.1, 0.25, 0.6, 0.999] {
-            let place = arc.place(part * length_du);
-            assert!((arc.at_du(place) - part * length_du).abs() < 0.01, "{part}");
-            assert!((place - part * arc.segments().len() as f64).abs() < 0.01, "{part}: {place}");
+            let place = path.place(part * length_du);
+            assert!((path.at_du(place) - part * length_du).abs() < 0.01, "{part}");
+            assert!((place - part * path.segments().len() as f64).abs() < 0.01, "{part}: {place}");
         }
     }
 
     #[test]
     fn what_is_off_the_path_counts_as_its_nearer_end() {
-        let arc = Arc::new(&BezPath::from_svg("M 0 0 L 10 0 L 10 5").expect("a path"));
+        let path = MeasuredPath::new(&BezPath::from_svg("M 0 0 L 10 0 L 10 5").expect("a path"));
         assert_eq!(
-            [-1.0, 0.0, 2.0, 9.0, f64::NAN].map(|place| arc.at_du(place)),
+            [-1.0, 0.0, 2.0, 9.0, f64::NAN].map(|place| path.at_du(place)),
             [0.0, 0.0, 15.0, 15.0, 0.0]
         );
-        assert_eq!([-1.0, 15.1, 1e300].map(|at_du| arc.place(at_du)), [0.0, 2.0, 2.0]);
-        assert_eq!(Arc::new(&BezPath::new()).at_du(1.0), 0.0);
+        assert_eq!([-1.0, 15.1, 1e300].map(|at_du| path.place(at_du)), [0.0, 2.0, 2.0]);
+        assert_eq!(MeasuredPath::new(&BezPath::new()).at_du(1.0), 0.0);
     }
 }
