@@ -7,6 +7,7 @@
 
 use kurbo::{Point, Vec2};
 use scumble_core::{BlendColor, HalfEdge, SideColors, Triangulation};
+use scumble_solve::quadratic;
 
 /// The channels of a pixel: blend-space colour times opacity, and opacity.
 type Pixel = [f32; 4];
@@ -220,7 +221,7 @@ impl Level {
 
 /// The colour along a side, quadratic between its start, middle and end.
 fn blended(color: &[BlendColor; 3], t: f64) -> Pixel {
-    let weights = [(1.0 - t) * (1.0 - 2.0 * t), 4.0 * t * (1.0 - t), t * (2.0 * t - 1.0)];
+    let weights = quadratic::edge(t);
     [0, 1, 2, 3]
         .map(|c| color.iter().zip(weights).map(|(color, weight)| color[c] * weight).sum::<f64>() as f32)
 }

@@ -3,7 +3,7 @@
 //! A field's triangles are quadratic in the blend space. They are cut where that shows: each edge for itself, so that
 //! two triangles that share one cut it alike. What is straight along its three edges is straight within.
 
-use scumble_solve::FieldTriangle;
+use scumble_solve::{FieldTriangle, quadratic};
 
 use crate::tint::{HALF_LEVEL, Rgba, Tint, difference, settled};
 
@@ -77,15 +77,8 @@ impl Quadratic {
         [0, 1].map(|axis| (0..3).map(|i| weights[i] * self.corners[i][axis]).sum())
     }
 
-    fn color(&self, [u, v, w]: Weights) -> [f64; 4] {
-        let nodes = [
-            u * (2.0 * u - 1.0),
-            v * (2.0 * v - 1.0),
-            w * (2.0 * w - 1.0),
-            4.0 * u * v,
-            4.0 * v * w,
-            4.0 * w * u,
-        ];
+    fn color(&self, weights: Weights) -> [f64; 4] {
+        let nodes = quadratic::triangle(weights);
         [0, 1, 2, 3].map(|c| nodes.iter().zip(&self.colors).map(|(weight, color)| weight * color[c]).sum())
     }
 }
@@ -101,7 +94,7 @@ fn is_bent([start, middle, end]: [[f64; 4]; 3], tint: &Tint) -> bool {
     }
     let [first, last] = settled([start, end].map(|color| tint.rgba(color)));
     [0.25, 0.5, 0.75].iter().any(|t| {
-        let [s, m, e] = [(1.0 - t) * (1.0 - 2.0 * t), 4.0 * t * (1.0 - t), t * (2.0 * t - 1.0)];
+        let [s, m, e] = quadratic::edge(*t);
         let there = tint.rgba([0, 1, 2, 3].map(|c| s * start[c] + m * middle[c] + e * end[c]));
         let blended = [0, 1, 2, 3].map(|c| (1.0 - t) * first[c] + t * last[c]);
         difference(there, blended) > HALF_LEVEL

@@ -10,6 +10,7 @@
 //! | the mesh solver | [`mesh`] |
 //! | the painter on the CPU | [`mod@paint`] |
 //! | all that is derived from a document | [`picture`] |
+//! | shape functions of quadratic elements | [`quadratic`] |
 //! | which regions a shading scribble shades | `reach` |
 //! | what a painter paints | [`scene`] |
 
@@ -21,6 +22,7 @@ pub mod ink;
 pub mod mesh;
 pub mod paint;
 pub mod picture;
+pub mod quadratic;
 mod reach;
 pub mod scene;
 

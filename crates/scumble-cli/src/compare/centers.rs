@@ -1,7 +1,7 @@
 //! The colours of a field at the centres of pixels.
 
 use kurbo::{Point, Vec2};
-use scumble_solve::{Field, FieldTriangle, View};
+use scumble_solve::{Field, FieldTriangle, View, quadratic};
 
 /// Blend-space colours times opacity, and opacity, row by row; zeros where there is no field.
 pub(super) fn colors(field: &Field, view: &View) -> Vec<[f32; 4]> {
@@ -39,9 +39,8 @@ fn weights([a, b, c]: [Point; 3], p: Point) -> Option<[f64; 3]> {
     weights.iter().all(|&weight| weight >= -SLACK).then_some(weights)
 }
 
-fn color(triangle: &FieldTriangle, [a, b, c]: [f64; 3]) -> [f32; 4] {
-    let [corner_a, corner_b, corner_c] = [a, b, c].map(|weight| weight * (2.0 * weight - 1.0));
-    let shapes = [corner_a, corner_b, corner_c, 4.0 * a * b, 4.0 * b * c, 4.0 * c * a];
+fn color(triangle: &FieldTriangle, weights: [f64; 3]) -> [f32; 4] {
+    let shapes = quadratic::triangle(weights);
     let sum =
         |i: usize| (0..6).map(|shape| shapes[shape] * f64::from(triangle.colors[shape][i])).sum::<f64>();
     [0, 1, 2, 3].map(|i| sum(i) as f32)

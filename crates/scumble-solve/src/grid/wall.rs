@@ -8,6 +8,7 @@ use kurbo::{Affine, Point, Vec2};
 use robust::{Coord, orient2d};
 use scumble_core::{BlendColor, Boundary, PlanarMap, SideId};
 
+use crate::quadratic;
 use crate::scene::View;
 
 /// A straight line in px, pixel centres having whole coordinates.
@@ -122,7 +123,7 @@ impl Wall {
     pub(super) fn color(&self, is_left: bool, t: f64) -> Option<[f32; 4]> {
         let [left, right] = self.sides;
         let colors = if is_left { left } else { right }?;
-        let weights = [(1.0 - t) * (1.0 - 2.0 * t), 4.0 * t * (1.0 - t), t * (2.0 * t - 1.0)];
+        let weights = quadratic::edge(t);
         Some([0, 1, 2, 3].map(|c| (0..3).map(|i| weights[i] * colors[i][c]).sum::<f64>() as f32))
     }
 }

@@ -6,6 +6,8 @@
 
 use kurbo::Point;
 
+use crate::quadratic;
+
 /// Twice the area of a triangle is taken to be at least this times the square of its longest edge, so that
 /// triangles without area neither overflow nor drown the others in rounding.
 const LEAST_FLATNESS: f64 = 1e-6;
@@ -91,19 +93,13 @@ impl Quadrature {
 
 impl QuadraturePoint {
     fn new(place: [f64; 3], part: f64) -> Self {
-        let shape = shape(place);
+        let shape = quadratic::triangle(place);
         let mut products = [0.0; 21];
         for (i, j) in (0..6).flat_map(|i| (0..=i).map(move |j| (i, j))) {
             products[entry(i, j)] = part * shape[i] * shape[j];
         }
         Self { place, products }
     }
-}
-
-/// The six functions at a place: each is one at its own node and zero at the others.
-fn shape([u, v, w]: [f64; 3]) -> [f64; 6] {
-    let corner = |t: f64| t * (2.0 * t - 1.0);
-    [corner(u), corner(v), corner(w), 4.0 * u * v, 4.0 * v * w, 4.0 * w * u]
 }
 
 #[cfg(test)]

@@ -10,6 +10,7 @@ use super::dofs::{Dofs, Side};
 use super::elements::Elements;
 use crate::barriers::Barriers;
 use crate::field::FieldTriangle;
+use crate::quadratic;
 
 /// A region and what is known about it so far.
 #[derive(Debug)]
@@ -225,7 +226,7 @@ fn colors_of_part(colors: [BlendColor; 3], part: [f64; 2]) -> [BlendColor; 3] {
         return colors;
     }
     [part[0], 0.5 * (part[0] + part[1]), part[1]].map(|t| {
-        let weights = [(1.0 - t) * (1.0 - 2.0 * t), 4.0 * t * (1.0 - t), t * (2.0 * t - 1.0)];
+        let weights = quadratic::edge(t);
         [0, 1, 2, 3]
             .map(|i| weights[0] * colors[0][i] + weights[1] * colors[1][i] + weights[2] * colors[2][i])
     })
