@@ -35,8 +35,8 @@ const TIP_STEPS: usize = 3;
 pub(crate) struct Clearance {
     /// Per half-edge, in du; negative where drawn lines overlap, and without meaning on sides of curves.
     pub(crate) widths_du: Vec<f64>,
-    /// Per half-edge whether a line ends at one of its nodes.
-    pub(crate) is_at_tip: Vec<bool>,
+    /// Per node at which a single piece ends the direction in which its line points.
+    pub(crate) tips: Vec<Option<Vec2>>,
     /// Per triangle the width of its widest place, in du.
     pub(crate) place_widths_du: Vec<f64>,
 }
@@ -57,9 +57,7 @@ impl Clearance {
             (0..3).map(|i| widths_du[HalfEdge::of(t, i).index()]).fold(circle_du, f64::max)
         };
         let place_widths_du = (0..mesh.triangle_count()).map(place_width_du).collect();
-        let is_at_tip = |h| mesh.ends(h).iter().any(|&node| tips[node as usize].is_some());
-        let is_at_tip = mesh.half_edges().map(is_at_tip).collect();
-        Self { widths_du, is_at_tip, place_widths_du }
+        Self { widths_du, tips, place_widths_du }
     }
 
     /// The width of the narrowest passage that a way leads through, in du; on a way within one triangle that of its
@@ -195,7 +193,6 @@ fn tip_factor(tip: Option<Vec2>, across: Vec2) -> f64 {
     tip.map_or(1.0, |direction| BESIDE_TIP + (AHEAD_OF_TIP - BESIDE_TIP) * direction.dot(across).max(0.0))
 }
 
-/// For each node at which a single piece ends, the direction in which its line points.
 fn tip_directions(map: &PlanarMap) -> Vec<Option<Vec2>> {
     let points = map.triangulation().points();
     let neighbours = Neighbours::new(map);

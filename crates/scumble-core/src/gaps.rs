@@ -4,6 +4,8 @@
 //! much narrower than the widest places on both its sides stays closed: it is a gap. This is the persistence of a
 //! saddle (H. Edelsbrunner et al., *Topological persistence and simplification*, 2002), as a ratio.
 
+use kurbo::Vec2;
+
 use crate::clearance::{Clearance, clear_width_du, is_gabriel};
 use crate::planar_map::{Gap, PlanarMap};
 use crate::sets::Sets;
@@ -18,6 +20,12 @@ const WAIST: f64 = 0.7;
 
 /// A gap is wide if it leaves more than this part of the narrower of the places it joins.
 const WIDE: f64 = 0.2;
+
+/// A line means to reach the border of the page where it ends within this part of its length of it, and points there.
+const MEANT: f64 = 0.125;
+
+/// A line points along what its direction has at least this cosine with.
+const POINTED: f64 = 0.5;
 
 /// The ratio for a gap closing from 0 to 1: half of it for a little less than a third of the way, where it matters.
 fn closed_below(closing: f64) -> f64 {
@@ -51,12 +59,15 @@ fn find(map: &PlanarMap, clearance: &Clearance, ratio: f64) -> Vec<Gap> {
     let mesh = map.triangulation();
     let mut basins = Basins::new(clearance.place_widths_du.clone());
     let mut gaps = Vec::new();
+    let lengths_du = line_lengths_du(map);
     for (width_du, h, twin) in passages(mesh, clearance) {
         let [a, b] = [h, twin].map(|h| basins.sets.find(h.triangle() as u32));
         let narrower_du = basins.width_du(a).min(basins.width_du(b));
-        let ratio = if clearance.is_at_tip[h.index()] { ratio } else { WAIST * ratio };
+        let is_at_tip = mesh.ends(h).iter().any(|&node| clearance.tips[node as usize].is_some());
+        let ratio = if is_at_tip { ratio } else { WAIST * ratio };
         if a != b && is_gabriel(mesh, h) && width_du < ratio * narrower_du.max(0.0) {
-            let [is_wide, is_plain] = wide_widths_du(map, h, width_du).map(|du| du > WIDE * narrower_du);
+            let [is_wide, is_plain] =
+                wide_widths_du(map, &lengths_du, h, width_du).map(|du| du > WIDE * narrower_du);
             gaps.push(Gap { nodes: mesh.ends(h), is_wide, is_plain: is_wide && is_plain });
         } else {
             basins.join(a, b);
@@ -66,11 +77,36 @@ fn find(map: &PlanarMap, clearance: &Clearance, ratio: f64) -> Vec<Gap> {
 }
 
 /// The width by which a gap is wide, and the one by which it is plain. Beside the border of the page, what is at hand
-/// counts as much as a passage there counts, unless a line ends at it: that may well mean to reach the border.
-fn wide_widths_du(map: &PlanarMap, h: HalfEdge, width_du: f64) -> [f64; 2] {
-    let is_beside_border = map.is_at_border(map.triangulation().ends(h));
-    let counts = is_beside_border && !map.clearance().is_at_tip[h.index()];
+/// counts as much as a passage there counts, unless a line means to reach it.
+fn wide_widths_du(map: &PlanarMap, lengths_du: &[f64], h: HalfEdge, width_du: f64) -> [f64; 2] {
+    let counts = map.is_at_border(map.triangulation().ends(h)) && !is_met(map, lengths_du, h);
     [if counts { width_du } else { clear_width_du(map, h) }, width_du]
+}
+
+/// Whether a line that ends at an edge of the triangulation, and points along it, is so long beside it that it means to
+/// reach the other end; by the lengths of the lines at each node.
+fn is_met(map: &PlanarMap, lengths_du: &[f64], h: HalfEdge) -> bool {
+    let mesh = map.triangulation();
+    let [a, b] = mesh.segment(h);
+    let means = |node: u32, way: Vec2| {
+        let tip = map.clearance().tips[node as usize];
+        let length_du = way.hypot();
+        length_du < MEANT * lengths_du[node as usize]
+            && tip.is_some_and(|direction| direction.dot(way) > POINTED * length_du)
+    };
+    let [from, to] = mesh.ends(h);
+    means(from, b - a) || means(to, a - b)
+}
+
+/// Per node the length of the last curve through it, in du.
+fn line_lengths_du(map: &PlanarMap) -> Vec<f64> {
+    let mut lengths_du = vec![0.0; map.triangulation().points().len()];
+    for piece in map.pieces() {
+        let steps = piece.curve.map_or(&[][..], |curve| map.steps(curve as usize));
+        let length_du = steps.last().map_or(0.0, |step| step.arc_du[1]);
+        piece.nodes.iter().for_each(|&node| lengths_du[node as usize] = length_du);
+    }
+    lengths_du
 }
 
 /// All passages with their widths, the widest first; once each, by both their half-edges.
