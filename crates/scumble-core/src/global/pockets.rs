@@ -26,9 +26,9 @@ const POCKET: f64 = 0.5;
 /// Colours have a hall once they have more than this part of its area.
 const HALL: f64 = 0.5;
 
-/// The same where lines are all around: nothing runs out onto the page there, and a stroke between two rays of a fin
-/// fills the fin. A quarter would leave more alone of what has another colour on the quality set.
-const CLOSED_HALL: f64 = 1.0 / 6.0;
+/// The same where lines are all around, so that nothing runs out onto the page: a stroke on its forehead fills a head, one
+/// between two rays a fin. What is smaller still may well have a colour of its own.
+const CLOSED_HALL: f64 = 1.0 / 16.0;
 
 /// From a room to one behind a wide gap.
 type Door = [u32; 2];
@@ -100,7 +100,7 @@ impl Rooms {
         free_du2.iter().map(|&free_du2| free_du2 < 0.0).collect()
     }
 
-    fn is_at_border(&self, room: u32) -> bool {
+    pub(super) fn is_at_border(&self, room: u32) -> bool {
         self.areas_du2[room as usize].is_infinite()
     }
 }
