@@ -26,14 +26,17 @@ pub(crate) const LINE_WIDTH_DU: f64 = 6.0;
 const SCRIBBLE_WIDTH_DU: f64 = 12.0;
 
 /// Where engines are known not to do what a person would expect, and what they do.
-const FALLS_SHORT: [(EngineKind, &str); 5] = [
+const FALLS_SHORT: [(EngineKind, &str); 7] = [
     // A stretch of yellow lies between green and red: all of the gap at the tip of the crease is a narrow place.
     (EngineKind::Global, "figure-11-with-a-crease"),
     // The gaps between the tip of the vein and the outline are closed: half of the leaf stays white.
     (EngineKind::Global, "a-leaf-with-a-vein"),
-    // Colour runs out onto the page.
+    // Colour runs out onto the page, or goes to it from where the stroke begins.
     (EngineKind::Progressive, "figure-17-several-open-regions"),
     (EngineKind::Progressive, "a-leaf-with-a-vein"),
+    (EngineKind::Progressive, "a-start-beside-its-shape"),
+    // The page is coloured from the ends of the ground on downwards, too.
+    (EngineKind::Progressive, "a-sky-behind-a-pole"),
     // The circuit runs from scale to scale: hardly any side of the outline has a colour.
     (EngineKind::Progressive, "a-body-with-scales"),
 ];
@@ -54,6 +57,9 @@ pub(crate) fn all() -> Vec<Coloring> {
         open_leaf(),
         leaf_with_a_vein(),
         body_with_scales(),
+        start_beside_its_shape(),
+        sky_behind_a_pole(),
+        head_with_an_eye(),
         two_rooms_and_a_door(),
         single_dot(),
         kept_free(),
@@ -185,6 +191,32 @@ const SCALES: &str = "M 380 380 A 40 40 0 0 1 380 460 M 480 380 A 40 40 0 0 1 48
     M 430 470 A 40 40 0 0 1 430 550 M 530 470 A 40 40 0 0 1 530 550 M 630 470 A 40 40 0 0 1 630 550 \
     M 480 560 A 40 40 0 0 1 480 640 M 580 560 A 40 40 0 0 1 580 640 M 680 420 A 40 40 0 0 1 680 500 \
     M 720 510 A 40 40 0 0 1 720 590";
+
+/// A stroke that begins beside the shape that it is meant for.
+pub(crate) fn start_beside_its_shape() -> Coloring {
+    let stroke = [(110.0, 400.0), (250.0, 460.0), (420.0, 440.0)];
+    scene("a-start-beside-its-shape", &[BLOB], &[(YELLOW, &stroke)])
+}
+
+/// A pole before the sky, on ground whose line ends just before the borders of the page.
+pub(crate) fn sky_behind_a_pole() -> Coloring {
+    let stroke = [(120.0, 300.0), (300.0, 260.0), (380.0, 330.0)];
+    scene("a-sky-behind-a-pole", &["M 40 850 H 984", "M 512 850 V 150"], &[(BLUE, &stroke)])
+}
+
+/// A stroke over an eye, where the head is narrow.
+pub(crate) fn head_with_an_eye() -> Coloring {
+    scene(
+        "a-head-with-an-eye",
+        &[HEAD, EYE, GILL],
+        &[(RED, &[(358.0, 280.0), (422.0, 256.0), (518.0, 224.0)])],
+    )
+}
+
+pub(crate) const HEAD: &str =
+    "M 150 544 C 278 224 438 128 622 109 C 790 288 806 704 654 904 C 438 848 246 736 150 544 Z";
+const EYE: &str = "M 510 432 A 88 88 0 1 1 510 431.9 Z";
+const GILL: &str = "M 582 320 C 630 432 638 576 590 688";
 
 /// Two scribbles in two rooms with a wide door between them.
 pub(crate) fn two_rooms_and_a_door() -> Coloring {

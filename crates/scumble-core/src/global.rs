@@ -3,7 +3,8 @@
 //! Every scribble floods the refined mesh from where it was drawn. The way from triangle to triangle costs
 //! `(length + 1 du) · (1 / width)⁸`: nearly the order "widest passage first, then distance", but a metric, so that a
 //! scribble that grows takes places from others and never gives any away, and the order of scribbles does not matter.
-//! Costs are integers, so that nothing depends on how sums are rounded.
+//! Costs are integers, so that nothing depends on how sums are rounded. Only a room that turns out not to be meant is
+//! given up, with all that was taken there: a stroke may begin on the page, just beside its shape.
 //!
 //! A place in a passage of a certain width is as hard to leave as the passage: what is scribbled close to a line, or
 //! on it, has less to say about the other end of the room than what is scribbled in the open. That makes up for the
@@ -104,14 +105,21 @@ impl Global {
     fn go_on(&mut self, map: &PlanarMap, ways: &Ways, scribbles: &[Scribble]) {
         let ranks = ranks(scribbles);
         if !self.goes_on(scribbles, &ranks) {
-            self.begin_anew(map, scribbles, &ranks);
+            self.keep_claims(scribbles);
+            self.dry(map);
         }
         self.claims.resize_with(scribbles.len(), Claim::default);
-        for (label, (scribble, claim)) in (0..).zip(scribbles.iter().zip(&mut self.claims)) {
-            for seed in claim.follow(map, &ways.room_of, &scribble.points) {
+        for (claim, scribble) in self.claims.iter_mut().zip(scribbles) {
+            claim.follow(map, ways, &scribble.points);
+        }
+        if self.claims.iter().any(Claim::gives_up) {
+            self.dry(map);
+        }
+        for (label, claim) in (0..).zip(&mut self.claims) {
+            claim.let_in(|seed| {
                 self.flood.reach(seed.triangle, seed.cost, label, &ranks);
                 self.at_hand.reach(seed.triangle, seed.at_hand, label, &ranks);
-            }
+            });
         }
         self.flood.run(map, &ways.costs, &ranks);
         self.at_hand.run(map, &ways.lengths, &ranks);
@@ -151,21 +159,20 @@ impl Global {
         by_rank
     }
 
-    /// Dries the map, and lets those scribbles in that were there before.
-    fn begin_anew(&mut self, map: &PlanarMap, scribbles: &[Scribble], ranks: &[u32]) {
-        self.flood = Flood::new(map, Cost::MAX);
-        self.at_hand = Flood::new(map, claim::at_hand_limit());
-        self.beyond.reset(map);
+    /// Keeps the claims of those scribbles that were there before.
+    fn keep_claims(&mut self, scribbles: &[Scribble]) {
         let known = std::mem::take(&mut self.claims);
         let same =
             |scribble: &Scribble| known.iter().find(|claim| claim.points() == scribble.points).cloned();
         self.claims = scribbles.iter().map(|scribble| same(scribble).unwrap_or_default()).collect();
-        for (label, claim) in (0..).zip(&self.claims) {
-            for seed in claim.seeds() {
-                self.flood.reach(seed.triangle, seed.cost, label, ranks);
-                self.at_hand.reach(seed.triangle, seed.at_hand, label, ranks);
-            }
-        }
+    }
+
+    /// Dries the map.
+    fn dry(&mut self, map: &PlanarMap) {
+        self.flood = Flood::new(map, Cost::MAX);
+        self.at_hand = Flood::new(map, claim::at_hand_limit());
+        self.beyond.reset(map);
+        self.claims.iter_mut().for_each(Claim::stay_out);
     }
 }
 

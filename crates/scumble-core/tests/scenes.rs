@@ -167,7 +167,7 @@ fn is_right(scene: &Coloring) -> bool {
     let seen = see(scene);
     let has_only = |areas: &[(BezPath, u32)]| seen.has_only(areas);
     match scene.name {
-        "closed-shape" => has_only(&[(area(&[scenes::BLOB]), 0)]),
+        "closed-shape" | "a-start-beside-its-shape" => has_only(&[(area(&[scenes::BLOB]), 0)]),
         "figure-3b-u-shape" => has_only(&[(area(&[scenes::U]), 0)]),
         "figure-8-three-scribbles" => seen.is_shaded(&area(&[scenes::PEAR]), scene),
         "figure-10a-across-two-regions" => has_only(&[(room(0), 0), (room(1), 0)]),
@@ -179,6 +179,10 @@ fn is_right(scene: &Coloring) -> bool {
         "figure-17-several-open-regions" => has_only(&[(area(&scenes::PETALS), 0)]),
         "an-open-leaf" | "a-leaf-with-a-vein" => has_only(&[(leaf(), 0)]),
         "a-body-with-scales" => has_only(&[(area(&[scenes::BODY]), 0)]),
+        "a-sky-behind-a-pole" => has_only(&[(area(&["M 0 0 H 1024 V 850 H 0 Z"]), 0)]),
+        "a-head-with-an-eye" => {
+            has_only(&[(area(&[scenes::HEAD, "M 510 432 A 88 88 0 1 0 510 432.1 Z"]), 0)])
+        }
         "two-rooms-and-a-door" => has_only(&[
             (area(&["M 100 250 H 512 V 770 H 100 Z"]), 0),
             (area(&["M 512 250 H 924 V 770 H 512 Z"]), 1),

@@ -2,7 +2,7 @@
 
 use kurbo::Point;
 
-use super::flood::{Cost, cost, length};
+use super::flood::{Cost, Ways, cost, length};
 use crate::clearance::{OPEN_DU, distance_to_lines_du};
 use crate::planar_map::PlanarMap;
 use crate::small_map::SmallMap;
@@ -25,10 +25,10 @@ const BESIDE_DU: f64 = 12.0;
 /// More than any start, in du.
 const LONGEST_START_DU: f64 = AT_HAND * OPEN_DU;
 
-/// A room counts as meant once the scribble has as many samples there as this part of those in the room where it has
-/// most so far: less is a hand that slipped. So the first room always does, and no claim is ever given up while the
-/// scribble grows.
-const MEANT: f64 = 0.25;
+/// A room counts as meant where the scribble has at least this part of the samples that it has in the room where it has
+/// most: less is a hand that slipped, or that set the pen down beside the shape. Around the shapes of the page half of
+/// all samples must lie: running out is worse than stopping short.
+const MEANT: f64 = 1.0 / 3.0;
 
 /// The samples of a scribble so far.
 #[derive(Clone, Debug, Default)]
@@ -36,11 +36,8 @@ pub(super) struct Claim {
     stroke: Stroke,
     /// Of the refined mesh, where the last sample lies.
     triangle: usize,
-    /// Number of samples in the room that has most.
-    most: usize,
     /// Per room the samples there.
     visits: SmallMap<Visit>,
-    seeds: Vec<Seed>,
 }
 
 /// Where a sample lies, and what it costs to claim it.
@@ -69,10 +66,10 @@ pub(super) fn at_hand_limit() -> Cost {
 /// The samples in one room.
 #[derive(Clone, Debug, Default)]
 struct Visit {
-    sample_count: usize,
-    is_meant: bool,
-    /// Held back until the room is meant.
-    held_back: Vec<Seed>,
+    is_at_border: bool,
+    seeds: Vec<Seed>,
+    /// How many of them have been let in.
+    let_in: usize,
 }
 
 impl Claim {
@@ -81,31 +78,65 @@ impl Claim {
         self.stroke.points()
     }
 
-    /// The rooms that are meant.
-    pub(super) fn rooms(&self) -> impl Iterator<Item = u32> {
-        self.visits.iter().filter(|(_, visit)| visit.is_meant).map(|(room, _)| *room)
-    }
-
-    /// All triangles claimed so far.
-    pub(super) fn seeds(&self) -> &[Seed] {
-        &self.seeds
-    }
-
-    /// Goes on to the end of a scribble that begins with the points followed so far, and gives what that adds.
-    pub(super) fn follow(&mut self, map: &PlanarMap, room_of: &[u32], points: &[Point]) -> &[Seed] {
-        let known = self.seeds.len();
-        let Self { stroke, triangle, most, visits, seeds } = self;
+    /// Goes on to the end of a scribble that begins with the points followed so far.
+    pub(super) fn follow(&mut self, map: &PlanarMap, ways: &Ways, points: &[Point]) {
+        let Self { stroke, triangle, visits } = self;
         stroke.follow(map, points, |p, base| {
             *triangle = map.refined().locate(p, *triangle).unwrap_or(*triangle);
-            let visit = visits.entry(room_of[*triangle]);
-            visit.sample_count += 1;
-            *most = visit.sample_count.max(*most);
-            visit.is_meant |= visit.sample_count as f64 >= MEANT * *most as f64;
-            visit.held_back.push(Seed::new(*triangle, distance_to_lines_du(map, p, base)));
-            if visit.is_meant {
-                seeds.append(&mut visit.held_back);
-            }
+            let room = ways.room_of[*triangle];
+            let visit = visits.entry(room);
+            visit.is_at_border = ways.rooms.is_at_border(room);
+            visit.seeds.push(Seed::new(*triangle, distance_to_lines_du(map, p, base)));
         });
-        &self.seeds[known..]
+    }
+
+    /// The rooms that are meant.
+    pub(super) fn rooms(&self) -> impl Iterator<Item = u32> {
+        let meant = self.meant();
+        self.visits.iter().filter(move |(_, visit)| meant.contains(visit)).map(|(room, _)| *room)
+    }
+
+    /// Whether what has been let in lies in a room that is not meant any more.
+    pub(super) fn gives_up(&self) -> bool {
+        let meant = self.meant();
+        self.visits.values().any(|visit| visit.let_in > 0 && !meant.contains(visit))
+    }
+
+    /// Lets in what has not been let in yet of the rooms that are meant.
+    pub(super) fn let_in(&mut self, mut reach: impl FnMut(Seed)) {
+        let meant = self.meant();
+        for visit in self.visits.values_mut().filter(|visit| meant.contains(visit)) {
+            visit.seeds[visit.let_in..].iter().for_each(|&seed| reach(seed));
+            visit.let_in = visit.seeds.len();
+        }
+    }
+
+    /// Nothing has been let in.
+    pub(super) fn stay_out(&mut self) {
+        self.visits.values_mut().for_each(|visit| visit.let_in = 0);
+    }
+
+    fn meant(&self) -> Meant {
+        let most = self.visits.values().map(|visit| visit.seeds.len()).max().unwrap_or(0);
+        let total = |is_at_border| {
+            let visits = self.visits.values().filter(|visit| visit.is_at_border == is_at_border);
+            visits.map(|visit| visit.seeds.len()).sum::<usize>()
+        };
+        Meant { least: (MEANT * most as f64).ceil() as usize, is_page: total(true) >= total(false) }
+    }
+}
+
+/// Which rooms are meant.
+#[derive(Clone, Copy, Debug)]
+struct Meant {
+    /// Number of samples in a room from which on it is.
+    least: usize,
+    /// Whether rooms at the border of the page may be.
+    is_page: bool,
+}
+
+impl Meant {
+    fn contains(&self, visit: &Visit) -> bool {
+        visit.seeds.len() >= self.least && (self.is_page || !visit.is_at_border)
     }
 }
