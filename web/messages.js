@@ -128,7 +128,7 @@ const english = {
   "opened": ({ name }) => `Opened ${name}`,
   "opened-in-part": ({ name, notes }) => `Opened ${name}; ${notes}`,
   "palette-taken": ({ name, notes }) => `The palette has the colours of ${name}${notes && "; "}${notes}`,
-  "traced": ({ name }) => `${name} lies under the lines, for you alone to see: exported pictures are without it`,
+  "traced": ({ name }) => `${name} lies under the lines; exported pictures are without it`,
   "tracing-removed": "Tracing image removed",
   "saved": ({ name }) => `Saved ${name}`,
   "scribble-added": ({ count }) => `Scribble added, ${count} in the drawing`,

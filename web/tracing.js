@@ -77,7 +77,8 @@ export class Tracing {
     if (bytes === this.#shown) return;
     this.#shown = bytes;
     URL.revokeObjectURL(element.src);
-    if (bytes) element.src = addressOf(bytes);
+    // Browsers tell PNG and JPEG apart themselves.
+    if (bytes) element.src = URL.createObjectURL(new Blob([bytes]));
     else element.removeAttribute("src");
   }
 }
@@ -87,19 +88,11 @@ export class Tracing {
  * @param {Uint8Array<ArrayBuffer>} bytes
  */
 export async function checkImage(bytes) {
-  const image = new Image();
-  image.src = addressOf(bytes);
   try {
-    await image.decode();
+    // An image element takes also what is damaged.
+    (await createImageBitmap(new Blob([bytes]))).close();
   } catch (fault) {
     console.warn(fault);
     throw new Error(say("error-image"));
-  } finally {
-    URL.revokeObjectURL(image.src);
   }
-}
-
-/** @param {Uint8Array<ArrayBuffer>} bytes of a PNG or a JPEG, which browsers tell apart */
-function addressOf(bytes) {
-  return URL.createObjectURL(new Blob([bytes]));
 }

@@ -6,6 +6,8 @@
 
 use thiserror::Error;
 
+use crate::checksum::checksum;
+
 /// Largest file of a picture, in bytes.
 pub const MAX_IMAGE_BYTES: usize = 8 << 20;
 
@@ -106,12 +108,16 @@ const CUT_OFF: ImageError = ImageError::Damaged("its end is missing");
 fn png_size(mut chunks: &[u8]) -> Result<[u32; 2], ImageError> {
     const NO_HEAD: ImageError = ImageError::Damaged("it does not say how large it is");
     let mut size_px = None;
-    while let Some((head, rest)) = chunks.split_first_chunk::<8>() {
-        let [length @ .., _, _, _, _] = *head;
-        let length = u32::from_be_bytes(length) as usize;
-        let (body, rest) = rest.split_at_checked(length).ok_or(CUT_OFF)?;
-        chunks = rest.get(4..).ok_or(CUT_OFF)?;
-        match (&head[4..], body) {
+    while let Some((length, rest)) = chunks.split_first_chunk() {
+        let length = (u32::from_be_bytes(*length) as usize).saturating_add(4);
+        let (named, rest) = rest.split_at_checked(length).ok_or(CUT_OFF)?;
+        let (check, rest) = rest.split_first_chunk().ok_or(CUT_OFF)?;
+        if checksum(named) != u32::from_be_bytes(*check) {
+            return Err(ImageError::Damaged("a part of it was changed"));
+        }
+        chunks = rest;
+        let (name, body) = named.split_at(4);
+        match (name, body) {
             (b"IHDR", [a, b, c, d, e, f, g, h, ..]) if size_px.is_none() => {
                 size_px = Some([[*a, *b, *c, *d], [*e, *f, *g, *h]].map(u32::from_be_bytes));
             }

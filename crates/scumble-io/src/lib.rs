@@ -18,10 +18,11 @@
 //! | pictures to trace, as PNG or JPEG | `image_file` |
 //! | pictures as PNG | `picture_file` |
 //! | work as a `.scumble` file | `work_file`, `json`, `base64` |
-//! | … as a link | `link`, `packed` |
+//! | … as a link | `link`, `packed`, `checksum` |
 //! | … within an SVG that was made of it | `svg_source` |
 
 mod base64;
+mod checksum;
 mod curve_set;
 mod drawing_file;
 mod error;

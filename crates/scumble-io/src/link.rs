@@ -5,6 +5,7 @@
 use scumble_core::Work;
 
 use crate::base64;
+use crate::checksum::checksum;
 use crate::error::LinkError;
 use crate::packed::{self, PackedSizes};
 
@@ -60,10 +61,4 @@ pub fn read_link(link: &str) -> Result<Work, LinkError> {
         return Err(LinkError::Damaged);
     }
     packed::unpack(packed).ok_or(LinkError::Damaged)
-}
-
-/// CRC-32 as in PNG and ZIP: no damage of up to 32 neighbouring bits goes unseen.
-fn checksum(bytes: &[u8]) -> u32 {
-    let after = |rest: u32, _| rest >> 1 ^ if rest & 1 == 1 { 0xedb8_8320 } else { 0 };
-    !bytes.iter().fold(!0, |rest, byte| (0..8).fold(rest ^ u32::from(*byte), after))
 }

@@ -18,6 +18,17 @@ fn with(bytes: &[u8], at: usize, others: &[u8]) -> Vec<u8> {
     bytes
 }
 
+/// A PNG with another head, as somebody hostile would write it.
+fn with_head(at: usize, others: &[u8]) -> Vec<u8> {
+    let head = with(&PNG[12..29], at, others);
+    let mut rest = !0_u32;
+    for byte in &head {
+        rest ^= u32::from(*byte);
+        (0..8).for_each(|_| rest = (rest >> 1) ^ (0xedb8_8320 * (rest & 1)));
+    }
+    [&PNG[..12], &head, &(!rest).to_be_bytes(), &PNG[33..]].concat()
+}
+
 /// Where a JPEG says how large it is: behind the marker of its frame.
 fn frame(jpeg: &[u8]) -> usize {
     jpeg.windows(2).position(|pair| pair == [0xff, 0xc0]).unwrap()
@@ -51,17 +62,24 @@ fn what_is_cut_off_is_damaged_wherever_that_is() {
 #[test]
 fn sizes_are_read_before_anything_is_made_of_them() {
     let size = |width_px, height_px| Err(ImageError::TooManyPixels { width_px, height_px });
-    assert_eq!(check_image(&with(PNG, 16, &[0, 0, 0x40, 1])), size(16_385, 16));
-    assert_eq!(check_image(&with(PNG, 16, &[0, 0, 0x40, 0, 0, 0, 0x40, 0])), size(16_384, 16_384));
-    assert_eq!(check_image(&with(PNG, 16, &[0xff; 8])), size(u32::MAX, u32::MAX));
+    assert_eq!(check_image(&with_head(4, &[0, 0, 0x40, 1])), size(16_385, 16));
+    assert_eq!(check_image(&with_head(4, &[0, 0, 0x40, 0, 0, 0, 0x40, 0])), size(16_384, 16_384));
+    assert_eq!(check_image(&with_head(4, &[0xff; 8])), size(u32::MAX, u32::MAX));
     assert_eq!(check_image(&with(JPEG, frame(JPEG) + 5, &[0x40, 0, 0x40, 0])), size(16_384, 16_384));
-    damaged(&with(PNG, 16, &[0; 8]));
+    damaged(&with_head(4, &[0; 8]));
     damaged(&with(JPEG, frame(JPEG) + 5, &[0; 4]));
 }
 
 #[test]
+fn a_png_of_which_a_bit_was_changed_is_damaged() {
+    for at in 8..PNG.len() {
+        assert!(check_image(&with(PNG, at, &[PNG[at] ^ 4])).is_err(), "byte {at}");
+    }
+}
+
+#[test]
 fn heads_that_say_no_size_are_damaged() {
-    damaged(&with(PNG, 12, b"IHDX"));
+    damaged(&with_head(0, b"IHDX"));
     damaged(&with(JPEG, frame(JPEG), &[0xff, 0xe3]));
     damaged(&with(JPEG, frame(JPEG), &[0, 0]));
     damaged(&with(JPEG, frame(JPEG) + 2, &[0, 0]));
@@ -126,7 +144,7 @@ fn only_files_with_a_picture_need_a_reader_of_version_1_1() {
 
 #[test]
 fn a_file_with_a_damaged_picture_is_refused_with_its_line() {
-    let pixels = with(PNG, 16, &[0xff; 8]);
+    let pixels = with_head(4, &[0xff; 8]);
     let too_large = "A".repeat(MAX_IMAGE_BYTES / 3 * 4 + 8);
     for bad in [
         "",
