@@ -199,6 +199,20 @@ for (const browser of /** @type {const} */ (["chromium", "firefox"])) {
       assert.deepEqual(editor.tab.faults, []);
     });
 
+    test("it moves in the same frame as the canvas", async () => {
+      const editor = await traced();
+      const [desk, page] = await editor.tab.evaluate(`new Promise((done) => {
+        const canvas = document.getElementById("canvas");
+        canvas.dispatchEvent(new WheelEvent("wheel", { deltaX: 37, deltaY: -23, bubbles: true, cancelable: true }));
+        requestAnimationFrame(() => {
+          const { e: left, f: top } = new DOMMatrix(getComputedStyle(document.getElementById("under")).transform);
+          const alpha = (x, y) => canvas.getContext("2d").getImageData(x, y, 1, 1).data[3];
+          done([alpha(left - 1, top + 1), alpha(left + 1, top + 1)]);
+        });
+      })`);
+      assert.deepEqual([desk, page], [255, 0], "the desk ends where the page begins");
+    });
+
     test("another drawing is without it, and it is there again with its own", async () => {
       const editor = await traced();
       await editor.openSample("Apple");
