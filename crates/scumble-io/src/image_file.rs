@@ -103,65 +103,67 @@ fn check_size([width_px, height_px]: [u32; 2]) -> Result<(), ImageError> {
 }
 
 const CUT_OFF: ImageError = ImageError::Damaged("its end is missing");
+const NO_SIZE: ImageError = ImageError::Damaged("it does not say how large it is");
+const CHANGED: ImageError = ImageError::Damaged("a part of it was changed");
 
-/// Width and height of a PNG that has all its chunks: each is a length, a name, so many bytes, and a checksum.
-fn png_size(mut chunks: &[u8]) -> Result<[u32; 2], ImageError> {
-    const NO_HEAD: ImageError = ImageError::Damaged("it does not say how large it is");
-    let mut size_px = None;
-    while let Some((length, rest)) = chunks.split_first_chunk() {
-        let length = (u32::from_be_bytes(*length) as usize).saturating_add(4);
-        let (named, rest) = rest.split_at_checked(length).ok_or(CUT_OFF)?;
-        let (check, rest) = rest.split_first_chunk().ok_or(CUT_OFF)?;
-        if checksum(named) != u32::from_be_bytes(*check) {
-            return Err(ImageError::Damaged("a part of it was changed"));
+/// Width and height of a PNG that has all its chunks.
+fn png_size(chunks: &[u8]) -> Result<[u32; 2], ImageError> {
+    let (b"IHDR", [a, b, c, d, e, f, g, h, ..], mut rest) = chunk(chunks)? else { return Err(NO_SIZE) };
+    let size_px = [[*a, *b, *c, *d], [*e, *f, *g, *h]].map(u32::from_be_bytes);
+    loop {
+        let (name, _, next) = chunk(rest)?;
+        if name == b"IEND" {
+            return Ok(size_px);
         }
-        chunks = rest;
-        let (name, body) = named.split_at(4);
-        match (name, body) {
-            (b"IHDR", [a, b, c, d, e, f, g, h, ..]) if size_px.is_none() => {
-                size_px = Some([[*a, *b, *c, *d], [*e, *f, *g, *h]].map(u32::from_be_bytes));
-            }
-            _ if size_px.is_none() => return Err(NO_HEAD),
-            (b"IEND", _) => return size_px.ok_or(NO_HEAD),
-            _ => {}
-        }
+        rest = next;
     }
-    Err(CUT_OFF)
 }
 
-/// Width and height of a JPEG that has its end: before its scans come segments, each a marker and a length with so
-/// many bytes, two for itself.
+/// Name and data of a PNG's chunk, and what comes after it: before them stands the length of the data, behind them a
+/// checksum of both.
+fn chunk(bytes: &[u8]) -> Result<(&[u8], &[u8], &[u8]), ImageError> {
+    let (length, rest) = bytes.split_first_chunk().ok_or(CUT_OFF)?;
+    let length = (u32::from_be_bytes(*length) as usize).saturating_add(4);
+    let (named, rest) = rest.split_at_checked(length).ok_or(CUT_OFF)?;
+    let (check, rest) = rest.split_first_chunk().ok_or(CUT_OFF)?;
+    if checksum(named) != u32::from_be_bytes(*check) {
+        return Err(CHANGED);
+    }
+    let (name, data) = named.split_at(4);
+    Ok((name, data, rest))
+}
+
+/// Width and height of a JPEG that has its end.
 fn jpeg_size(bytes: &[u8]) -> Result<[u32; 2], ImageError> {
     let mut size_px = None;
     let mut rest = &bytes[2..];
     loop {
-        let [0xff, marker, after @ ..] = rest else {
-            return Err(if rest.len() < 2 {
-                CUT_OFF
-            } else {
-                ImageError::Damaged("its parts are not where they should be")
-            });
-        };
-        if *marker == 0xff {
-            // Segments may have any number of these before them.
-            rest = &rest[1..];
-            continue;
-        }
-        let length = after.first_chunk().map(|length| usize::from(u16::from_be_bytes(*length)));
-        let (segment, next) = length.and_then(|length| after.split_at_checked(length)).ok_or(CUT_OFF)?;
-        match (marker, segment) {
+        let (marker, data, next) = segment(rest)?;
+        rest = next;
+        match (marker, data) {
             // A frame, in any of its ways of coding.
-            (0xc0..=0xc3 | 0xc5..=0xc7 | 0xc9..=0xcb | 0xcd..=0xcf, [_, _, _, a, b, c, d, ..]) => {
+            (0xc0..=0xc3 | 0xc5..=0xc7 | 0xc9..=0xcb | 0xcd..=0xcf, [_, a, b, c, d, ..]) => {
                 size_px = Some([[*c, *d], [*a, *b]].map(|side| u16::from_be_bytes(side).into()));
             }
-            // The scans begin. Within them 0xff never stands before the byte of the end.
-            (0xda, _) if next.windows(2).any(|pair| pair == b"\xff\xd9") => {
-                return size_px.ok_or(ImageError::Damaged("it does not say how large it is"));
-            }
-            (0xda, _) => return Err(CUT_OFF),
+            (0xda, _) => break,
             _ => {}
         }
-        rest = next;
+    }
+    // A scan, in which 0xff never stands before the byte of the end.
+    let is_whole = rest.windows(2).any(|pair| pair == b"\xff\xd9");
+    if is_whole { size_px.ok_or(NO_SIZE) } else { Err(CUT_OFF) }
+}
+
+/// Marker and data of a JPEG's segment before the first scan, and what comes after it: before the marker stands 0xff, as
+/// often as one likes, behind it the length of the data with its own two bytes.
+fn segment(bytes: &[u8]) -> Result<(u8, &[u8], &[u8]), ImageError> {
+    let fill = bytes.iter().take_while(|byte| **byte == 0xff).count();
+    let (marker, after) = bytes[fill..].split_first().ok_or(CUT_OFF)?;
+    let length = after.first_chunk().ok_or(CUT_OFF)?;
+    let (data, next) = after.split_at_checked(u16::from_be_bytes(*length).into()).ok_or(CUT_OFF)?;
+    match data.get(2..) {
+        Some(data) if fill > 0 => Ok((*marker, data, next)),
+        _ => Err(CHANGED),
     }
 }
 
