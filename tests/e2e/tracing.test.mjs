@@ -203,7 +203,7 @@ for (const browser of /** @type {const} */ (["chromium", "firefox"])) {
       const editor = await traced();
       const [desk, page] = await editor.tab.evaluate(`new Promise((done) => {
         const canvas = document.getElementById("canvas");
-        canvas.dispatchEvent(new WheelEvent("wheel", { deltaX: 37, deltaY: -23, bubbles: true, cancelable: true }));
+        canvas.dispatchEvent(new WheelEvent("wheel", { deltaX: -37, deltaY: -23, bubbles: true, cancelable: true }));
         requestAnimationFrame(() => {
           const { e: left, f: top } = new DOMMatrix(getComputedStyle(document.getElementById("under")).transform);
           const alpha = (x, y) => canvas.getContext("2d").getImageData(x, y, 1, 1).data[3];
