@@ -119,9 +119,11 @@ fn png_size(chunks: &[u8]) -> Result<[u32; 2], ImageError> {
     }
 }
 
+type Chunk<'a> = (&'a [u8], &'a [u8], &'a [u8]);
+
 /// Name and data of a PNG's chunk, and what comes after it: before them stands the length of the data, behind them a
 /// checksum of both.
-fn chunk(bytes: &[u8]) -> Result<(&[u8], &[u8], &[u8]), ImageError> {
+fn chunk(bytes: &[u8]) -> Result<Chunk<'_>, ImageError> {
     let (length, rest) = bytes.split_first_chunk().ok_or(CUT_OFF)?;
     let length = (u32::from_be_bytes(*length) as usize).saturating_add(4);
     let (named, rest) = rest.split_at_checked(length).ok_or(CUT_OFF)?;
