@@ -3,6 +3,8 @@
 
 import { say } from "./messages.js";
 
+/** @typedef {Map<number, Uint8Array<ArrayBuffer>>} Images files of pictures to trace, by the module's numbers */
+
 /**
  * @typedef {object} Drawing
  * @property {string} name
@@ -11,6 +13,8 @@ import { say } from "./messages.js";
  * @property {string} [id] what the browser's storage has it as, if it does
  * @property {number} [writer] whose it is there, by a number
  * @property {number} [kept] the revision that is there
+ * @property {Images} images those that have lain under its lines, for undo to come back to
+ * @property {number} [keptImage] which of them is in the browser's storage; NaN while that is not known
  * @property {number} revision
  * @property {number} saved the revision that was opened or saved last
  */
@@ -19,7 +23,7 @@ export class Drawings {
   /** @type {Map<number, Drawing>} */
   #all = new Map();
   /** @type {Drawing} */
-  #shown = { name: say("untitled"), revision: 0, saved: 0 };
+  #shown = { name: say("untitled"), images: new Map(), revision: 0, saved: 0 };
   #coming = this.#shown;
   #changed;
 
@@ -43,7 +47,7 @@ export class Drawings {
    * @param {Partial<Drawing> & {name: string}} drawing
    */
   expect(drawing) {
-    this.#coming = { revision: 0, saved: 0, ...drawing };
+    this.#coming = { images: new Map(), revision: 0, saved: 0, ...drawing };
     return this.#coming;
   }
 

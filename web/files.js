@@ -7,10 +7,17 @@ import { say } from "./messages.js";
 
 /** Files of ours, as the browser's dialogs name them. */
 const OURS = { description: "Scumble", accept: { "application/x-scumble": [".scumble"] } };
-/** What can be opened: drawings, diffusion curves, palettes. */
+/** What can be opened: drawings, diffusion curves, palettes, pictures to trace. */
 const OPENED = {
-  description: "Scumble, SVG, XML, GPL, ASE, HEX",
-  accept: { ...OURS.accept, "image/svg+xml": [".svg"], "text/xml": [".xml"], "text/plain": [".gpl", ".ase", ".hex"] },
+  description: "Scumble, SVG, XML, PNG, JPEG, GPL, ASE, HEX",
+  accept: {
+    ...OURS.accept,
+    "image/svg+xml": [".svg"],
+    "text/xml": [".xml"],
+    "image/png": [".png"],
+    "image/jpeg": [".jpg", ".jpeg"],
+    "text/plain": [".gpl", ".ase", ".hex"],
+  },
 };
 
 const browser = /** @type {any} */ (window);

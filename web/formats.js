@@ -5,10 +5,11 @@ import { say } from "./messages.js";
 
 /**
  * @typedef {object} Opened see `crates/scumble-files/src/lib.rs`
- * @property {Uint8Array<ArrayBuffer>} work empty for a palette
+ * @property {Uint8Array<ArrayBuffer>} work empty for what is no work
  * @property {string} notes what was left out, in words
  * @property {string} [lacks] the sample whose lines are to be put into it
  * @property {string[]} [palette] colours as #rrggbb
+ * @property {Uint8Array<ArrayBuffer>} [image] the file of the picture under the lines, or, without work, of one to be laid there
  * @typedef {[work: Uint8Array, field: Uint8Array, size_px: number, lines: boolean, transparent: boolean]} Wanted a picture
  */
 
@@ -20,8 +21,8 @@ let module;
 let attempts = 0;
 
 export const formats = {
-  /** A drawing of ours or of another program, or a palette. @type {(file: Uint8Array) => Promise<Opened>} */
-  open: (file) => call("open", file),
+  /** A drawing of ours or of another program, a palette, or a picture to trace. @type {(file: Uint8Array, name: string) => Promise<Opened>} */
+  open: (file, name) => call("open", file, name),
   /** A link. @type {(link: string) => Promise<Opened>} */
   openLink: (link) => call("openLink", link),
   /** Work with the lines of a sample. @type {(work: Uint8Array, sample: Uint8Array) => Promise<Uint8Array<ArrayBuffer>>} */
@@ -30,8 +31,8 @@ export const formats = {
   link: (work) => call("link", work),
   /** @type {(text: string) => Promise<import("./share.js").Code | undefined>} */
   qrCode: (text) => call("qrCode", text),
-  /** The `.scumble` file that keeps some work. @type {(work: Uint8Array) => Promise<Uint8Array<ArrayBuffer>>} */
-  save: (work) => call("save", work),
+  /** The `.scumble` file that keeps some work, and the picture under its lines. @type {(work: Uint8Array, image?: Uint8Array) => Promise<Uint8Array<ArrayBuffer>>} */
+  save: (work, image) => call("save", work, image),
   /** A picture as SVG, with the work in it, and a PNG of its field. @type {(...wanted: [...Wanted, raster: Uint8Array]) => Promise<Uint8Array<ArrayBuffer>>} */
   svg: (...wanted) => call("svg", ...wanted),
   /** A picture as PDF. @type {(...wanted: Wanted) => Promise<Uint8Array<ArrayBuffer>>} */

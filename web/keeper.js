@@ -7,7 +7,8 @@ import { say } from "./messages.js";
 import * as storage from "./storage.js";
 
 /** @typedef {import("./drawings.js").Drawing} Drawing */
-/** @typedef {{work: Uint8Array, revision: number}} State a drawing as it is to be written */
+/** @typedef {import("./storage.js").Image} Image */
+/** @typedef {{work: Uint8Array, image?: Image, revision: number}} State a drawing as it is to be written */
 
 /** After a failure it is tried again this much later. */
 const RETRY_MS = 5_000;
@@ -23,6 +24,7 @@ const SHOWN = "scumble-shown";
 /**
  * @typedef {object} Page
  * @property {() => Uint8Array | undefined} work the exact bytes of the drawing that is shown
+ * @property {() => Image | undefined} image the picture under its lines
  * @property {() => Promise<Blob | undefined>} picture a small picture of it
  * @property {(drawing: Drawing) => void} kept called when a drawing was written
  * @property {(drawing: Drawing, before: string) => void} copied called when a drawing goes on as a copy of another
@@ -33,6 +35,8 @@ export class Keeper {
   #page;
   /** @type {Map<Drawing, State>} The last states of drawings, as long as they are not written. */
   #late = new Map();
+  /** The last states of drawings that have brought another image to the storage. @type {WeakMap<Drawing, State>} */
+  #bringing = new WeakMap();
   #fails = false;
   /** @type {Drawing | undefined} The one that is shown, where its picture is not as it is. */
   #unpictured;
@@ -62,7 +66,7 @@ export class Keeper {
   keep(drawing) {
     const work = this.#page.work();
     if (!work) return;
-    const state = { work, revision: drawing.revision };
+    const state = { work, image: this.#page.image(), revision: drawing.revision };
     this.#late.set(drawing, state);
     this.#pictureLater(drawing);
     this.#write(drawing, state);
@@ -113,8 +117,10 @@ export class Keeper {
    * @param {State} state
    */
   async #write(drawing, state) {
+    const image = this.#otherImage(drawing, state);
     try {
-      const isOurs = await storage.write(entryOf(drawing, state.revision), state.work);
+      const isOurs = await storage.write(entryOf(drawing, state.revision), state.work, image);
+      if (isOurs && this.#bringing.get(drawing) === state) drawing.keptImage = state.image?.number;
       if (this.#late.get(drawing) !== state) return;
       if (isOurs) this.#kept(drawing, state);
       else this.#copy(drawing, state);
@@ -122,6 +128,19 @@ export class Keeper {
       console.warn(fault);
       if (this.#late.get(drawing) === state) this.#failed();
     }
+  }
+
+  /**
+   * What the storage is told of a state's image: it is large, and goes there only where it is another. Until that is
+   * known to be there, all states bring it.
+   * @param {Drawing} drawing
+   * @param {State} state
+   */
+  #otherImage(drawing, state) {
+    if (state.image?.number === drawing.keptImage) return undefined;
+    drawing.keptImage = NaN;
+    this.#bringing.set(drawing, state);
+    return state.image ?? null;
   }
 
   /**
@@ -141,7 +160,7 @@ export class Keeper {
    */
   #copy(drawing, state) {
     const before = drawing.name;
-    Object.assign(drawing, { id: undefined, writer: undefined, ...copyOf(before) });
+    Object.assign(drawing, { id: undefined, writer: undefined, keptImage: undefined, ...copyOf(before) });
     this.#page.copied(drawing, before);
     this.#write(drawing, state);
   }
@@ -204,9 +223,20 @@ export async function take(id) {
   const isOurs = await hold(id);
   const writer = isOurs ? await storage.claim(id) : undefined;
   // What is read now is what was written last: nobody else writes it any more.
-  const { entry, work } = await storage.drawing(id);
+  const { entry, work, image } = await storage.drawing(id);
   if (!entry) return undefined;
   const { name, handle, isUnsaved } = entry;
-  const identity = isOurs ? { id, name, writer, handle, kept: 0 } : copyOf(name);
-  return { drawing: { ...identity, saved: isUnsaved ? -1 : 0 }, work };
+  const images = imagesOf(image);
+  const [keptImage] = images.keys();
+  const identity = isOurs ? { id, name, writer, handle, kept: 0, keptImage } : copyOf(name);
+  return { drawing: { ...identity, images, saved: isUnsaved ? -1 : 0 }, work };
+}
+
+/**
+ * The picture under the lines, as far as the storage has one that can be used.
+ * @param {any} image
+ * @returns {import("./drawings.js").Images}
+ */
+function imagesOf(image) {
+  return new Map(image?.bytes instanceof Uint8Array ? [[Number(image.number), image.bytes]] : []);
 }

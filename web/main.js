@@ -17,6 +17,7 @@ import { Samples } from "./samples.js";
 import { closeShare, copyLink, isLink, sendLink, showLink } from "./share.js";
 import { putAside } from "./storage.js";
 import { areLinesShown, connect, done, failed, pickColor, shown, showName, showUnkept, swatch, tell, warn } from "./toolbar.js";
+import { Tracing } from "./tracing.js";
 
 /** What the address may ask for. */
 const SOLVERS = ["automatic", "mesh", "gpu"];
@@ -34,14 +35,19 @@ const handlers = {
   ...shown,
   sheet: (state) => {
     drawings.follow(state);
+    tracing.show(drawings.shown.images);
     keeper.follow(drawings.shown);
   },
+  tracing: both(shown.tracing, (state) => tracing.follow(state)),
   tool: both(shown.tool, followed.tool),
   color: both(shown.color, followed.color),
   "brush-size": both(shown["brush-size"], followed["brush-size"]),
   zoom: both(shown.zoom, followed.zoom),
-  // The affine map from drawing units to CSS pixels of the canvas, for those who look at the canvas from outside.
-  view: (matrix) => (canvas().dataset.view = [...matrix].join(" ")),
+  view: (matrix) => {
+    tracing.look(matrix);
+    // The affine map from drawing units to CSS pixels of the canvas, for those who look at the canvas from outside.
+    canvas().dataset.view = [...matrix].join(" ");
+  },
   renderer: (name) => {
     const { renderer } = canvas().dataset;
     if (renderer) tell(say(renderer === name ? "recovered" : `recovered-${name}`));
@@ -82,8 +88,10 @@ function both(first, second) {
 
 const engine = new Engine(handlers);
 const drawings = new Drawings(nameShown);
+const tracing = new Tracing(engine);
 const keeper = new Keeper({
   work: () => engine.work(),
+  image: () => tracing.image,
   picture: async () => {
     const picture = engine.thumbnail();
     return picture && png(picture.width, picture.height, picture.rgba);
@@ -95,7 +103,7 @@ const keeper = new Keeper({
   },
   failing: showUnkept,
 });
-const opening = new Opening(engine, drawings, keeper);
+const opening = new Opening(engine, drawings, keeper, tracing);
 const samples = new Samples((sample) => opening.sample(sample));
 const recent = new Recent((id) => opening.kept(id));
 const pointers = new Pointers(stage, engine);
@@ -109,7 +117,7 @@ async function share() {
   const work = engine.work();
   if (!work) return;
   try {
-    await showLink((await formats.link(work)) ?? "", formats.qrCode);
+    await showLink((await formats.link(work)) ?? "", tracing.image !== undefined, formats.qrCode);
   } catch (fault) {
     failed(fault);
   }
@@ -119,9 +127,10 @@ async function save() {
   const drawing = drawings.shown;
   const { name, handle, revision } = drawing;
   const work = engine.work();
+  const image = tracing.image?.bytes;
   if (!work) return;
   try {
-    const place = await keep({ name: `${stem(name)}.scumble`, handle }, () => formats.save(work));
+    const place = await keep({ name: `${stem(name)}.scumble`, handle }, () => formats.save(work, image));
     if (!place) return;
     drawings.keep(drawing, revision, place);
     if (drawing === drawings.shown) keeper.keep(drawing);
@@ -130,6 +139,13 @@ async function save() {
     drawing.handle = undefined;
     failed(fault);
   }
+}
+
+function removeTracing() {
+  engine.command("trace", null);
+  done(say("tracing-removed"));
+  // The button goes with the picture.
+  canvas().focus();
 }
 
 async function showRecent() {
@@ -149,6 +165,7 @@ const actions = {
   "save-export": () => saveExport(engine, stem(drawings.shown.name)),
   "copy-picture": () => copyPicture(engine),
   "cancel-export": cancelExport,
+  "remove-tracing": removeTracing,
   share,
   "close-share": closeShare,
   "copy-link": copyLink,

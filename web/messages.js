@@ -43,6 +43,7 @@ const english = {
   "copy-link": "Copy",
   "send-link": "Send…",
   "as-file": "Save as a file",
+  "share-tracing": "The tracing image stays here: no link has it, but a file does",
   "qr-code": "The link as a QR code",
   "copied": "Copied",
   "copy-yourself": "The browser does not let the page copy; the link is selected: press Ctrl+C",
@@ -52,6 +53,10 @@ const english = {
   "redo": "Redo",
   "show-lines": "Show lines",
   "show-scribbles": "Show scribbles",
+  "tracing": "Tracing image",
+  "show-tracing": "Show tracing image",
+  "tracing-opacity": "Opacity",
+  "remove-tracing": "Remove tracing image",
   "engine": "Engine",
   "engine-global": "Global",
   "engine-progressive": "Progressive",
@@ -123,6 +128,8 @@ const english = {
   "opened": ({ name }) => `Opened ${name}`,
   "opened-in-part": ({ name, notes }) => `Opened ${name}; ${notes}`,
   "palette-taken": ({ name, notes }) => `The palette has the colours of ${name}${notes && "; "}${notes}`,
+  "traced": ({ name }) => `${name} lies under the lines; exported pictures are without it`,
+  "tracing-removed": "Tracing image removed",
   "saved": ({ name }) => `Saved ${name}`,
   "scribble-added": ({ count }) => `Scribble added, ${count} in the drawing`,
   "scribbles-erased": ({ erased, count }) =>
@@ -135,6 +142,8 @@ const english = {
   "recovered-cpu": "The graphics device was lost; the page draws without it",
 
   "failed": ({ sentence }) => `${sentence.charAt(0).toUpperCase()}${sentence.slice(1)}.`,
+  "error-image":
+    "the picture is damaged, or coded as this browser does not know it; save it again as PNG or JPEG",
   "error-export": "the picture could not be made here; try a smaller size, or close other tabs",
   "error-read": "the file could not be read; try opening it again",
   "error-write": "the file could not be written; save again to choose another place",

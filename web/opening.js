@@ -1,4 +1,5 @@
-// The ways by which a drawing comes into the page: files, links, samples, and those that the browser has kept.
+// The ways by which a drawing comes into the page: files, links, samples, and those that the browser has kept; and, with
+// files, what belongs to the one that is shown: palettes, pictures to trace.
 
 import { formats } from "./formats.js";
 import { lastIds, take } from "./keeper.js";
@@ -7,6 +8,10 @@ import { sampleWork } from "./samples.js";
 import { isLink } from "./share.js";
 import { putAside } from "./storage.js";
 import { done, failed, tell } from "./toolbar.js";
+import { checkImage } from "./tracing.js";
+
+/** The number by which work from a file knows the picture under its lines, as in `work_file.rs`. */
+const FILE_IMAGE = 1;
 
 /** @typedef {Partial<import("./drawings.js").Drawing> & {name: string}} Coming what is known of a drawing before it is there */
 /** @typedef {import("./formats.js").Opened} Opened */
@@ -15,6 +20,7 @@ export class Opening {
   #engine;
   #drawings;
   #keeper;
+  #tracing;
   /** Counts what has been asked for: what comes after something else was asked for is dropped. */
   #asked = 0;
 
@@ -22,16 +28,18 @@ export class Opening {
    * @param {import("./engine.js").Engine} engine
    * @param {import("./drawings.js").Drawings} drawings
    * @param {import("./keeper.js").Keeper} keeper
+   * @param {import("./tracing.js").Tracing} tracing
    */
-  constructor(engine, drawings, keeper) {
+  constructor(engine, drawings, keeper, tracing) {
     this.#engine = engine;
     this.#drawings = drawings;
     this.#keeper = keeper;
+    this.#tracing = tracing;
   }
 
-  /** @param {import("./files.js").Coming} file a drawing, or a palette for the one that is shown */
+  /** @param {import("./files.js").Coming} file a drawing, or a palette or a picture to trace for the one that is shown */
   file({ name, bytes, handle }) {
-    return this.#open({ name, handle, isBrought: true }, bytes.then(formats.open));
+    return this.#open({ name, handle, isBrought: true }, bytes.then((file) => formats.open(file, name)));
   }
 
   /** @param {string} text a link, or SVG */
@@ -124,10 +132,13 @@ export class Opening {
   async #open(drawing, coming) {
     const ticket = ++this.#asked;
     try {
-      const { work, notes, palette } = await whole(coming);
+      const { work, notes, palette, image } = await whole(coming);
+      const isToTrace = image && work.length === 0;
+      if (isToTrace) await checkImage(image);
       if (ticket !== this.#asked) return undefined;
       if (palette) this.#take(palette, drawing.name, notes);
-      else this.#show(drawing, work, notes);
+      else if (isToTrace) this.#trace(image, drawing.name);
+      else this.#show({ ...drawing, images: new Map(image && [[FILE_IMAGE, image]]) }, work, notes);
       return undefined;
     } catch (fault) {
       return ticket === this.#asked ? told(fault) : undefined;
@@ -143,6 +154,16 @@ export class Opening {
   #take(palette, name, notes) {
     this.#engine.command("palette", palette);
     done(say("palette-taken", { name, notes }));
+  }
+
+  /**
+   * Lays a picture under the lines of the drawing that is shown.
+   * @param {Uint8Array<ArrayBuffer>} image
+   * @param {string} name of its file
+   */
+  #trace(image, name) {
+    this.#tracing.lay(image, this.#drawings.shown.images);
+    done(say("traced", { name }));
   }
 
   /**
@@ -166,8 +187,9 @@ export class Opening {
  */
 async function whole(coming) {
   const opened = await coming;
-  if (!opened.lacks) return opened;
-  return { work: await formats.onSample(opened.work, await sampleWork(opened.lacks)), notes: opened.notes };
+  const { work, notes, lacks, image } = opened;
+  if (!lacks) return opened;
+  return { work: await formats.onSample(work, await sampleWork(lacks)), notes, image };
 }
 
 /** @param {unknown} fault */

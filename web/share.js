@@ -19,9 +19,10 @@ export function isLink(text) {
 /**
  * Shows a link.
  * @param {string} fragment from `#` on; empty where the drawing is too large for one
+ * @param {boolean} isTraced whether there is a picture under the lines, which no link has
  * @param {(link: string) => Promise<Code | undefined>} codeOf
  */
-export async function showLink(fragment, codeOf) {
+export async function showLink(fragment, isTraced, codeOf) {
   const link = location.origin + location.pathname + fragment;
   const length = fragment === "" ? Infinity : link.length;
   field.value = link;
@@ -29,6 +30,7 @@ export async function showLink(fragment, codeOf) {
   part("length-text").textContent = say(`link-${fit(length)}`, { length });
   part("as-link").hidden = length > LENGTHS.some;
   part("send-link").hidden = !("share" in navigator);
+  part("share-tracing").hidden = !isTraced;
   part("share-status").textContent = "";
   part("code").toggleAttribute("hidden", true);
   dialog.showModal();

@@ -1,7 +1,8 @@
-// The browser's storage of drawings: of each its entry in the list, its work as exact bytes, and a small picture of it.
+// The browser's storage of drawings: of each its entry in the list, its work as exact bytes, the picture under its lines,
+// and a small picture of it.
 
 const NAME = "scumble";
-const VERSION = 1;
+const VERSION = 2;
 
 /** A storage that has not answered after this long is taken for one that does not work. */
 const PATIENCE_MS = 5_000;
@@ -23,6 +24,8 @@ const OPENING_PAUSE_MS = 200;
  * @property {boolean} [isAside] whether it could not be opened
  */
 
+/** @typedef {{number: number, bytes: Uint8Array<ArrayBuffer>}} Image a picture under lines, as its work knows it */
+
 /** @typedef {Record<string, IDBObjectStore>} Stores */
 
 /** @type {Promise<IDBDatabase> | undefined} */
@@ -35,17 +38,17 @@ export async function entries() {
 }
 
 /**
- * A drawing as it was written last, both parts of it at once.
+ * A drawing as it was written last, all parts of it at once.
  * @param {string} id
- * @returns {Promise<{entry?: Entry, work?: unknown}>}
+ * @returns {Promise<{entry?: Entry, work?: unknown, image?: unknown}>}
  */
 export async function drawing(id) {
   /** @type {IDBRequest[]} */
-  let [entry, work] = [];
-  await transact(["entries", "works"], "readonly", (stores) => {
-    [entry, work] = [stores.entries.get(id), stores.works.get(id)];
+  let [entry, work, image] = [];
+  await transact(["entries", "works", "images"], "readonly", (stores) => {
+    [entry, work, image] = [stores.entries.get(id), stores.works.get(id), stores.images.get(id)];
   });
-  return { entry: entry?.result, work: work?.result };
+  return { entry: entry?.result, work: work?.result, image: image?.result };
 }
 
 /**
@@ -72,17 +75,20 @@ export const picture = (id) => read(["pictures"], (stores) => stores.pictures.ge
  * Writes a drawing, unless it has become somebody else's.
  * @param {Entry} entry
  * @param {Uint8Array} work
+ * @param {Image | null} [image] another one than before, or none any more; where nothing is said it stays
  * @returns {Promise<boolean>} whether it was written
  */
-export async function write(entry, work) {
+export async function write(entry, work, image) {
   try {
-    await change(["entries", "works", "ended"], (stores) => {
+    await change(["entries", "works", "images", "ended"], (stores) => {
       // All of it fails where the mark is there. So the storage checks by itself, while the page is busy.
       const mark = [entry.id, entry.writer];
       stores.ended.add(true, mark);
       stores.ended.delete(mark);
       stores.entries.put(entry);
       stores.works.put(work, entry.id);
+      if (image) stores.images.put(image, entry.id);
+      else if (image === null) stores.images.delete(entry.id);
       if (COMMITS_WELL) stores.works.transaction.commit();
     });
     return true;
@@ -110,7 +116,7 @@ export const putAside = (id) =>
 
 /** @param {string} id */
 export const remove = (id) =>
-  change(["entries", "works", "pictures", "ended"], ({ ended, ...stores }) => {
+  change(["entries", "works", "images", "pictures", "ended"], ({ ended, ...stores }) => {
     for (const store of Object.values(stores)) store.delete(id);
     ended.delete(IDBKeyRange.bound([id], [id, []]));
   });
@@ -203,12 +209,15 @@ async function openedAfter(tries) {
 function openedOnce() {
   return new Promise((resolve, reject) => {
     const request = indexedDB.open(NAME, VERSION);
-    request.onupgradeneeded = () => {
-      request.result.createObjectStore("entries", { keyPath: "id" });
-      request.result.createObjectStore("works");
-      request.result.createObjectStore("pictures");
-      // Marks of an id and a writer whose it is no more.
-      request.result.createObjectStore("ended");
+    request.onupgradeneeded = ({ oldVersion }) => {
+      if (oldVersion < 1) {
+        request.result.createObjectStore("entries", { keyPath: "id" });
+        request.result.createObjectStore("works");
+        request.result.createObjectStore("pictures");
+        // Marks of an id and a writer whose it is no more.
+        request.result.createObjectStore("ended");
+      }
+      request.result.createObjectStore("images");
     };
     request.onsuccess = () => resolve(watched(request.result));
     request.onerror = () => reject(request.error);

@@ -71,6 +71,7 @@ export function connect(act, set) {
   }
   connectSlider(settingOf("gap-closing"), set);
   connectSlider(settingOf("strength"), set);
+  connectSlider(settingOf("tracing-opacity"), set);
   input("brush-size").addEventListener("input", () => set("brush-size", input("brush-size").valueAsNumber));
   input("picker").addEventListener("input", () => set("color", input("picker").value));
 }
@@ -217,6 +218,11 @@ export const shown = {
     showPercent(settingOf("gap-closing"), control("gap-figure"), Math.round(gapClosing * 100));
     // The other engine does not spread.
     settingOf("spread").disabled = engine !== "global";
+  },
+  /** @param {{image?: number, opacity?: number}} state which picture is under the lines, if any, and its opacity */
+  tracing({ image, opacity = 0 }) {
+    control("tracing").hidden = image === undefined;
+    showPercent(settingOf("tracing-opacity"), control("tracing-figure"), Math.round(opacity * 100));
   },
   /** @param {{asked: string}} state which solver is to make the picture */
   solver({ asked }) {

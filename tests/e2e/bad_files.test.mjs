@@ -1,10 +1,7 @@
 // Files that are no drawings: the page says so, and the drawing that is open stays as it is.
 import assert from "node:assert/strict";
-import { mkdtemp, rm, writeFile } from "node:fs/promises";
-import { tmpdir } from "node:os";
-import { join } from "node:path";
 import { after, before, describe, test } from "node:test";
-import { start } from "./harness.mjs";
+import { makeFolder, start } from "./harness.mjs";
 
 const svg = (/** @type {string} */ inside, box = "0 0 100 100") =>
   `<svg xmlns="http://www.w3.org/2000/svg" viewBox="${box}">${inside}</svg>`;
@@ -39,21 +36,15 @@ const BAD_FILES = {
 describe("files that are no drawings", () => {
   /** @type {Awaited<ReturnType<typeof start>>} */
   let session;
-  /** @type {string} */
-  let folder;
+  const folder = makeFolder();
   before(async () => {
-    folder = await mkdtemp(join(tmpdir(), "scumble-"));
     session = await start("chromium");
   });
-  after(async () => {
-    await session.close();
-    await rm(folder, { recursive: true });
-  });
+  after(() => session.close());
 
   for (const [name, content] of Object.entries(BAD_FILES)) {
     test(name, async () => {
-      const file = join(folder, "bad.svg");
-      await writeFile(file, content());
+      const file = await folder.write("bad.svg", content());
       const editor = await session.open("webgpu");
       await editor.openDrawing("rooms");
       await editor.scribble([[30, 30], [70, 60]], 200);

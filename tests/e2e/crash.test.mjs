@@ -1,12 +1,9 @@
 // A browser that is killed at any moment comes up with the drawing as it was, short of the stroke in hand at most.
 // KILLS=100 in the environment asks for more kills than the usual few; SEED for other moments.
 import assert from "node:assert/strict";
-import { mkdtemp, rm } from "node:fs/promises";
-import { tmpdir } from "node:os";
-import { join } from "node:path";
 import { after, before, describe, test } from "node:test";
 import { launchIn } from "./browsers.mjs";
-import { DIST, Editor } from "./harness.mjs";
+import { DIST, Editor, makeFolder } from "./harness.mjs";
 import { serve } from "./static_server.mjs";
 
 /** Firefox takes longer to come up. */
@@ -38,16 +35,11 @@ for (const browser of /** @type {const} */ (["chromium", "firefox"])) {
     const kills = Number(process.env.KILLS ?? FEW[browser]);
     /** @type {Awaited<ReturnType<typeof serve>>} */
     let served;
-    /** @type {string} */
-    let folder;
+    const folder = makeFolder();
     before(async () => {
       served = await serve(DIST);
-      folder = await mkdtemp(join(tmpdir(), "scumble-"));
     });
-    after(async () => {
-      served.server.close();
-      await rm(folder, { recursive: true, force: true, maxRetries: 20, retryDelay: 100 });
-    });
+    after(() => void served.server.close());
 
     /** Adds a stroke and tells how many there are. @param {Editor} editor */
     const strokes = async (editor) => {
@@ -77,7 +69,7 @@ for (const browser of /** @type {const} */ (["chromium", "firefox"])) {
       let [least, most] = [0, 0];
       let lost = 0;
       for (let kill = 0; kill < kills; kill++) {
-        const { tab, kill: end } = await launchIn(browser, folder);
+        const { tab, kill: end } = await launchIn(browser, folder.path);
         if (kill % EARLY === EARLY - 1) {
           tab.goto(url).catch(() => undefined);
           await pause(LATEST_MS * random());

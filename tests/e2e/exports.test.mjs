@@ -1,10 +1,7 @@
 // Export: pictures for other programs show what the canvas shows, and an SVG opens again as the work that it was.
 import assert from "node:assert/strict";
-import { mkdtemp, rm, writeFile } from "node:fs/promises";
-import { tmpdir } from "node:os";
-import { join } from "node:path";
 import { after, before, describe, test } from "node:test";
-import { start } from "./harness.mjs";
+import { makeFolder, start } from "./harness.mjs";
 import { Picture, assertSame } from "./picture.mjs";
 
 /** @typedef {import("./harness.mjs").Editor} Editor */
@@ -72,16 +69,11 @@ for (const browser of /** @type {const} */ (["chromium", "firefox"])) {
   describe(`exports in ${browser}`, () => {
     /** @type {Awaited<ReturnType<typeof start>>} */
     let session;
-    /** @type {string} */
-    let folder;
+    const folder = makeFolder();
     before(async () => {
-      folder = await mkdtemp(join(tmpdir(), "scumble-"));
       session = await start(browser);
     });
-    after(async () => {
-      await session.close();
-      await rm(folder, { recursive: true });
-    });
+    after(() => session.close());
 
     const shaded = async () => {
       const editor = await session.open("cpu");
@@ -106,8 +98,7 @@ for (const browser of /** @type {const} */ (["chromium", "firefox"])) {
       assertSame(await shownAsImage(editor, svg), canvas);
       assert.match(pdf.toString("latin1"), /^%PDF-1\.4[^]*MediaBox \[0 0 768 384\][^]*%%EOF\n$/);
 
-      const path = join(folder, "shading again.svg");
-      await writeFile(path, svg);
+      const path = await folder.write("shading again.svg", svg);
       await editor.openSample("Pear");
       await editor.until("Opened shading again.svg", () => editor.tab.chooseFiles([path]));
       assertSame(await shown(editor, SIZE), canvas);
@@ -133,8 +124,7 @@ for (const browser of /** @type {const} */ (["chromium", "firefox"])) {
     test("a damaged SVG opens as its lines, and says so", async () => {
       const editor = await shaded();
       const svg = (await exported(editor, "SVG")).toString().replace('"points"', '"pints"');
-      const path = join(folder, "damaged.svg");
-      await writeFile(path, svg);
+      const path = await folder.write("damaged.svg", svg);
       await editor.until("without the scribbles", () => editor.tab.chooseFiles([path]));
       const way = await editor.place([[120, 45], [126, 52]], SHADING);
       await editor.until("Scribble added, 1 in the drawing", () => editor.drag(way));

@@ -1,11 +1,9 @@
 // Save and Open: what is saved opens as the same drawing, the page says what it is called and whether it is saved, and
 // what goes wrong leaves the work as it is.
 import assert from "node:assert/strict";
-import { mkdtemp, readFile, rm, writeFile } from "node:fs/promises";
-import { tmpdir } from "node:os";
-import { join } from "node:path";
+import { readFile } from "node:fs/promises";
 import { after, before, describe, test } from "node:test";
-import { start } from "./harness.mjs";
+import { makeFolder, start } from "./harness.mjs";
 import { assertSame, hex } from "./picture.mjs";
 
 /** @typedef {import("./harness.mjs").Editor} Editor */
@@ -130,23 +128,14 @@ for (const browser of /** @type {const} */ (["chromium", "firefox"])) {
 describe("files without the browser's dialogs", () => {
   /** @type {Awaited<ReturnType<typeof start>>} */
   let session;
-  /** @type {string} */
-  let folder;
+  const folder = makeFolder();
   before(async () => {
-    folder = await mkdtemp(join(tmpdir(), "scumble-"));
     session = await start("chromium");
   });
-  after(async () => {
-    await session.close();
-    await rm(folder, { recursive: true });
-  });
+  after(() => session.close());
 
   /** @param {string} name @param {string | object} content */
-  const file = async (name, content) => {
-    const path = join(folder, name);
-    await writeFile(path, typeof content === "string" ? content : JSON.stringify(content));
-    return path;
-  };
+  const file = (name, content) => folder.write(name, typeof content === "string" ? content : JSON.stringify(content));
 
   test("they are downloaded, and open again", async () => {
     const editor = await session.open("cpu");

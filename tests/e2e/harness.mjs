@@ -3,6 +3,10 @@
  * pointer, and judged by screenshots of its canvas.
  */
 import assert from "node:assert/strict";
+import { mkdtemp, rm, writeFile } from "node:fs/promises";
+import { tmpdir } from "node:os";
+import { join } from "node:path";
+import { after, before } from "node:test";
 import { fileURLToPath } from "node:url";
 import { Picture } from "./picture.mjs";
 import { launch } from "./browsers.mjs";
@@ -26,6 +30,30 @@ const PAGE_DU = 1024;
 
 /** @param {string} file */
 export const drawing = (file) => fileURLToPath(new URL(`drawings/${file}`, import.meta.url));
+
+/** A folder for the files of the tests of one `describe`, in which this is to be called. */
+export function makeFolder() {
+  const folder = {
+    path: "",
+    /**
+     * Writes a file.
+     * @param {string} name
+     * @param {string | Uint8Array} content
+     * @returns its path
+     */
+    write: async (name, content) => {
+      const path = join(folder.path, name);
+      await writeFile(path, content);
+      return path;
+    },
+  };
+  before(async () => {
+    folder.path = await mkdtemp(join(tmpdir(), "scumble-"));
+  });
+  // A browser that is ending may write into its history still.
+  after(() => rm(folder.path, { recursive: true, force: true, maxRetries: 20, retryDelay: 100 }));
+  return folder;
+}
 
 /**
  * A browser and a server for the tests of one file. The page is served from a path of its own, as on a host that

@@ -1,10 +1,7 @@
 // What other programs write: diffusion curves open as a picture, a palette becomes that of the drawing that is shown.
 import assert from "node:assert/strict";
-import { mkdtemp, rm, writeFile } from "node:fs/promises";
-import { tmpdir } from "node:os";
-import { join } from "node:path";
 import { after, before, describe, test } from "node:test";
-import { start } from "./harness.mjs";
+import { makeFolder, start } from "./harness.mjs";
 import { hex } from "./picture.mjs";
 
 const points = Array.from({ length: 4 }, (_, i) => `<control_point x="50" y="${-1 + 34 * i}" />`).join("");
@@ -25,26 +22,15 @@ for (const browser of /** @type {const} */ (["chromium", "firefox"])) {
   describe(`imports in ${browser}`, () => {
     /** @type {Awaited<ReturnType<typeof start>>} */
     let session;
-    /** @type {string} */
-    let folder;
+    const folder = makeFolder();
     before(async () => {
-      folder = await mkdtemp(join(tmpdir(), "scumble-"));
       session = await start(browser);
     });
-    after(async () => {
-      await session.close();
-      await rm(folder, { recursive: true });
-    });
-
-    const file = async (/** @type {string} */ name, /** @type {string} */ content) => {
-      const path = join(folder, name);
-      await writeFile(path, content);
-      return path;
-    };
+    after(() => session.close());
 
     test("diffusion curves open as the picture that they are", async () => {
       const editor = await session.open("cpu");
-      const path = await file("sea.xml", CURVES);
+      const path = await folder.write("sea.xml", CURVES);
       await editor.until("Opened sea.xml; left out: 1 curve’s blur", () => editor.tab.chooseFiles([path]));
       const picture = await editor.picture();
       const [above, below] = await editor.place([[30, 20], [70, 80]], 100);
@@ -57,11 +43,26 @@ for (const browser of /** @type {const} */ (["chromium", "firefox"])) {
       const editor = await session.open("cpu");
       await editor.openDrawing("rooms");
       const before = await editor.picture();
-      await editor.tab.chooseFiles([await file("bad.xml", CURVES.replace("image_width", "width"))]);
+      await editor.tab.chooseFiles([await folder.write("bad.xml", CURVES.replace("image_width", "width"))]);
       await editor.tab.waitFor(`!document.getElementById("alert").hidden`);
       assert.match(await editor.message(), /image_width/);
       await editor.click("Dismiss");
       assert.ok((await editor.picture()).equals(before));
+      assert.deepEqual(editor.tab.faults, []);
+    });
+
+    test("a damaged palette is called one, by its name where its beginning does not tell", async () => {
+      const editor = await session.open("cpu");
+      for (const [name, content, message] of /** @type {[string, string, RegExp][]} */ ([
+        ["sea.gpl", "\nGIMP\n1 2 3\n", /palette cannot be used: line 2 should have “GIMP Palette”/],
+        ["sea.ase", "ASE", /palette is damaged: .*ASEF.*save it again/],
+        ["sea.hex", "; sea\nblue\n", /palette cannot be used: line 2 should have a colour #rrggbb/],
+      ])) {
+        await editor.tab.chooseFiles([await folder.write(name, content)]);
+        await editor.tab.waitFor(`!document.getElementById("alert").hidden`);
+        assert.match(await editor.message(), message);
+        await editor.click("Dismiss");
+      }
       assert.deepEqual(editor.tab.faults, []);
     });
 
@@ -71,7 +72,7 @@ for (const browser of /** @type {const} */ (["chromium", "firefox"])) {
       const swatches = () =>
         editor.tab.evaluate(`[...document.querySelectorAll("#palette .swatch")].map((swatch) => swatch.ariaLabel)`);
       const usual = await swatches();
-      const path = await file("sea.gpl", PALETTE);
+      const path = await folder.write("sea.gpl", PALETTE);
       await editor.until("The palette has the colours of sea.gpl", () => editor.tab.chooseFiles([path]));
       assert.deepEqual(await swatches(), ["#010203", "Blue", "No colour"]);
       assert.equal(await editor.name(), "rooms.svg");
@@ -80,7 +81,7 @@ for (const browser of /** @type {const} */ (["chromium", "firefox"])) {
       await editor.until("Undone", () => editor.click("Undo"));
       assert.deepEqual(await swatches(), usual);
       await editor.until("Redone", () => editor.click("Redo"));
-      await editor.tab.chooseFiles([await file("bad.gpl", PALETTE.replace("59", "blue"))]);
+      await editor.tab.chooseFiles([await folder.write("bad.gpl", PALETTE.replace("59", "blue"))]);
       await editor.tab.waitFor(`!document.getElementById("alert").hidden`);
       assert.match(await editor.message(), /line 4/);
       assert.deepEqual(await swatches(), ["#010203", "Blue", "No colour"]);

@@ -1,10 +1,7 @@
 // Share links: what is shared opens as it was in either browser, beside what is there; a bad link leaves that alone.
 import assert from "node:assert/strict";
-import { mkdtemp, rm, writeFile } from "node:fs/promises";
-import { tmpdir } from "node:os";
-import { join } from "node:path";
 import { after, before, describe, test } from "node:test";
-import { Editor, start } from "./harness.mjs";
+import { Editor, makeFolder, start } from "./harness.mjs";
 import { assertSame } from "./picture.mjs";
 
 /** The longer sides of the viewBoxes of the drawings here. */
@@ -128,16 +125,11 @@ for (const browser of /** @type {const} */ (["chromium", "firefox"])) {
 describe("the dialog of links", () => {
   /** @type {Awaited<ReturnType<typeof start>>} */
   let session;
-  /** @type {string} */
-  let folder;
+  const folder = makeFolder();
   before(async () => {
-    folder = await mkdtemp(join(tmpdir(), "scumble-"));
     session = await start("chromium");
   });
-  after(async () => {
-    await session.close();
-    await rm(folder, { recursive: true });
-  });
+  after(() => session.close());
 
   /**
    * An editor with a drawing that has a palette of so many colours: each takes some four characters of a link.
@@ -147,8 +139,7 @@ describe("the dialog of links", () => {
     const color = (/** @type {number} */ i) => `#${((i * 2_654_435_761) % 0xffffff).toString(16).padStart(6, "0")}`;
     const palette = Array.from({ length: count }, (_, i) => color(i));
     const work = { format: "scumble", version: "1.0", canvas: [0, 0, 100, 100], palette };
-    const path = join(folder, `${count}.scumble`);
-    await writeFile(path, JSON.stringify(work));
+    const path = await folder.write(`${count}.scumble`, JSON.stringify(work));
     const editor = await session.open("cpu");
     await editor.until(`Opened ${count}`, () => editor.tab.chooseFiles([path]));
     return editor;

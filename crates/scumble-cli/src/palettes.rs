@@ -38,7 +38,8 @@ pub(crate) fn read(path: &Path) -> anyhow::Result<Vec<Paint>> {
 }
 
 fn read_file(path: &Path) -> anyhow::Result<Vec<Paint>> {
-    let palette = read_palette(&files::read(path)?).with_context(|| path.display().to_string())?;
+    let palette = read_palette(&files::read(path)?, works::palette_kind(path))
+        .with_context(|| path.display().to_string())?;
     files::warn(path, &palette.notes());
     Ok(palette.colors.into_iter().map(Paint::Color).collect())
 }

@@ -16,6 +16,7 @@ use crate::{files, palettes, works};
 pub(crate) fn link(options: &LinkOptions) -> anyhow::Result<()> {
     let work = works::read(&options.file)?;
     let link = write_link(&work)?;
+    files::warn(&options.file, if work.image.is_empty() { "" } else { "left out: the tracing image" });
     if options.stats {
         print!("{}", stats(&work, &link));
     }

@@ -11,8 +11,9 @@ use crate::drawing::Drawing;
 use crate::scribble::{Scribble, ScribbleKind};
 use crate::settings::Settings;
 use crate::sort;
+use crate::tracing::Tracing;
 
-/// The source of a picture, from which everything else is derived, and the palette at hand.
+/// The source of a picture, from which everything else is derived, and what is at hand: the palette, a picture to trace.
 #[derive(Clone, Debug)]
 pub struct Document {
     /// The lines.
@@ -25,6 +26,8 @@ pub struct Document {
     pub settings: Settings,
     /// The swatches of its palette.
     pub palette: Vec<Paint>,
+    /// The picture under the lines.
+    pub tracing: Option<Tracing>,
 }
 
 impl Document {
@@ -36,6 +39,7 @@ impl Document {
             color_points: Vec::new(),
             settings: Settings::default(),
             palette: Vec::new(),
+            tracing: None,
         }
     }
 }
@@ -49,6 +53,7 @@ enum Change {
     MoveScribble { from: usize, to: usize },
     SetSettings(Settings),
     SetPalette(Vec<Paint>),
+    SetTracing(Option<Tracing>),
 }
 
 /// A gesture that has been begun and not yet ended.
@@ -143,7 +148,7 @@ impl Editor {
             }
             Some(Gesture::Changes(mut back)) => {
                 // A slider that was dragged to and fro has changed nothing in the end.
-                back.retain(|change| !self.are_settings(change));
+                back.retain(|change| !self.is_so(change));
                 self.keep(back);
             }
         }
@@ -172,6 +177,16 @@ impl Editor {
         self.commit_scribble();
         if palette != self.document.palette {
             self.change(Change::SetPalette(palette));
+        }
+    }
+
+    /// Lays another picture under the lines, or the same one otherwise, or takes it away; an opacity out of range is
+    /// clamped.
+    pub fn set_tracing(&mut self, tracing: Option<Tracing>) {
+        let tracing = tracing.map(Tracing::clamped);
+        self.commit_scribble();
+        if tracing != self.document.tracing {
+            self.change(Change::SetTracing(tracing));
         }
     }
 
@@ -243,7 +258,7 @@ impl Editor {
         match &self.in_hand {
             None => false,
             Some(Gesture::Scribble) => true,
-            Some(Gesture::Changes(back)) => back.iter().any(|change| !self.are_settings(change)),
+            Some(Gesture::Changes(back)) => back.iter().any(|change| !self.is_so(change)),
         }
     }
 
@@ -262,10 +277,8 @@ impl Editor {
     /// Notes what takes back that which has just been done.
     fn done(&mut self, mut back: Vec<Change>) {
         let Some(Gesture::Changes(before)) = &mut self.in_hand else { return self.keep(back) };
-        if before.iter().any(|change| matches!(change, Change::SetSettings(_))) {
-            // The settings that the gesture began with are there already.
-            back.retain(|change| !matches!(change, Change::SetSettings(_)));
-        }
+        // What the gesture began with is there already.
+        back.retain(|change| !before.iter().any(|before| are_of_one_slider(before, change)));
         before.append(&mut back);
     }
 
@@ -284,8 +297,13 @@ impl Editor {
         Step { changes: self.apply_all(changes), to: std::mem::replace(&mut self.revision, to) }
     }
 
-    fn are_settings(&self, change: &Change) -> bool {
-        matches!(change, Change::SetSettings(settings) if *settings == self.document.settings)
+    /// Whether a change of what has sliders would change nothing.
+    fn is_so(&self, change: &Change) -> bool {
+        match change {
+            Change::SetSettings(settings) => *settings == self.document.settings,
+            Change::SetTracing(tracing) => *tracing == self.document.tracing,
+            _ => false,
+        }
     }
 
     /// Applies changes from the last to the first; returns those that take them back, to be applied likewise.
@@ -294,7 +312,7 @@ impl Editor {
     }
 
     fn apply(&mut self, change: Change) -> Change {
-        let Document { scribbles, settings, palette, .. } = &mut self.document;
+        let Document { scribbles, settings, palette, tracing, .. } = &mut self.document;
         match change {
             Change::InsertScribble(index, scribble) => {
                 scribbles.insert(index, scribble);
@@ -311,6 +329,13 @@ impl Editor {
             }
             Change::SetSettings(after) => Change::SetSettings(std::mem::replace(settings, after)),
             Change::SetPalette(after) => Change::SetPalette(std::mem::replace(palette, after)),
+            Change::SetTracing(after) => Change::SetTracing(std::mem::replace(tracing, after)),
         }
     }
+}
+
+/// Whether two changes are of the same slider, so that the first one takes back what the second one does, too.
+fn are_of_one_slider(a: &Change, b: &Change) -> bool {
+    use Change::{SetSettings, SetTracing};
+    matches!((a, b), (SetSettings(_), SetSettings(_)) | (SetTracing(_), SetTracing(_)))
 }

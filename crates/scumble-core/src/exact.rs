@@ -1,4 +1,5 @@
 //! Work as bytes that lose nothing: what goes from one part of the page to another, and into the browser's storage.
+//! Only of the picture under the lines the file is not among them: it is large, and goes beside them.
 //!
 //! Numbers that are whole thousandths, as those of files are, take as few bytes as they need; all others take nine.
 //! Writing and reading are one walk over the work. What reads trusts nothing: bytes that no work was written to stand
@@ -12,14 +13,15 @@ use crate::drawing::{Curve, Drawing, Fill, Line};
 use crate::edit::Document;
 use crate::scribble::{Scribble, ScribbleKind};
 use crate::settings::{EngineKind, Settings};
+use crate::tracing::Tracing;
 use crate::work::{MAX_CURVES, Unknown, Work, are_too_long, is_page, is_sample_name};
 use tape::Tape;
 
 mod tape;
 
 /// The first byte. A storage may hold what an older version wrote, which is to be read as long as there are browsers
-/// that have it.
-const VERSION: u8 = 1;
+/// that have it. Version 1 has no picture under the lines.
+const VERSION: u8 = 2;
 
 /// The bytes of some work.
 pub fn write(work: &Work) -> Vec<u8> {
@@ -38,15 +40,18 @@ pub fn read(bytes: &[u8]) -> Option<Work> {
 
 fn walk(tape: &mut Tape, work: &mut Work) {
     let version = tape.byte(VERSION);
-    tape.check(version == VERSION);
+    tape.check((1..=VERSION).contains(&version));
     sample(tape, &mut work.sample);
-    let Document { drawing, scribbles, color_points, settings, palette } = &mut work.document;
+    let Document { drawing, scribbles, color_points, settings, palette, tracing } = &mut work.document;
     lines(tape, drawing);
     self::settings(tape, settings);
     tape.list(scribbles, &BLANK_SCRIBBLE, &mut scribble);
     tape.list(palette, &Paint::Clear, &mut paint);
     tape.list(color_points, &BLANK_COLOR_POINT, &mut color_point);
     unknown(tape, &mut work.unknown);
+    if version > 1 {
+        self::tracing(tape, tracing);
+    }
     tape.check(!are_too_long(&work.document.scribbles));
 }
 
@@ -190,6 +195,16 @@ fn paint(tape: &mut Tape, paint: &mut Paint) {
         tape.bytes(&mut rgb);
     }
     *paint = if is_color { Paint::Color(Srgb8(rgb)) } else { Paint::Clear };
+}
+
+fn tracing(tape: &mut Tape, tracing: &mut Option<Tracing>) {
+    if !tape.flag(tracing.is_some()) {
+        return;
+    }
+    let Tracing { mut image, mut opacity } = tracing.unwrap_or(Tracing::faded(0));
+    image = tape.int(image.into()) as u32;
+    tape.number(&mut opacity);
+    *tracing = Some(Tracing { image, opacity }.clamped());
 }
 
 fn unknown(tape: &mut Tape, unknown: &mut Unknown) {

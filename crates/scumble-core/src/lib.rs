@@ -20,6 +20,7 @@
 //! | narrow passages between wide places | `gaps` |
 //! | which scribble colours which side | [`engine`], [`global`], [`progressive`], [`sight`] |
 //! | how a drawing is coloured | [`settings`] |
+//! | a picture under the lines | [`tracing`] |
 //! | colours along the sides of curves | [`color_points`] |
 //! | what is kept of somebody's work | [`work`] |
 //! | … as bytes that lose nothing | [`exact`] |
@@ -49,6 +50,7 @@ pub mod sort;
 pub mod source;
 mod stroke;
 pub mod tone;
+pub mod tracing;
 pub mod triangulation;
 mod visibility;
 pub mod work;
@@ -66,5 +68,6 @@ pub use settings::{EngineKind, Settings};
 pub use sight::Sight;
 pub use source::SoftSource;
 pub use tone::Tone;
+pub use tracing::Tracing;
 pub use triangulation::{HalfEdge, SideId, Triangulation};
 pub use work::Work;

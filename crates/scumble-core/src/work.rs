@@ -23,6 +23,9 @@ pub struct Work {
     /// The file name of the sample that the lines are, unchanged. A link names it in place of the lines: what was read
     /// from one has a page without curves, until the sample's drawing is put there.
     pub sample: Option<String>,
+    /// The file of the picture under the lines, as it was brought in. Empty where there is none, or where somebody else
+    /// keeps it.
+    pub image: Vec<u8>,
     /// What a newer version wrote and this one does not know.
     pub unknown: Unknown,
 }
@@ -62,7 +65,7 @@ impl Item {
 impl Work {
     /// A document alone.
     pub fn new(document: Document) -> Self {
-        Self { document, sample: None, unknown: Unknown::default() }
+        Self { document, sample: None, image: Vec::new(), unknown: Unknown::default() }
     }
 
     /// Work without anything on a page of no account, to be filled by a reader.
@@ -75,7 +78,7 @@ impl Work {
     pub fn edited(&self, document: Document) -> Self {
         let mut unknown = self.unknown.clone();
         unknown.follow(&self.document.scribbles, &document.scribbles);
-        Self { document, sample: self.sample.clone(), unknown }
+        Self { document, sample: self.sample.clone(), image: self.image.clone(), unknown }
     }
 }
 

@@ -4,6 +4,7 @@ use kurbo::{Point, Rect};
 use proptest::prelude::*;
 use scumble_core::{
     Blend, Document, Drawing, Editor, EngineKind, Paint, Scribble, ScribbleKind, Settings, Shading, Srgb8,
+    Tracing,
 };
 
 fn editor() -> Editor {
@@ -345,4 +346,42 @@ fn another_palette_is_a_gesture_of_its_own() {
     let revision = editor.revision();
     editor.set_palette(vec![red, blue]);
     assert_eq!(editor.revision(), revision, "nothing has changed");
+}
+
+#[test]
+fn a_picture_under_the_lines_comes_and_goes_by_gestures() {
+    let mut editor = editor();
+    let tracing = |editor: &Editor| editor.document().tracing;
+    editor.set_tracing(Some(Tracing::faded(1)));
+    let faded = Tracing { image: 1, opacity: 0.25 };
+    editor.begin();
+    for opacity in [0.4, 0.3, 0.25] {
+        editor.set_tracing(Some(Tracing { opacity, ..faded }));
+    }
+    editor.commit();
+    editor.set_tracing(Some(Tracing::faded(2)));
+    editor.set_tracing(None);
+    editor.set_tracing(None);
+    let ways = [None, Some(Tracing::faded(2)), Some(faded), Some(Tracing::faded(1)), None];
+    for (step, way) in ways.iter().enumerate() {
+        assert_eq!(tracing(&editor), *way);
+        assert_eq!(editor.undo(), step + 1 < ways.len());
+    }
+    while editor.redo() {}
+    assert_eq!((tracing(&editor), editor.revision()), (None, 4));
+}
+
+#[test]
+fn a_slider_of_one_thing_does_not_swallow_that_of_another() {
+    let mut editor = editor();
+    editor.begin();
+    editor.set_settings(gap(0.7));
+    editor.set_tracing(Some(Tracing::faded(1)));
+    editor.set_settings(gap(0.9));
+    editor.set_tracing(None);
+    editor.commit();
+    assert!(editor.undo());
+    assert_eq!((editor.document().settings, editor.document().tracing), (gap(0.5), None));
+    assert!(editor.redo());
+    assert_eq!((editor.document().settings, editor.document().tracing), (gap(0.9), None));
 }

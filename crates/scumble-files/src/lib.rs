@@ -8,6 +8,8 @@ pub mod exporting;
 pub mod opening;
 pub mod qr;
 
+use std::mem::take;
+
 use exporting::Wanted;
 use js_sys::Uint8Array;
 use opening::Content;
@@ -16,11 +18,11 @@ use scumble_io::{LinkError, MAX_FILE_BYTES, write_file, write_link};
 use wasm_bindgen::JsError;
 use wasm_bindgen::prelude::wasm_bindgen;
 
-/// Work that was opened, or a palette.
+/// Work that was opened, or a palette, or a picture to trace.
 #[wasm_bindgen]
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 pub struct Opened {
-    /// Its exact bytes; none for a palette.
+    /// Its exact bytes; none for what is no work.
     #[wasm_bindgen(getter_with_clone)]
     pub work: Vec<u8>,
     /// What was left out of it, in words; empty where nothing was.
@@ -32,30 +34,41 @@ pub struct Opened {
     /// The colours of a palette, as #rrggbb.
     #[wasm_bindgen(getter_with_clone)]
     pub palette: Option<Vec<String>>,
+    /// The file of the picture under the work's lines, which the work knows as number [`scumble_io::FILE_IMAGE`]; or,
+    /// without work, a picture to trace.
+    #[wasm_bindgen(getter_with_clone)]
+    pub image: Option<Vec<u8>>,
 }
 
 impl Opened {
-    fn work(work: &Work, notes: String) -> Self {
-        Self { work: exact::write(work), notes, lacks: opening::lacking_sample(work), palette: None }
+    fn work(mut work: Work, notes: String) -> Self {
+        let image = Some(take(&mut work.image)).filter(|image| !image.is_empty());
+        let lacks = opening::lacking_sample(&work);
+        Self { work: exact::write(&work), notes, lacks, image, ..Self::default() }
     }
 
     fn palette(colors: &[Srgb8], notes: String) -> Self {
         let palette = colors.iter().map(Srgb8::to_string).collect();
-        Self { work: Vec::new(), notes, lacks: None, palette: Some(palette) }
+        Self { palette: Some(palette), notes, ..Self::default() }
+    }
+
+    fn image(image: Vec<u8>) -> Self {
+        Self { image: Some(image), ..Self::default() }
     }
 }
 
-/// Opens a file: a `.scumble`, a palette, or else a drawing of another program.
+/// Opens a file: a `.scumble`, a palette, a picture to trace, or else a drawing of another program.
 ///
 /// # Errors
 /// A sentence for people, where it is neither, damaged, or beyond the limits.
 #[wasm_bindgen]
-pub fn open(file: &Uint8Array) -> Result<Opened, JsError> {
+pub fn open(file: &Uint8Array, name: &str) -> Result<Opened, JsError> {
     // So many bytes that it is plain that there are too many.
     let bytes = file.subarray(0, MAX_FILE_BYTES as u32 + 1).to_vec();
-    Ok(match opening::file(&bytes)? {
-        Content::Work(work, notes) => Opened::work(&work, notes),
+    Ok(match opening::file(&bytes, name)? {
+        Content::Work(work, notes) => Opened::work(*work, notes),
         Content::Palette(colors, notes) => Opened::palette(&colors, notes),
+        Content::Image => Opened::image(bytes),
     })
 }
 
@@ -65,7 +78,7 @@ pub fn open(file: &Uint8Array) -> Result<Opened, JsError> {
 /// A sentence for people, where it is none, or damaged.
 #[wasm_bindgen(js_name = openLink)]
 pub fn open_link(link: &str) -> Result<Opened, JsError> {
-    Ok(Opened::work(&scumble_io::read_link(link)?, String::new()))
+    Ok(Opened::work(scumble_io::read_link(link)?, String::new()))
 }
 
 /// Puts a sample's lines, given as work of its own, into work that came without.
@@ -77,13 +90,14 @@ pub fn on_sample(work: &[u8], sample: &[u8]) -> Result<Vec<u8>, JsError> {
     Ok(exact::write(&opening::on_sample(opening::exact(work)?, opening::exact(sample)?)))
 }
 
-/// The `.scumble` file that keeps some work.
+/// The `.scumble` file that keeps some work, with the file of the picture under its lines if that is there.
 ///
 /// # Errors
 /// A sentence for people, where it could not be read again.
 #[wasm_bindgen]
-pub fn save(work: &[u8]) -> Result<Vec<u8>, JsError> {
-    Ok(write_file(&opening::exact(work)?)?)
+pub fn save(work: &[u8], image: Option<Vec<u8>>) -> Result<Vec<u8>, JsError> {
+    let image = image.unwrap_or_default();
+    Ok(write_file(&Work { image, ..opening::exact(work)? })?)
 }
 
 /// The picture as SVG, with the work in it; `raster` is a PNG of the field alone, on the same paper, for its shades.

@@ -2,7 +2,8 @@
 
 use scumble_core::{Srgb8, Work, exact as exact_bytes};
 use scumble_io::{
-    FileError, ImportError, LinkError, PaletteError, PaletteKind, import_drawing, read_file, read_palette,
+    FileError, ImageError, ImportError, LinkError, PaletteError, PaletteKind, check_image, import_drawing,
+    is_image, other_kind, read_file, read_palette,
 };
 use thiserror::Error;
 
@@ -13,6 +14,8 @@ pub enum Content {
     Work(Box<Work>, String),
     /// Colours for the palette of a drawing, and what was left out of them.
     Palette(Vec<Srgb8>, String),
+    /// A picture to trace.
+    Image,
 }
 
 /// Why something cannot be opened, or kept.
@@ -27,6 +30,9 @@ pub enum OpenError {
     /// Meant as a palette.
     #[error(transparent)]
     Palette(#[from] PaletteError),
+    /// Meant as a picture to trace.
+    #[error(transparent)]
+    Image(#[from] ImageError),
     /// Meant as a link.
     #[error(transparent)]
     Link(#[from] LinkError),
@@ -35,23 +41,61 @@ pub enum OpenError {
     Damaged,
 }
 
-/// What is in a file: a palette where it begins as one, our work where it begins as JSON does, and else another
-/// program's drawing, or a picture that was exported.
+/// Kinds of files that are told by how they begin, or else by what they are called. All others are drawings of other
+/// programs, or pictures that were exported.
+enum Kind {
+    Palette(Option<PaletteKind>),
+    Work,
+    Image,
+    Drawing,
+}
+
+impl Kind {
+    fn of(bytes: &[u8], name: &str) -> Self {
+        let text = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes).trim_ascii_start();
+        if PaletteKind::of_bytes(bytes).is_some() {
+            Self::Palette(None)
+        } else if text.starts_with(b"{") {
+            Self::Work
+        } else if is_image(bytes) || other_kind(bytes).is_some() {
+            Self::Image
+        } else if text.starts_with(b"<") {
+            Self::Drawing
+        } else {
+            Self::of_name(name)
+        }
+    }
+
+    fn of_name(name: &str) -> Self {
+        let extension = name.rsplit_once('.').map_or("", |(_, extension)| extension).to_ascii_lowercase();
+        match &*extension {
+            "scumble" => Self::Work,
+            "png" | "jpg" | "jpeg" => Self::Image,
+            _ => {
+                PaletteKind::of_extension(&extension).map_or(Self::Drawing, |kind| Self::Palette(Some(kind)))
+            }
+        }
+    }
+}
+
+/// What is in a file.
 ///
 /// # Errors
-/// Where it is neither, damaged, or beyond the limits.
-pub fn file(bytes: &[u8]) -> Result<Content, OpenError> {
-    if PaletteKind::of_bytes(bytes).is_some() {
-        let palette = read_palette(bytes)?;
-        let notes = palette.notes();
-        return Ok(Content::Palette(palette.colors, notes));
-    }
-    let text = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
-    if text.trim_ascii_start().starts_with(b"{") {
-        return Ok(Content::Work(Box::new(read_file(bytes)?), String::new()));
-    }
-    let (work, notes) = import_drawing(bytes)?;
-    Ok(Content::Work(Box::new(work), notes))
+/// Where it is damaged, or beyond the limits, or not what it is meant as.
+pub fn file(bytes: &[u8], name: &str) -> Result<Content, OpenError> {
+    Ok(match Kind::of(bytes, name) {
+        Kind::Palette(meant) => {
+            let palette = read_palette(bytes, meant)?;
+            let notes = palette.notes();
+            Content::Palette(palette.colors, notes)
+        }
+        Kind::Work => Content::Work(Box::new(read_file(bytes)?), String::new()),
+        Kind::Image => check_image(bytes).map(|()| Content::Image)?,
+        Kind::Drawing => {
+            let (work, notes) = import_drawing(bytes)?;
+            Content::Work(Box::new(work), notes)
+        }
+    })
 }
 
 /// The work that some exact bytes stand for.

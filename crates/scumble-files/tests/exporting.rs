@@ -12,9 +12,9 @@ const SVG: &[u8] = br#"<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 512 
 
 /// The work in a file, and what was left out.
 fn work(file: &[u8]) -> (Work, String) {
-    match opening::file(file).unwrap() {
+    match opening::file(file, "").unwrap() {
         Content::Work(work, notes) => (*work, notes),
-        Content::Palette(..) => panic!("work"),
+        Content::Palette(..) | Content::Image => panic!("work"),
     }
 }
 

@@ -5,16 +5,16 @@
 use kurbo::Point;
 use scumble_core::{Scribble, ScribbleKind, Srgb8, Work, exact};
 use scumble_files::opening::{self, Content, OpenError};
-use scumble_io::{read_link, write_file, write_link};
+use scumble_io::{ImageError, read_link, write_file, write_link};
 
 const SVG: &[u8] = br#"<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 512 384">
     <path d="M100 75H340V315H100Z" stroke="black" fill="none"/><text>left out</text></svg>"#;
 
 /// The work in a file, and what was left out.
 fn work(file: &[u8]) -> (Work, String) {
-    match opening::file(file).unwrap() {
+    match opening::file(file, "").unwrap() {
         Content::Work(work, notes) => (*work, notes),
-        Content::Palette(..) => panic!("work"),
+        Content::Palette(..) | Content::Image => panic!("work"),
     }
 }
 
@@ -48,11 +48,11 @@ fn what_was_saved_opens_as_it_was_whatever_stands_before_it() {
 
 #[test]
 fn a_palette_is_no_work() {
-    let Ok(Content::Palette(colors, notes)) = opening::file(b"#010203\n#ffffff\n") else {
+    let Ok(Content::Palette(colors, notes)) = opening::file(b"#010203\n#ffffff\n", "") else {
         panic!("a palette")
     };
     assert_eq!((colors, &*notes), (vec![Srgb8([1, 2, 3]), Srgb8([255; 3])], ""));
-    assert!(matches!(opening::file(b"#010203\nblue"), Err(OpenError::Palette(_))));
+    assert!(matches!(opening::file(b"#010203\nblue", ""), Err(OpenError::Palette(_))));
 }
 
 #[test]
@@ -66,9 +66,36 @@ fn diffusion_curves_open_with_their_colours() {
 
 #[test]
 fn what_is_neither_is_an_error_of_the_kind_that_it_looks_like() {
-    assert!(matches!(opening::file(b"{}"), Err(OpenError::File(_))));
-    assert!(matches!(opening::file(b"<html/>"), Err(OpenError::Drawing(_))));
+    assert!(matches!(opening::file(b"{}", ""), Err(OpenError::File(_))));
+    assert!(matches!(opening::file(b"<html/>", ""), Err(OpenError::Drawing(_))));
     assert!(matches!(opening::exact(b"{}"), Err(OpenError::Damaged)));
+}
+
+#[test]
+fn what_does_not_tell_what_it_is_is_what_its_name_says() {
+    let refused = |bytes: &[u8], name| opening::file(bytes, name).expect_err(name);
+    for name in ["sea.gpl", "SEA.GPL", "a.b.ase", "sea.hex"] {
+        assert!(matches!(refused(b"sea\n", name), OpenError::Palette(_)), "{name}");
+        assert!(matches!(refused(b"\xff\0", name), OpenError::Palette(_)), "{name}");
+    }
+    assert!(matches!(refused(b"sea", "sea.scumble"), OpenError::File(_)));
+    for name in ["sea.png", "sea.jpg", "sea.JPEG"] {
+        assert_eq!(refused(b"sea", name), OpenError::Image(ImageError::NoImage));
+    }
+    assert!(matches!(refused(b"sea", "sea.svg"), OpenError::Drawing(_)));
+    assert!(matches!(refused(b"sea", "gpl"), OpenError::Drawing(_)));
+    assert_eq!(work(SVG).0.document.drawing.curves.len(), 1);
+    assert!(matches!(opening::file(SVG, "sea.png"), Ok(Content::Work(..))), "its beginning tells more");
+}
+
+#[test]
+fn pictures_to_trace_are_taken_where_they_are_whole() {
+    let png = scumble_io::write_png(3, 2, &[9; 24]).unwrap();
+    assert!(matches!(opening::file(&png, "sea.svg"), Ok(Content::Image)));
+    let cut_off = opening::file(&png[..40], "sea.png").expect_err("cut off");
+    assert!(matches!(cut_off, OpenError::Image(ImageError::Damaged(_))));
+    let other = opening::file(b"GIF89a", "sea").expect_err("a GIF");
+    assert_eq!(other, OpenError::Image(ImageError::OtherKind("GIF")));
 }
 
 #[test]

@@ -25,10 +25,15 @@ pub enum ImportError {
     #[error("the file is not an SVG drawing: it is no text; choose an SVG file")]
     NotText,
     /// Text that is no XML.
-    #[error("the file is not an SVG drawing, or it is damaged: {0}")]
+    #[error("the file is not an SVG drawing, or it is damaged: {0}; save it again, or choose another file")]
     NotXml(String),
+    /// Diffusion curves that are no XML.
+    #[error("the diffusion curves are damaged: {0}; mend the file there, or save it again")]
+    CurvesNotXml(String),
     /// XML with another root.
-    #[error("the file is not an SVG drawing: it starts with <{0}>, not <svg>")]
+    #[error(
+        "the file is no drawing: it starts with <{0}>, not with <svg>, nor with <curve_set> as diffusion curves do; choose another file"
+    )]
     NotSvg(String),
     /// Entities that could grow without bound.
     #[error("the file declares XML entities that could grow without bound; save it again without them")]
@@ -139,6 +144,14 @@ pub enum PaletteError {
     /// No colour in it.
     #[error("the palette has no colours; add some to it")]
     NoColors,
+    /// Colours, but none that could be read.
+    #[error(
+        "the palette has colours of unknown kinds alone ({count} of them); save it again with them in RGB"
+    )]
+    NoKnownColors {
+        /// How many.
+        count: usize,
+    },
     /// Too many colours.
     #[error("the palette has more than {limit} colours; take some out of it")]
     TooManyColors {
@@ -155,9 +168,21 @@ pub enum PaletteError {
         /// What should be there.
         expected: &'static str,
     },
+    /// Swatches whose first bytes are others.
+    #[error(
+        "the palette is damaged: its first twelve bytes should be ASEF, a version and the number of blocks; save it again as Adobe Swatch Exchange"
+    )]
+    NoSwatches,
     /// Bytes are missing.
-    #[error("the palette is damaged: it ends too soon, or its blocks have wrong lengths; save it again")]
-    CutOff,
+    #[error(
+        "the palette is damaged: block {block} of {blocks} ends too soon, or says a wrong length; save or download it again"
+    )]
+    CutOff {
+        /// Counted from 1.
+        block: usize,
+        /// How many there should be.
+        blocks: usize,
+    },
 }
 
 /// Why a file is not work that can be opened.
@@ -167,7 +192,10 @@ pub enum FileError {
     #[error("the file is empty; choose a .scumble file that was saved")]
     Empty,
     /// More bytes than are read.
-    #[error("the file is larger than the {} MB that can be opened; simplify the drawing", MAX_FILE_BYTES / 1_000_000)]
+    #[error(
+        "the file is larger than the {} MB that can be opened; simplify the drawing, or trace a smaller picture",
+        MAX_FILE_BYTES / 1_000_000
+    )]
     TooLarge,
     /// Binary data, or text in another encoding.
     #[error("the file is not a Scumble file: it is no text in UTF-8; choose a .scumble file")]

@@ -15,16 +15,20 @@
 //! | a drawing of either kind | `drawing_file` |
 //! | scribbles as JSON | `scribbles` |
 //! | palettes | `palette` |
+//! | pictures to trace, as PNG or JPEG | `image_file` |
 //! | pictures as PNG | `picture_file` |
-//! | work as a `.scumble` file | `work_file`, `json` |
-//! | … as a link | `link`, `packed` |
+//! | work as a `.scumble` file | `work_file`, `json`, `base64` |
+//! | … as a link | `link`, `packed`, `checksum` |
 //! | … within an SVG that was made of it | `svg_source` |
 
+mod base64;
+mod checksum;
 mod curve_set;
 mod drawing_file;
 mod error;
 mod expansion;
 mod geometry;
+mod image_file;
 mod json;
 mod limits;
 mod link;
@@ -45,6 +49,7 @@ mod work_file;
 pub use curve_set::write_curve_set;
 pub use drawing_file::import_drawing;
 pub use error::{FileError, ImportError, LinkError, PaletteError, ScribblesError};
+pub use image_file::{ImageError, MAX_IMAGE_BYTES, check_image, is_image, other_kind};
 pub use link::{Link, MAX_LINK, read_link, write_link};
 pub use notes::{CurveNotes, CurveSetNotes, ImportNotes, ScribbleNotes};
 pub use packed::PackedSizes;
@@ -53,7 +58,7 @@ pub use picture_file::{PictureFileError, write_png};
 pub use scribbles::{ReadScribbles, read_scribbles};
 pub use svg::{Import, import_svg};
 pub use svg_source::{COLORS_CLASS, write_svg_source};
-pub use work_file::{read_file, write_file};
+pub use work_file::{FILE_IMAGE, read_file, write_file};
 
 /// Largest file that is read, in bytes.
 pub const MAX_FILE_BYTES: usize = 20_000_000;

@@ -69,21 +69,25 @@ impl ReadPalette {
     }
 }
 
-/// Reads a palette of any kind.
+/// Reads a palette of any kind: the one that its beginning tells, or else the one that it is meant as.
 ///
 /// # Errors
 /// When the bytes are none, or damaged, or hold no colour or too many.
-pub fn read_palette(bytes: &[u8]) -> Result<ReadPalette, PaletteError> {
+pub fn read_palette(bytes: &[u8], meant: Option<PaletteKind>) -> Result<ReadPalette, PaletteError> {
     if bytes.len() > MAX_FILE_BYTES {
         return Err(PaletteError::TooLarge);
     }
     let text = || String::from_utf8_lossy(without_mark(bytes));
-    let palette = match PaletteKind::of_bytes(bytes).ok_or(PaletteError::NoPalette)? {
+    let palette = match PaletteKind::of_bytes(bytes).or(meant).ok_or(PaletteError::NoPalette)? {
         PaletteKind::Ase => ase::read(bytes)?,
         PaletteKind::Gpl => gpl::read(&text())?,
         PaletteKind::Hex => hex::read(&text())?,
     };
-    if palette.colors.is_empty() { Err(PaletteError::NoColors) } else { Ok(palette) }
+    match (palette.colors.len(), palette.unknown) {
+        (0, 0) => Err(PaletteError::NoColors),
+        (0, count) => Err(PaletteError::NoKnownColors { count }),
+        _ => Ok(palette),
+    }
 }
 
 /// Writes the colours of a palette. What is no colour is left out.

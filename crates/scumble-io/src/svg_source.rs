@@ -5,7 +5,7 @@ use scumble_core::{Document, Work};
 use crate::error::{FileError, ImportError};
 use crate::limits;
 use crate::svg::{Import, import_svg};
-use crate::work_file::{read_file, write_file};
+use crate::work_file::{read_file, write_file_with};
 
 /// The name space of the element `work`. It leads nowhere.
 const NAMESPACE: &str = "urn:scumble:1";
@@ -13,12 +13,12 @@ const NAMESPACE: &str = "urn:scumble:1";
 /// The class of the group that shows the colours: not part of the drawing where the lines alone are read.
 pub const COLORS_CLASS: &str = "scumble-colors";
 
-/// The element `metadata` of an SVG that keeps some work.
+/// The element `metadata` of an SVG that keeps some work, without the picture under its lines.
 ///
 /// # Errors
 /// When it could not be read again.
 pub fn write_svg_source(work: &Work) -> Result<String, FileError> {
-    let file = write_file(work)?;
+    let file = write_file_with(work, &[])?;
     let mut text = ["<metadata><work xmlns=\"", NAMESPACE, "\">\n"].concat();
     for character in String::from_utf8_lossy(&file).chars() {
         match character {

@@ -17,18 +17,30 @@ mod names;
 mod read;
 mod write;
 
-/// The version that is written. A file of a higher first number is refused.
-const VERSION: [u32; 2] = [1, 0];
+/// The version of these files: what is written says the least one that has all its fields. A file of a higher first
+/// number is refused.
+const VERSION: [u32; 2] = [1, 1];
+
+/// The second number of the first version with a picture under the lines.
+const TRACING_MINOR: u32 = 1;
+
+/// What the picture under the lines is called by the document that is read from a file.
+pub const FILE_IMAGE: u32 = 1;
 
 /// Steps of numbers in one, and of page coordinates.
 const PER_UNIT: u64 = 1000;
 const PAGE_PER_UNIT: u64 = 1_000_000_000;
 
-/// The file that keeps some work.
+/// The file that keeps some work. The picture under the lines is in it where its file is there.
 ///
 /// # Errors
 /// When it could not be read again.
 pub fn write_file(work: &Work) -> Result<Vec<u8>, FileError> {
+    write_file_with(work, &work.image)
+}
+
+/// The same, with a picture under the lines if its file is not empty.
+pub(crate) fn write_file_with(work: &Work, image: &[u8]) -> Result<Vec<u8>, FileError> {
     let Document { drawing, scribbles, .. } = &work.document;
     if drawing.curves.len() > MAX_CURVES {
         return Err(FileError::TooManyCurves);
@@ -36,7 +48,7 @@ pub fn write_file(work: &Work) -> Result<Vec<u8>, FileError> {
     if are_too_long(scribbles) {
         return Err(FileError::TooLong { limit_pages: MAX_PAGES });
     }
-    let text = write::written(work);
+    let text = write::written(work, image);
     if text.len() > MAX_FILE_BYTES { Err(FileError::TooLarge) } else { Ok(text.into_bytes()) }
 }
 

@@ -114,7 +114,16 @@ fn what_are_no_diffusion_curves_says_so() {
     refused(&CURVES.replace("control_points_set", "points"), &ImportError::NoDiffusionCurves);
     refused("<curve_set image_width=\"9\" image_height=\"9\"/>", &ImportError::NoDiffusionCurves);
     refused("<scene><curve_set/></scene>", &ImportError::NotSvg("scene".into()));
-    assert!(matches!(import_drawing(b"<curve_set").unwrap_err(), ImportError::NotXml(_)));
+    let broken = import_drawing(CURVES.replacen("</control_points_set>", "", 1).as_bytes()).unwrap_err();
+    assert!(matches!(&broken, ImportError::CurvesNotXml(_)));
+    // Row and column, as the parser tells them.
+    let text = broken.to_string();
+    assert!(
+        text.starts_with(
+            "the diffusion curves are damaged: expected 'control_points_set' tag, not 'curve' at "
+        ),
+        "{text}"
+    );
 }
 
 #[test]

@@ -12,10 +12,11 @@ use std::fs;
 use std::path::Path;
 
 use dice::Dice;
-use scumble_core::{Document, Labels, Paint, PlanarMap, Sampling, Srgb8, Work, exact};
+use kurbo::Rect;
+use scumble_core::{Document, Drawing, Labels, Paint, PlanarMap, Sampling, Srgb8, Tracing, Work, exact};
 use scumble_io::{
-    ImportError, PaletteKind, import_drawing, import_svg, read_file, read_link, read_palette, read_scribbles,
-    write_curve_set, write_file, write_link, write_palette,
+    ImportError, PaletteKind, check_image, import_drawing, import_svg, read_file, read_link, read_palette,
+    read_scribbles, write_curve_set, write_file, write_link, write_palette,
 };
 
 /// Runs of one target, and the number of the first one.
@@ -31,6 +32,17 @@ fn seeds(folder: &str, ending: &str) -> Vec<Vec<u8>> {
     paths.retain(|path| path.to_string_lossy().ends_with(ending));
     paths.sort();
     paths.iter().map(|path| fs::read(path).unwrap()).collect()
+}
+
+fn files_of_all_versions() -> Vec<Vec<u8>> {
+    ["tests/fixtures/v1.0", "tests/fixtures/v1.1"]
+        .iter()
+        .flat_map(|folder| seeds(folder, ".scumble"))
+        .collect()
+}
+
+fn page() -> Document {
+    Document::new(Drawing::new(Rect::new(0.0, 0.0, 64.0, 64.0)))
 }
 
 /// What parsers may stumble over.
@@ -148,7 +160,7 @@ fn damaged_links() {
 
 #[test]
 fn files() {
-    let seeds = seeds("tests/fixtures/v1.0", ".scumble");
+    let seeds = files_of_all_versions();
     for run in runs(2000) {
         if let Ok(work) = read_file(&damaged(&seeds, &mut Dice(run + 1))) {
             check(&work, run);
@@ -157,9 +169,25 @@ fn files() {
 }
 
 #[test]
+fn images() {
+    let seeds = [seeds("tests/foreign", ".png"), seeds("tests/foreign", ".jpg")].concat();
+    let mut whole = 0;
+    for run in runs(20_000) {
+        let image = damaged(&seeds, &mut Dice(run + 1));
+        let is_whole = check_image(&image).is_ok();
+        whole += u64::from(is_whole);
+        let document = Document { tracing: Some(Tracing::faded(1)), ..page() };
+        let file = write_file(&Work { image, ..Work::new(document) }).unwrap();
+        assert_eq!(read_file(&file).is_ok(), is_whole, "run {run}");
+    }
+    assert!(whole > 0, "some damage leaves the parts as they are");
+}
+
+#[test]
 fn exact_bytes() {
-    let works = seeds("tests/fixtures/v1.0", ".scumble");
-    let seeds: Vec<_> = works.iter().map(|file| exact::write(&read_file(file).unwrap())).collect();
+    let works = files_of_all_versions();
+    let exact = works.iter().map(|file| exact::write(&read_file(file).unwrap()));
+    let seeds: Vec<_> = exact.chain(seeds("tests/fixtures/v1.0", ".work")).collect();
     let mut read = 0;
     for run in runs(5000) {
         if let Some(work) = exact::read(&damaged(&seeds, &mut Dice(run + 1))) {
@@ -206,10 +234,11 @@ fn palettes() {
     let kinds = [PaletteKind::Gpl, PaletteKind::Ase, PaletteKind::Hex];
     let seeds: Vec<_> = kinds.iter().map(|kind| write_palette(&paints, *kind).unwrap()).collect();
     for run in runs(20_000) {
-        let Ok(palette) = read_palette(&damaged(&seeds, &mut Dice(run + 1))) else { continue };
+        let meant = kinds[run as usize % kinds.len()];
+        let Ok(palette) = read_palette(&damaged(&seeds, &mut Dice(run + 1)), Some(meant)) else { continue };
         let paints: Vec<_> = palette.colors.iter().map(|color| Paint::Color(*color)).collect();
         for kind in kinds {
-            let again = read_palette(&write_palette(&paints, kind).unwrap());
+            let again = read_palette(&write_palette(&paints, kind).unwrap(), None);
             assert!(again.is_ok_and(|again| again.colors == palette.colors), "run {run}");
         }
     }
@@ -220,10 +249,10 @@ fn scribbles() {
     let seeds = [
         br##"{"scribbles":[{"color":"#e6194b","width":1.5,"points":[[38,50],[46,54]]},{"color":"none","width":2,"points":[[9,9]]}]}"##.to_vec(),
     ];
-    let drawing = scumble_core::Drawing::new(kurbo::Rect::new(0.0, 0.0, 64.0, 64.0));
+    let page = page();
     for run in runs(5000) {
-        if let Ok(read) = read_scribbles(&damaged(&seeds, &mut Dice(run + 1)), &drawing) {
-            check(&Work::new(Document { scribbles: read.scribbles, ..Document::new(drawing.clone()) }), run);
+        if let Ok(read) = read_scribbles(&damaged(&seeds, &mut Dice(run + 1)), &page.drawing) {
+            check(&Work::new(Document { scribbles: read.scribbles, ..page.clone() }), run);
         }
     }
 }

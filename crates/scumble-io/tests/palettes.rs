@@ -10,12 +10,12 @@ use scumble_io::{PaletteError, PaletteKind, read_palette, write_palette};
 const KINDS: [PaletteKind; 3] = [PaletteKind::Gpl, PaletteKind::Ase, PaletteKind::Hex];
 
 fn colors(bytes: impl AsRef<[u8]>) -> Vec<[u8; 3]> {
-    read_palette(bytes.as_ref()).unwrap().colors.into_iter().map(|color| color.0).collect()
+    read_palette(bytes.as_ref(), None).unwrap().colors.into_iter().map(|color| color.0).collect()
 }
 
 #[track_caller]
 fn refused(bytes: impl AsRef<[u8]>, error: PaletteError) {
-    assert_eq!(read_palette(bytes.as_ref()).unwrap_err(), error);
+    assert_eq!(read_palette(bytes.as_ref(), None).unwrap_err(), error);
 }
 
 /// A file of swatches, each a space and its numbers; within a group, as programs write them.
@@ -43,6 +43,21 @@ fn gimps_palettes_are_read() {
     refused("GIMP Palette\n1 2 3\n1 2\n", PaletteError::Damaged { line: 3, expected });
     refused("GIMP Palette\n1 2 256\n", PaletteError::Damaged { line: 2, expected });
     refused("GIMP Palette\nName: none\n", PaletteError::NoColors);
+    refused("\n \r\n\nGIMP Palette\n1 2 3\n1 2\n", PaletteError::Damaged { line: 6, expected });
+}
+
+#[test]
+fn what_is_meant_as_a_palette_is_told_what_it_lacks_of_one() {
+    let meant =
+        |text: &str, kind| read_palette(text.as_bytes(), Some(kind)).map(|palette| palette.colors.len());
+    let damaged = |line, expected| Err(PaletteError::Damaged { line, expected });
+    assert_eq!(meant("\n\nPalette\n1 2 3\n", PaletteKind::Gpl), damaged(3, "“GIMP Palette”"));
+    assert_eq!(meant("; mine\nred\n", PaletteKind::Hex), damaged(2, "a colour #rrggbb"));
+    assert_eq!(meant("#ffffff\n", PaletteKind::Ase), Ok(1), "its beginning tells more than its name");
+    assert_eq!(meant("ASE", PaletteKind::Ase), Err(PaletteError::NoSwatches));
+    for kind in KINDS.into_iter().filter(|kind| *kind != PaletteKind::Ase) {
+        assert_eq!(meant(" \n", kind), Err(PaletteError::NoColors));
+    }
 }
 
 #[test]
@@ -84,18 +99,31 @@ fn swatches_of_all_spaces_are_read() {
 #[test]
 fn swatches_of_unknown_spaces_are_left_out() {
     let palette =
-        read_palette(&ase(&[(b"HSB ", &[0.1]), (b"RGB ", &[0.0; 3]), (b"RGB ", &[f32::NAN; 3])])).unwrap();
+        read_palette(&ase(&[(b"HSB ", &[0.1]), (b"RGB ", &[0.0; 3]), (b"RGB ", &[f32::NAN; 3])]), None)
+            .unwrap();
     assert_eq!((palette.colors.len(), &*palette.notes()), (1, "left out: 2 colours of an unknown kind"));
-    refused(ase(&[(b"HSB ", &[0.1])]), PaletteError::NoColors);
+    refused(ase(&[(b"HSB ", &[0.1])]), PaletteError::NoKnownColors { count: 1 });
 }
 
 #[test]
 fn swatches_that_are_cut_off_are_refused() {
     let whole = ase(&[(b"RGB ", &[0.0, 0.5, 1.0]), (b"CMYK", &[0.0; 4])]);
-    for end in b"ASEF".len()..whole.len() {
-        refused(&whole[..end], PaletteError::CutOff);
+    for end in b"ASEF".len()..12 {
+        refused(&whole[..end], PaletteError::NoSwatches);
     }
-    refused(b"ASEF\0\x01\0\0\xff\xff\xff\xff\0\x01\xff\xff\xff\xff", PaletteError::CutOff);
+    // The first group's begin, two colours, and its end.
+    let mut blocks = Vec::new();
+    for end in 12..whole.len() {
+        let Err(PaletteError::CutOff { block, blocks: 4 }) = read_palette(&whole[..end], None) else {
+            panic!("{end} bytes")
+        };
+        blocks.push(block);
+    }
+    assert!(blocks.is_sorted());
+    blocks.dedup();
+    assert_eq!(blocks, [1, 2, 3, 4]);
+    let endless = PaletteError::CutOff { block: 1, blocks: 0xffff_ffff };
+    refused(b"ASEF\0\x01\0\0\xff\xff\xff\xff\0\x01\xff\xff\xff\xff", endless);
 }
 
 #[test]

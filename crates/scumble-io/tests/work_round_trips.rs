@@ -9,9 +9,13 @@ use proptest::option;
 use proptest::prelude::*;
 use scumble_core::{
     Blend, ColorPoint, Curve, Document, Drawing, EngineKind, Fill, Line, Paint, Rgba8, Scribble,
-    ScribbleKind, Settings, Shading, Srgb8, Work, exact,
+    ScribbleKind, Settings, Shading, Srgb8, Tracing, Work, exact,
 };
-use scumble_io::{read_file, read_link, write_file, write_link};
+use scumble_io::{FILE_IMAGE, read_file, read_link, write_file, write_link};
+
+/// Pictures to trace.
+const PNG: &[u8] = include_bytes!("foreign/sketch.png");
+const JPEG: &[u8] = include_bytes!("foreign/sketch.jpg");
 
 /// Half a step of a file, and of the points of a link, in du.
 const FILE_DU: f64 = 0.0005;
@@ -113,11 +117,21 @@ fn works() -> impl Strategy<Value = Work> {
         (any::<u32>(), any::<bool>(), 0.0..9e3, paints()).prop_map(|(curve, is_left, at_du, color)| {
             ColorPoint { curve: curve % 100_000, is_left, at_du, color }
         });
-    (drawings(), scribbles(), settings(), vec(paints(), 0..5), vec(color_point, 0..4)).prop_map(
-        |(drawing, scribbles, settings, palette, color_points)| {
-            Work::new(Document { drawing, scribbles, color_points, settings, palette })
+    (drawings(), scribbles(), settings(), vec(paints(), 0..5), vec(color_point, 0..4), tracings()).prop_map(
+        |(drawing, scribbles, settings, palette, color_points, (tracing, image))| {
+            let document = Document { drawing, scribbles, color_points, settings, palette, tracing };
+            Work { image, ..Work::new(document) }
         },
     )
+}
+
+/// A picture under the lines, with or without its file; or none.
+fn tracings() -> impl Strategy<Value = (Option<Tracing>, Vec<u8>)> {
+    let tracing = (any::<u32>(), 0.0..=1.0).prop_map(|(image, opacity)| Tracing { image, opacity });
+    let image = prop_oneof![Just(PNG.to_vec()), Just(JPEG.to_vec()), Just(Vec::new())];
+    option::of((tracing, image))
+        .prop_map(|both| both.unzip())
+        .prop_map(|(tracing, image)| (tracing, image.unwrap_or_default()))
 }
 
 fn through_file(work: &Work) -> Work {
@@ -158,7 +172,7 @@ fn lengths(work: &Work) -> Vec<f64> {
 
 /// Everything that is no number: it comes back as it was.
 fn forms(work: &Work) -> String {
-    let Document { drawing, scribbles, color_points, settings, palette } = &work.document;
+    let Document { drawing, scribbles, color_points, settings, palette, .. } = &work.document;
     let kinds = |path: &BezPath| -> String {
         let kind = |element: &PathEl| format!("{element:?}").chars().next();
         path.elements().iter().filter_map(kind).collect()
@@ -228,9 +242,23 @@ proptest! {
     }
 
     #[test]
-    fn exact_bytes_lose_nothing(work in works()) {
+    fn a_file_keeps_the_picture_under_the_lines_byte_by_byte(work in works()) {
+        let read = through_file(&work);
+        prop_assert_eq!(&read.image, &work.image);
+        prop_assert_eq!(read.document.tracing.is_some(), !work.image.is_empty());
+        if let Some(tracing) = read.document.tracing {
+            prop_assert_eq!(tracing.image, FILE_IMAGE);
+            prop_assert!((tracing.opacity - work.document.tracing.unwrap().opacity).abs() <= 0.0005 + FLOAT);
+        }
+        let linked = through_link(&work);
+        prop_assert!(linked.document.tracing.is_none() && linked.image.is_empty());
+    }
+
+    #[test]
+    fn exact_bytes_lose_nothing_but_the_file_of_the_picture(work in works()) {
         let read = exact::read(&exact::write(&work)).unwrap();
-        prop_assert_eq!(format!("{read:?}"), format!("{work:?}"));
+        let expected = Work { image: Vec::new(), ..work };
+        prop_assert_eq!(format!("{read:?}"), format!("{expected:?}"));
     }
 
     #[test]

@@ -10,7 +10,7 @@ use wasm_bindgen::{JsCast, JsValue};
 
 use crate::brush::{Ink, Mode, ModeChange};
 use crate::command::{Command, Setting, ViewChange};
-use crate::effect::{Effect, SheetState};
+use crate::effect::{Effect, SheetState, TracingState};
 use crate::solver::SolverState;
 
 mod names;
@@ -46,10 +46,13 @@ pub(crate) fn command_from_js(name: &str, args: &JsValue) -> Option<Command> {
         "gap-closing" => Command::Set(Setting::GapClosing(args.as_f64()?)),
         "spread" => Command::Set(Setting::Spread(args.as_bool()?)),
         "palette" => Command::Palette(palette(args)?),
+        "trace" => Command::Trace(args.as_f64().map(|image| image as u32)),
+        "tracing-opacity" => Command::TracingOpacity(args.as_f64()?),
         "settle" => Command::Settle,
         "solver" => Command::Solver(solver_from_name(&args.as_string()?)?),
         "lines" => Command::Lines(args.as_bool()?),
         "scribbles" => Command::Scribbles(args.as_bool()?),
+        "paper" => Command::Paper(args.as_bool()?),
         "desk" => Command::Desk(color(args)?),
         _ => Command::View(view_change(name, args)?),
     })
@@ -128,6 +131,7 @@ fn js_from_effect(effect: Effect) -> (&'static str, JsValue) {
         Effect::BrushSize(size_du) => ("brush-size", size_du.into()),
         Effect::Lines(shown) => ("lines", shown.into()),
         Effect::Scribbles(shown) => ("scribbles", shown.into()),
+        Effect::Tracing(state) => ("tracing", js_from_tracing(state)),
         Effect::Settings(settings) => ("settings", js_from_settings(settings)),
         Effect::Solver(SolverState { asked, source }) => (
             "solver",
@@ -158,6 +162,15 @@ fn js_from_mode(mode: Mode) -> JsValue {
         ("crosses", mode.shading.crosses.into()),
         ("pressure", pressure_name(mode.pressure).into()),
         ("largest", mode.sizes_du()[1].into()),
+    ])
+}
+
+fn js_from_tracing(TracingState { tracing, page }: TracingState) -> JsValue {
+    object(&[
+        ("image", tracing.map(|tracing| tracing.image).into()),
+        ("opacity", tracing.map(|tracing| tracing.opacity).into()),
+        ("width", page.width.into()),
+        ("height", page.height.into()),
     ])
 }
 

@@ -107,6 +107,10 @@ pub enum Command {
     Set(Setting),
     /// Another palette for the drawing.
     Palette(Vec<Paint>),
+    /// The picture of a number under the lines, or none.
+    Trace(Option<u32>),
+    /// Its opacity, in `0..=1`. It has a slider: its changes are one gesture until [`Command::Settle`].
+    TracingOpacity(f64),
     /// A slider is let go.
     Settle,
     /// Which solver is to make the picture.
@@ -115,6 +119,8 @@ pub enum Command {
     Lines(bool),
     /// Whether scribbles are shown.
     Scribbles(bool),
+    /// Whether there is paper under the colours. Without it what lies under the canvas is seen.
+    Paper(bool),
     /// The colour around the page.
     Desk(Srgb8),
     /// Another view.

@@ -1,7 +1,7 @@
 //! What the page must know, as a short list after each call: what of its state has changed, and what happened.
 
-use kurbo::Affine;
-use scumble_core::{Paint, Settings};
+use kurbo::{Affine, Size};
+use scumble_core::{Paint, Settings, Tracing};
 
 use crate::brush::{Ink, Mode};
 use crate::command::Tool;
@@ -34,6 +34,8 @@ pub enum Effect {
     Scribbles(bool),
     /// How the drawing is coloured.
     Settings(Settings),
+    /// The picture under the lines. Told before the sheet whose it is.
+    Tracing(TracingState),
     /// Which solver makes the picture.
     Solver(SolverState),
     /// A drawing was opened.
@@ -79,6 +81,15 @@ pub struct SheetState {
     pub revision: u32,
 }
 
+/// The picture under the lines of the drawing that is shown, and the page into which it is fitted.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct TracingState {
+    /// Which picture, if there is one.
+    pub tracing: Option<Tracing>,
+    /// The size of the page in du; its corner is at the origin.
+    pub page: Size,
+}
+
 /// All that the page shows of the state. `None` is what it has never been told.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(crate) struct State {
@@ -94,6 +105,7 @@ pub(crate) struct State {
     pub(crate) lines: Option<bool>,
     pub(crate) scribbles: Option<bool>,
     pub(crate) settings: Option<Settings>,
+    pub(crate) tracing: Option<TracingState>,
     pub(crate) palette: Option<Vec<Paint>>,
     pub(crate) solver: Option<SolverState>,
 }
@@ -102,6 +114,7 @@ impl State {
     /// What is not as it was.
     pub(crate) fn news_since(&self, known: &Self) -> Vec<Effect> {
         let each = [
+            news(self.tracing, known.tracing, Effect::Tracing),
             news(self.sheet, known.sheet, Effect::Sheet),
             news(self.undo, known.undo, Effect::Undo),
             news(self.redo, known.redo, Effect::Redo),

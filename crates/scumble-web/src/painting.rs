@@ -20,12 +20,14 @@ pub struct Painting<'a> {
     pub layers: &'a Layers,
     /// Which part of the plane, at which size.
     pub view: View,
+    /// The colour of the page where nothing is coloured; without one it is transparent there.
+    pub paper: Option<Srgb8>,
 }
 
 impl Painting<'_> {
     /// The same, for a painter that takes it as a whole.
     pub fn scene(&self) -> Scene<'_> {
-        Scene { paper: Some(PAPER), field: self.field, shapes: self.layers.shapes() }
+        Scene { paper: self.paper, field: self.field, shapes: self.layers.shapes() }
     }
 }
 

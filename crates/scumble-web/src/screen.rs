@@ -3,7 +3,6 @@
 //! A canvas takes one kind of context in its life. WebGPU claims it only after its device is there; WebGL cannot be
 //! had without claiming it, and after a failure wants another canvas.
 
-use js_sys::{Object, Reflect};
 use scumble_gpu::wgpu::{self, CurrentSurfaceTexture};
 use scumble_gpu::{
     Gpu, GpuError, GpuGridSolver, GridKernels, Layer, Renderer, instance, probe, surface_format,
@@ -11,10 +10,10 @@ use scumble_gpu::{
 use scumble_solve::grid::{GridProblem, PAGE_STEPS};
 use scumble_solve::{View, paint};
 use thiserror::Error;
-use wasm_bindgen::{Clamped, JsCast, JsValue};
+use wasm_bindgen::{Clamped, JsCast};
 use web_sys::{CanvasRenderingContext2d, HtmlCanvasElement, ImageData};
 
-use crate::painting::{Changed, PAPER, Painter, Painting};
+use crate::painting::{Changed, Painter, Painting};
 use crate::solver::Grids;
 
 /// The name of the painter on the CPU.
@@ -148,7 +147,7 @@ impl GpuScreen {
             self.surface.get_current_texture()
         {
             let target = frame.texture.create_view(&wgpu::TextureViewDescriptor::default());
-            self.renderer.draw(&painting.view, Some(PAPER), &target);
+            self.renderer.draw(&painting.view, painting.paper, &target);
             self.gpu.queue.present(frame);
         }
         self.solving.as_ref().is_none_or(|solving| solving.steps_left == 0)
@@ -203,7 +202,10 @@ fn configuration(surface: &wgpu::Surface<'_>, gpu: &Gpu) -> Result<wgpu::Surface
     let missing = || ScreenError::Canvas("the GPU has no format for it".into());
     let format = surface_format(&surface.get_capabilities(&gpu.adapter)).ok_or_else(missing)?;
     let config = surface.get_default_config(&gpu.adapter, 1, 1).ok_or_else(missing)?;
-    Ok(wgpu::SurfaceConfiguration { format, width: 0, height: 0, ..config })
+    // What lies under the canvas is seen where there is no paper: a canvas of WebGL is so by itself.
+    let alpha_mode =
+        if cfg!(feature = "webgl") { config.alpha_mode } else { wgpu::CompositeAlphaMode::PreMultiplied };
+    Ok(wgpu::SurfaceConfiguration { format, width: 0, height: 0, alpha_mode, ..config })
 }
 
 /// A canvas that the painter on the CPU fills.
@@ -217,10 +219,7 @@ pub struct CpuScreen {
 
 impl CpuScreen {
     fn open(canvas: HtmlCanvasElement) -> Result<Self, ScreenError> {
-        let options = Object::new();
-        let opaque = Reflect::set(&options, &"alpha".into(), &JsValue::FALSE);
-        let context = opaque.and_then(|_| canvas.get_context_with_context_options("2d", &options));
-        let context = context.ok().flatten().and_then(|context| context.dyn_into().ok());
+        let context = canvas.get_context("2d").ok().flatten().and_then(|context| context.dyn_into().ok());
         let context = context.ok_or_else(|| ScreenError::Canvas("no 2D context".into()))?;
         Ok(Self { canvas, context, width_px: 0, height_px: 0 })
     }

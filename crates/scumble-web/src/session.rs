@@ -7,13 +7,13 @@ use std::mem::take;
 
 use kurbo::{Affine, Rect};
 use scumble_core::drawing::LONGER_SIDE_DU;
-use scumble_core::{Boundary, Document, Drawing, MapError, Paint, Srgb8, Work, exact};
+use scumble_core::{Boundary, Document, Drawing, MapError, Paint, Srgb8, Tracing, Work, exact};
 use scumble_solve::grid::GridProblem;
 use scumble_solve::{Field, Pixmap, View};
 
 use crate::brush::Brush;
 use crate::command::{Command, Setting, Tool};
-use crate::effect::{Effect, State};
+use crate::effect::{Effect, State, TracingState};
 use crate::layers::Layers;
 use crate::painting::{Changed, Export, PAPER, Painter, Painting};
 use crate::solver::{Grids, Solver, SolverState, Source};
@@ -55,6 +55,7 @@ pub struct Session {
     stroke: Stroke,
     lines_shown: bool,
     scribbles_shown: bool,
+    paper: Option<Srgb8>,
     desk: Srgb8,
     solver: Solver,
     grids: Grids,
@@ -110,6 +111,7 @@ impl Session {
             stroke: Stroke::default(),
             lines_shown: true,
             scribbles_shown: true,
+            paper: Some(PAPER),
             desk,
             solver: Solver::default(),
             grids: Grids::default(),
@@ -161,10 +163,16 @@ impl Session {
             Command::Redo => self.redo(),
             Command::Set(setting) => self.set(setting),
             Command::Palette(palette) => self.set_palette(palette),
+            Command::Trace(image) => self.trace(image),
+            Command::TracingOpacity(opacity) => self.fade_tracing(opacity),
             Command::Settle => self.settle(),
             Command::Solver(solver) => self.solver = solver,
             Command::Lines(shown) => self.show_lines(shown),
             Command::Scribbles(shown) => self.show_scribbles(shown),
+            Command::Paper(shown) => {
+                self.paper = shown.then_some(PAPER);
+                self.stale.view = true;
+            }
             Command::Desk(desk) => self.set_desk(desk),
             Command::View(change) => {
                 change.apply(&mut self.viewport);
@@ -183,6 +191,7 @@ impl Session {
                 problem: self.problem.as_ref().filter(|_| self.source == Source::Grid),
                 layers: &self.layers,
                 view: self.viewport.view(),
+                paper: self.paper,
             };
             let is_all = painter.paint(&painting, take(&mut self.changed));
             self.was_at_once |= is_all;
@@ -236,12 +245,12 @@ impl Session {
     }
 
     fn set(&mut self, setting: Setting) {
-        let editor = &mut self.sheet.editor;
-        if !setting.is_slid() {
-            editor.commit();
-        } else if !editor.is_changing() {
-            editor.begin();
+        if setting.is_slid() {
+            self.slide();
+        } else {
+            self.sheet.editor.commit();
         }
+        let editor = &mut self.sheet.editor;
         let before = editor.document().settings;
         editor.set_settings(setting.put_into(before));
         if editor.document().settings != before {
@@ -252,6 +261,27 @@ impl Session {
     fn set_palette(&mut self, palette: Vec<Paint>) {
         self.sheet.editor.commit();
         self.sheet.editor.set_palette(palette);
+    }
+
+    /// Lays a picture under the lines, as faded as the one before it, or takes it away.
+    fn trace(&mut self, image: Option<u32>) {
+        let editor = &mut self.sheet.editor;
+        editor.commit();
+        let before = editor.document().tracing;
+        editor.set_tracing(image.map(|image| Tracing { image, ..before.unwrap_or(Tracing::faded(image)) }));
+    }
+
+    fn fade_tracing(&mut self, opacity: f64) {
+        self.slide();
+        let editor = &mut self.sheet.editor;
+        editor.set_tracing(editor.document().tracing.map(|tracing| Tracing { opacity, ..tracing }));
+    }
+
+    /// A slider is dragged, which is one gesture.
+    fn slide(&mut self) {
+        if !self.sheet.editor.is_changing() {
+            self.sheet.editor.begin();
+        }
     }
 
     /// Ends the drag of a slider, not what the pen does meanwhile.
@@ -290,6 +320,10 @@ impl Session {
             lines: Some(self.lines_shown),
             scribbles: Some(self.scribbles_shown),
             settings: Some(self.document().settings),
+            tracing: Some(TracingState {
+                tracing: self.document().tracing,
+                page: self.document().drawing.size_du(),
+            }),
             palette: Some(self.document().palette.clone()),
             solver: Some(SolverState { asked: self.solver, source: self.source }),
         }

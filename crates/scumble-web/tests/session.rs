@@ -3,10 +3,10 @@
 mod page;
 
 use kurbo::{Point, Vec2};
-use scumble_core::{Blend, ColorPoint, EngineKind, Paint, Settings, Srgb8, exact};
+use scumble_core::{Blend, ColorPoint, EngineKind, Paint, Settings, Srgb8, Tracing, exact};
 use scumble_web::brush::Ink;
 use scumble_web::command::{Command, Phase, Setting, Tool, ViewChange};
-use scumble_web::effect::{Effect, SheetState};
+use scumble_web::effect::{Effect, SheetState, TracingState};
 use scumble_web::painting::{Changed, PAPER};
 
 use page::{DESK, Page, SQUARE, pixel};
@@ -471,4 +471,64 @@ fn a_scribble_of_no_colour_keeps_its_place_free() {
     assert_eq!(page.color_at(INSIDE), RED);
     page.session.command(Command::SwapColors);
     assert!(page.session.take_effects().contains(&Effect::Color(RED.into())));
+}
+
+/// What the page is told about the picture under the lines, and where among the effects, beside where it is told of the
+/// sheet.
+fn told_of_tracing(page: &mut Page) -> (Option<Tracing>, bool) {
+    let effects = page.session.take_effects();
+    let place = |is: fn(&Effect) -> bool| effects.iter().position(is);
+    let tracing = place(|effect| matches!(effect, Effect::Tracing(_))).expect("news of it");
+    let sheet = place(|effect| matches!(effect, Effect::Sheet(_)));
+    let Effect::Tracing(TracingState { tracing: told, page: size }) = effects[tracing] else { panic!() };
+    assert_eq!((size.width, size.height), (1024.0, 768.0));
+    (told, sheet.is_some_and(|sheet| sheet > tracing))
+}
+
+#[test]
+fn a_picture_under_the_lines_is_told_of_before_the_sheet_that_it_changes() {
+    let mut page = Page::open(SQUARE);
+    page.session.take_effects();
+    page.session.command(Command::Trace(Some(1)));
+    assert_eq!(told_of_tracing(&mut page), (Some(Tracing::faded(1)), true));
+    for opacity in [0.6, 0.9] {
+        page.session.command(Command::TracingOpacity(opacity));
+        assert_eq!(told_of_tracing(&mut page), (Some(Tracing { image: 1, opacity }), false), "in hand");
+    }
+    page.session.command(Command::Settle);
+    page.session.command(Command::Trace(Some(2)));
+    assert_eq!(
+        told_of_tracing(&mut page),
+        (Some(Tracing { image: 2, opacity: 0.9 }), true),
+        "as the one before"
+    );
+    page.session.command(Command::Trace(None));
+    assert_eq!(told_of_tracing(&mut page), (None, true));
+    page.session.command(Command::TracingOpacity(0.1));
+    page.session.command(Command::Settle);
+    for tracing in [Tracing { image: 2, opacity: 0.9 }, Tracing { image: 1, opacity: 0.9 }, Tracing::faded(1)]
+    {
+        page.session.command(Command::Undo);
+        assert_eq!(told_of_tracing(&mut page), (Some(tracing), true));
+        let kept = exact::read(&page.session.work()).expect("work");
+        assert_eq!((kept.document.tracing, kept.image.len()), (Some(tracing), 0));
+    }
+}
+
+#[test]
+fn without_paper_the_canvas_is_clear_where_nothing_is_coloured_and_pictures_for_files_are_not() {
+    let mut page = Page::open(SQUARE);
+    page.stroke(RED, &ACROSS);
+    page.session.command(Command::Trace(Some(1)));
+    page.session.command(Command::Paper(false));
+    let mut alpha_at = |place: (f64, f64)| {
+        page.session.frame(&mut page.canvas);
+        let shown = page.canvas.shown.as_ref().expect("a painting");
+        let Point { x, y } = page.session.css_from_du() * Point::from(place);
+        shown.rgba[4 * (y as usize * shown.width_px as usize + x as usize) + 3]
+    };
+    assert_eq!([OUTSIDE, INSIDE, ON_THE_LINE, (-20.0, 400.0)].map(&mut alpha_at), [0, 255, 255, 255]);
+    assert!(page.session.thumbnail().rgba.iter().skip(3).step_by(4).all(|alpha| *alpha == 255));
+    page.session.command(Command::Paper(true));
+    assert_eq!(page.color_at(OUTSIDE), WHITE);
 }

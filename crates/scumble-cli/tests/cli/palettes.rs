@@ -22,12 +22,19 @@ fn a_palette_goes_into_a_drawing_and_out_again() {
 }
 
 #[test]
+fn a_palette_that_is_damaged_at_its_beginning_is_called_what_its_name_says() {
+    let folder = Folder::new("palette-begin").with("sea.gpl", "\nGIMP\n1 2 3\n").with("sea.ase", "ASE");
+    refused(&folder, &["convert", "sea.gpl", "x.hex"], "line 2 should have “GIMP Palette”");
+    refused(&folder, &["convert", "sea.ase", "x.hex"], "Adobe Swatch Exchange");
+}
+
+#[test]
 fn bad_palettes_are_refused() {
     let bad = SEA.replace("200 ", "300 ");
     let folder =
         Folder::new("palette-bad").with("d.svg", CIRCLE).with("bad.gpl", bad).with("none.gpl", "none");
     refused(&folder, &["palette", "d.svg", "--from", "bad.gpl", "-o", "x.scumble"], "line 4");
-    refused(&folder, &["palette", "d.svg", "--from", "none.gpl", "-o", "x.scumble"], "no palette");
+    refused(&folder, &["palette", "d.svg", "--from", "none.gpl", "-o", "x.scumble"], "“GIMP Palette”");
     refused(&folder, &["palette", "d.svg", "-o", "x.scumble"], "--from is missing");
     refused(&folder, &["palette", "d.svg", "--from", "bad.gpl"], "-o is missing");
     refused(&folder, &["convert", "d.svg", "x.gpl"], "no palette of its own");

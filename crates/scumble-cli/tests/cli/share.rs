@@ -129,3 +129,40 @@ fn files_turn_into_each_other() {
     refused(&folder, &["convert", "s.json", "x.scumble"], "not a Scumble file");
     refused(&folder, &["convert", "missing.scumble", "x.scumble"], "cannot be read");
 }
+
+/// A page with one line and a picture of one pixel under it.
+const TRACED: &str = r##"{
+"format": "scumble",
+"version": "1.1",
+"canvas": [0, 0, 64, 64],
+"settings": {"blend": "oklab", "engine": "global", "gap_closing": 0.5, "spread": false},
+"curves": [
+{"path": "M 100 100 L 900 100", "width": 9, "color": "#000000"}
+],
+"tracing_opacity": 0.25,
+"tracing_image": "iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAAAAAA6fptVAAAACklEQVR4nGNoAAAAggCBd81ytgAAAABJRU5ErkJggg=="
+}
+"##;
+
+#[test]
+fn a_tracing_image_stays_in_files_and_goes_nowhere_else() {
+    let folder = Folder::new("traced").with("w.scumble", TRACED).with("sea.hex", "#010203");
+    run(&folder, &["convert", "w.scumble", "again.scumble"]);
+    assert_eq!(text(&folder, "again.scumble"), TRACED);
+    run(&folder, &["palette", "w.scumble", "--from", "sea.hex", "-o", "sea.scumble"]);
+    assert_eq!(text(&folder, "sea.scumble").replace(",\n\"palette\": [\n\"#010203\"\n]", ""), TRACED);
+
+    let (before, rest) = TRACED.split_once(",\n\"tracing_opacity").unwrap();
+    let bare = [before, "\n}\n"].concat().replace("1.1", "1.0");
+    assert!(rest.contains("tracing_image"));
+    let folder = folder.with("bare.scumble", bare);
+    for output in ["o.png", "o.svg", "o.pdf"] {
+        run(&folder, &["render", "w.scumble", "-o", output, "--lines"]);
+        let traced = folder.read(output);
+        run(&folder, &["render", "bare.scumble", "-o", output, "--lines"]);
+        assert_eq!(traced, folder.read(output), "{output}");
+    }
+    let linked = folder.run(&["link", "w.scumble"]);
+    assert!(stderr(&linked).contains("left out: the tracing image"), "{}", stderr(&linked));
+    assert_eq!(String::from_utf8(linked.stdout).unwrap(), run(&folder, &["link", "bare.scumble"]));
+}

@@ -25,7 +25,7 @@ pub(crate) fn is_curve_set(bytes: &[u8]) -> bool {
 /// # Errors
 /// When the bytes are none, or beyond the limits of drawings.
 pub(crate) fn import(bytes: &[u8]) -> Result<(Document, CurveNotes), ImportError> {
-    let xml = limits::parse_xml(limits::readable_text(bytes)?)?;
+    let xml = parsed(limits::readable_text(bytes)?)?;
     let root = xml.root_element();
     if root.tag_name().name() != ROOT {
         return Err(ImportError::NotSvg(limits::shortened(root.tag_name().name())));
@@ -41,6 +41,13 @@ pub(crate) fn import(bytes: &[u8]) -> Result<(Document, CurveNotes), ImportError
     } else {
         Ok((document, notes))
     }
+}
+
+fn parsed(text: &str) -> Result<roxmltree::Document<'_>, ImportError> {
+    limits::parse_xml(text).map_err(|error| match error {
+        ImportError::NotXml(fault) => ImportError::CurvesNotXml(fault),
+        other => other,
+    })
 }
 
 /// A document with the page, whose colours go wherever no curve is.

@@ -18,59 +18,75 @@ const COLOR: u16 = 1;
 /// A colour that is neither spot nor global.
 const NORMAL: [u8; 2] = [0, 2];
 
-/// The rest of a file, or of a block.
+/// The rest of a file, or of a block. What is asked for beyond its end is `None`.
 struct Bytes<'a>(&'a [u8]);
 
 impl<'a> Bytes<'a> {
-    fn take(&mut self, count: usize) -> Result<&'a [u8], PaletteError> {
-        let (taken, rest) = self.0.split_at_checked(count).ok_or(PaletteError::CutOff)?;
+    fn take(&mut self, count: usize) -> Option<&'a [u8]> {
+        let (taken, rest) = self.0.split_at_checked(count)?;
         self.0 = rest;
-        Ok(taken)
+        Some(taken)
     }
 
-    fn array<const N: usize>(&mut self) -> Result<[u8; N], PaletteError> {
-        let taken = self.take(N)?;
-        taken.try_into().map_err(|_| PaletteError::CutOff)
+    fn array<const N: usize>(&mut self) -> Option<[u8; N]> {
+        self.take(N)?.try_into().ok()
     }
 
-    fn u16(&mut self) -> Result<u16, PaletteError> {
+    fn u16(&mut self) -> Option<u16> {
         self.array().map(u16::from_be_bytes)
     }
 
-    fn u32(&mut self) -> Result<usize, PaletteError> {
+    fn u32(&mut self) -> Option<usize> {
         self.array().map(|bytes| u32::from_be_bytes(bytes) as usize)
     }
 
-    fn floats<const N: usize>(&mut self) -> Result<[f64; N], PaletteError> {
+    fn floats<const N: usize>(&mut self) -> Option<[f64; N]> {
         let mut floats = [0.0; N];
         for float in &mut floats {
             *float = f64::from(f32::from_be_bytes(self.array()?));
         }
-        Ok(floats)
+        Some(floats)
     }
 }
 
 pub(super) fn read(bytes: &[u8]) -> Result<ReadPalette, PaletteError> {
     let mut bytes = Bytes(bytes);
-    bytes.take(MARK.len() + VERSION.len())?;
-    let blocks = bytes.u32()?;
+    let blocks = head(&mut bytes).ok_or(PaletteError::NoSwatches)?;
     let mut palette = ReadPalette::default();
-    for _ in 0..blocks {
-        let kind = bytes.u16()?;
-        let length = bytes.u32()?;
-        let block = bytes.take(length)?;
-        if kind == COLOR {
-            match color(Bytes(block))? {
-                Some(color) => push(&mut palette.colors, color)?,
-                None => palette.unknown += 1,
-            }
+    for block in 1..=blocks {
+        match read_block(&mut bytes).ok_or(PaletteError::CutOff { block, blocks })? {
+            Block::Color(color) => push(&mut palette.colors, color)?,
+            Block::UnknownColor => palette.unknown += 1,
+            Block::Other => {}
         }
     }
     Ok(palette)
 }
 
-/// The colour of a block; `None` for one in a space that is not known, or with numbers that are none.
-fn color(mut block: Bytes) -> Result<Option<Srgb8>, PaletteError> {
+/// How many blocks there are; `None` where a file begins otherwise.
+fn head(bytes: &mut Bytes) -> Option<usize> {
+    let is_known = bytes.take(MARK.len())? == MARK;
+    bytes.take(VERSION.len())?;
+    bytes.u32().filter(|_| is_known)
+}
+
+/// What a block is of.
+enum Block {
+    Color(Srgb8),
+    /// In a space that is not known, or with numbers that are none.
+    UnknownColor,
+    /// A group.
+    Other,
+}
+
+fn read_block(bytes: &mut Bytes) -> Option<Block> {
+    let kind = bytes.u16()?;
+    let length = bytes.u32()?;
+    let block = Bytes(bytes.take(length)?);
+    if kind == COLOR { color(block) } else { Some(Block::Other) }
+}
+
+fn color(mut block: Bytes) -> Option<Block> {
     let name_len = usize::from(block.u16()?);
     block.take(2 * name_len)?;
     let unit = match &block.array()? {
@@ -78,10 +94,11 @@ fn color(mut block: Bytes) -> Result<Option<Srgb8>, PaletteError> {
         b"Gray" | b"GRAY" => block.floats::<1>().map(|[gray]| [gray; 3])?,
         b"CMYK" => block.floats().map(|[c, m, y, k]| [c, m, y].map(|ink: f64| (1.0 - ink) * (1.0 - k)))?,
         b"LAB " | b"Lab " => srgb_from_lab(block.floats()?),
-        _ => return Ok(None),
+        _ => return Some(Block::UnknownColor),
     };
     let is_sound = unit.iter().all(|channel| channel.is_finite());
-    Ok(is_sound.then(|| Srgb8(unit.map(|channel| (channel.clamp(0.0, 1.0) * 255.0).round() as u8))))
+    let rgb = unit.map(|channel| (channel.clamp(0.0, 1.0) * 255.0).round() as u8);
+    Some(if is_sound { Block::Color(Srgb8(rgb)) } else { Block::UnknownColor })
 }
 
 /// White in daylight D50: X, Y, Z (ICC profile connection space).

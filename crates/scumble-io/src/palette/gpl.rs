@@ -10,7 +10,10 @@ pub(super) const MARK: &str = "GIMP Palette";
 
 pub(super) fn read(text: &str) -> Result<ReadPalette, PaletteError> {
     let mut palette = ReadPalette::default();
-    let lines = text.trim_start().lines().zip(1..).skip(1);
+    let mut lines = text.lines().zip(1..).skip_while(|(line, _)| line.trim().is_empty());
+    if let Some((_, number)) = lines.next().filter(|(line, _)| !line.trim_start().starts_with(MARK)) {
+        return Err(PaletteError::Damaged { line: number, expected: "“GIMP Palette”" });
+    }
     for (line, number) in lines.filter(|(line, _)| !is_head(line)) {
         let color = color(line)
             .ok_or(PaletteError::Damaged { line: number, expected: "three numbers from 0 to 255" })?;

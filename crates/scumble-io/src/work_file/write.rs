@@ -3,17 +3,19 @@
 use kurbo::{BezPath, PathEl, Point, Stroke};
 use scumble_core::work::{Item, Work};
 use scumble_core::{
-    ColorPoint, Curve, Document, Fill, Line, Paint, Rgba8, Scribble, Settings, Shading, Srgb8,
+    ColorPoint, Curve, Document, Fill, Line, Paint, Rgba8, Scribble, Settings, Shading, Srgb8, Tracing,
 };
 
 use super::names::{BLENDS, CAPS, ENGINES, JOINS, KINDS, RULES, SIDES, name, plain_stroke};
-use super::{PAGE_PER_UNIT, PER_UNIT, VERSION};
+use super::{PAGE_PER_UNIT, PER_UNIT, TRACING_MINOR, VERSION};
+use crate::base64;
 use crate::json::{push_number, push_string};
 
-/// The text of some work.
-pub(super) fn written(work: &Work) -> String {
+/// The text of some work, with the picture under its lines where there is one.
+pub(super) fn written(work: &Work, image: &[u8]) -> String {
     let mut text = String::from("{\n\"format\": \"scumble\",\n\"version\": \"");
-    let minor = VERSION[1].max(work.unknown.minor);
+    let tracing = work.document.tracing.filter(|_| !image.is_empty());
+    let minor = work.unknown.minor.max(if tracing.is_some() { TRACING_MINOR } else { 0 });
     text.extend([&VERSION[0].to_string(), ".", &minor.to_string(), "\""]);
     let Document { drawing, settings, .. } = &work.document;
     if let Some(name) = &work.sample {
@@ -29,6 +31,9 @@ pub(super) fn written(work: &Work) -> String {
     text.push_str("],\n\"settings\": ");
     push_settings(&mut text, settings, work.unknown.of(Item::Settings, 0));
     push_lists(&mut text, work);
+    if let Some(tracing) = tracing {
+        push_tracing(&mut text, tracing, image);
+    }
     push_unknown(&mut text, ",\n", work.unknown.of(Item::Work, 0));
     text.push_str("\n}\n");
     text
@@ -151,6 +156,14 @@ fn push_color_point(text: &mut String, point: &ColorPoint) {
     push_length(text, "at", point.at_du);
     text.push_str(", \"color\": ");
     push_paint(text, point.color);
+}
+
+fn push_tracing(text: &mut String, tracing: Tracing, image: &[u8]) {
+    text.push_str(",\n\"tracing_opacity\": ");
+    push_number(text, tracing.opacity, PER_UNIT);
+    let digits = base64::text(image, base64::PLAIN);
+    let padding = &"=="[..(3 - image.len() % 3) % 3];
+    text.extend([",\n\"tracing_image\": \"", &digits, padding, "\""]);
 }
 
 fn push_length(text: &mut String, name: &str, length: f64) {
