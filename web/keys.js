@@ -42,7 +42,8 @@ export function listen(act, holdSpace) {
     }
     const action = CHORDS[chord(event)];
     if (!action || (usesKey(event.target, event.key) && !event.ctrlKey && !event.metaKey)) return;
-    event.preventDefault();
+    // Escape also closes what has come down from a button.
+    if (event.key !== "Escape") event.preventDefault();
     act(action);
   });
   window.addEventListener("keyup", (event) => {

@@ -67,6 +67,8 @@ export class Pointers {
     if (!(event.target instanceof HTMLCanvasElement)) return;
     event.target.focus();
     event.preventDefault();
+    // A press beside a panel closes that, and no more.
+    if (document.querySelector(":popover-open")) return;
     this.#stage.setPointerCapture(event.pointerId);
     if (event.pointerType === "touch") this.#fingers.set(event.pointerId, this.#place(event));
     if (this.#fingers.size > 1) this.#startPinch();

@@ -51,6 +51,7 @@ const settingOf = (/** @type {string} */ setting) =>
  */
 export function connect(act, set) {
   shown.palette([]);
+  shown.zoom(1);
   fillSwatches("tones", Object.keys(TONES).map((tone) => [tone, tone]));
   for (const id of ["palette", "tones"]) {
     control(id).addEventListener("click", ({ target }) => {
@@ -59,6 +60,8 @@ export function connect(act, set) {
     });
   }
   document.addEventListener("mousedown", keepFocus);
+  // Before what is chosen there is done, so that the focus comes back to what is still to be seen.
+  control("files").addEventListener("click", () => control("files").togglePopover(false), true);
   for (const button of /** @type {NodeListOf<HTMLElement>} */ (document.querySelectorAll("[data-action]"))) {
     button.addEventListener("click", () => act(button.dataset.action ?? ""));
   }
@@ -100,11 +103,12 @@ function check(group, value) {
 }
 
 /**
- * A button pressed with the mouse leaves the focus where it is: on the canvas, where Space is the hand.
+ * A button pressed with the mouse leaves the focus where it is: on the canvas, where Space is the hand. One that opens
+ * a panel takes it, as the panel follows it for those who go on by keys.
  * @param {MouseEvent} event
  */
 function keepFocus(event) {
-  if (event.target instanceof Element && event.target.closest("button, .tool, .kind")) event.preventDefault();
+  if (event.target instanceof Element && event.target.closest("button:not([popovertarget]), .tool, .kind, .toggle")) event.preventDefault();
 }
 
 /**
