@@ -1,9 +1,10 @@
 // The start of the page, and the wiring of its parts.
 
 import { followed } from "./cursor.js";
+import { closeOpen } from "./dialogs.js";
 import { Drawings, isKept, isUnsaved, stem } from "./drawings.js";
 import { Engine } from "./engine.js";
-import { cancelExport, closeExport, copyPicture, saveExport, setSize, showExport } from "./export.js";
+import { cancelExport, copyPicture, saveExport, setSize, showExport } from "./export.js";
 import { choose, keep, receive } from "./files.js";
 import { formats } from "./formats.js";
 import { Keeper } from "./keeper.js";
@@ -14,7 +15,7 @@ import { png } from "./png.js";
 import { Pointers } from "./pointer.js";
 import { Recent } from "./recent.js";
 import { Samples } from "./samples.js";
-import { closeShare, copyLink, isLink, sendLink, showLink } from "./share.js";
+import { copyLink, isLink, sendLink, showLink } from "./share.js";
 import { putAside } from "./storage.js";
 import { areLinesShown, connect, done, failed, pickColor, shown, showName, showUnkept, swatch, tell, warn } from "./toolbar.js";
 
@@ -142,7 +143,6 @@ const actions = {
   open: () => void choose((file) => opening.file(file)).catch(failed),
   save,
   export: () => showExport(areLinesShown()),
-  "close-export": closeExport,
   "export-1": () => setSize(1),
   "export-2": () => setSize(2),
   "export-4": () => setSize(4),
@@ -150,13 +150,11 @@ const actions = {
   "copy-picture": () => copyPicture(engine),
   "cancel-export": cancelExport,
   share,
-  "close-share": closeShare,
   "copy-link": copyLink,
   "send-link": sendLink,
   recent: showRecent,
-  "close-recent": () => recent.close(),
   samples: () => samples.show(),
-  "close-samples": () => samples.close(),
+  close: closeOpen,
   "pick-color": pickColor,
   dismiss: () => warn(""),
   "dismiss-unkept": () => showUnkept(false),

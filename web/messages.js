@@ -26,6 +26,7 @@ const english = {
   "svg": "SVG",
   "pdf": "PDF",
   "export-size": "Longer side in pixels",
+  "export-size-fault": "The longer side takes a whole number of pixels, from 1 to 16,384",
   "lines": "Lines",
   "transparent": "Transparent",
   "save-export": "Save file",
