@@ -17,7 +17,7 @@ import { Recent } from "./recent.js";
 import { Samples } from "./samples.js";
 import { copyLink, isLink, sendLink, showLink } from "./share.js";
 import { putAside } from "./storage.js";
-import { areLinesShown, connect, done, failed, pickColor, shown, showName, showUnkept, swatch, tell, warn } from "./toolbar.js";
+import { areLinesShown, connect, done, failed, pickColor, shown, showName, showUnkept, swatch, tell, toggle, warn } from "./toolbar.js";
 
 /** What the address may ask for. */
 const SOLVERS = ["automatic", "mesh", "gpu"];
@@ -55,7 +55,7 @@ const handlers = {
   }),
   opened: ({ notes }) => done(say(notes === "" ? "opened" : "opened-in-part", { name: drawings.shown.name, notes })),
   ...Object.fromEntries(
-    ["scribble-added", "scribbles-erased", "scribble-dropped", "undone", "redone"].map((key) => [
+    ["scribble-added", "scribbles-erased", "scribble-dropped", "picked", "undone", "redone"].map((key) => [
       key,
       (values) => done(say(key, values)),
     ]),
@@ -167,9 +167,10 @@ const actions = {
 
 /** @param {string} action */
 function act(action) {
-  const [, kind, which] = /^(swatch|tool)-(.+)$/.exec(action) ?? [];
+  const [, kind, which] = /^(swatch|tool|show)-(.+)$/.exec(action) ?? [];
   if (kind === "swatch") engine.command("color", swatch(Number(which)));
   else if (kind === "tool") engine.command("tool", which);
+  else if (kind === "show") toggle(which);
   else if (actions[action]) actions[action]();
   else engine.command(action);
 }

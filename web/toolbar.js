@@ -66,7 +66,7 @@ export function connect(act, set) {
     button.addEventListener("click", () => act(button.dataset.action ?? ""));
   }
   for (const radio of radios()) radio.addEventListener("change", () => set(radio.name, radio.value));
-  for (const setting of ["lines", "scribbles", "spread", "crosses"]) {
+  for (const setting of ["lines", "scribbles", "result", "spread", "crosses"]) {
     settingOf(setting).addEventListener("change", () => set(setting, settingOf(setting).checked));
   }
   for (const setting of ["engine", "solver", "blend", "pressure"]) {
@@ -152,6 +152,11 @@ export function areLinesShown() {
   return settingOf("lines").checked;
 }
 
+/** Shows or hides one of the layers. @param {string} layer */
+export function toggle(layer) {
+  settingOf(layer).click();
+}
+
 /** Opens the browser's colour picker. */
 export function pickColor() {
   input("picker").showPicker();
@@ -212,6 +217,10 @@ export const shown = {
   /** @param {boolean} on */
   scribbles(on) {
     settingOf("scribbles").checked = on;
+  },
+  /** @param {boolean} on */
+  result(on) {
+    settingOf("result").checked = on;
   },
   /** @param {{blend: string, engine: string, gapClosing: number, spread: boolean}} settings of the drawing */
   settings({ blend, engine, gapClosing, spread }) {

@@ -50,6 +50,7 @@ pub(crate) fn command_from_js(name: &str, args: &JsValue) -> Option<Command> {
         "solver" => Command::Solver(solver_from_name(&args.as_string()?)?),
         "lines" => Command::Lines(args.as_bool()?),
         "scribbles" => Command::Scribbles(args.as_bool()?),
+        "result" => Command::Result(args.as_bool()?),
         "desk" => Command::Desk(color(args)?),
         _ => Command::View(view_change(name, args)?),
     })
@@ -128,6 +129,7 @@ fn js_from_effect(effect: Effect) -> (&'static str, JsValue) {
         Effect::BrushSize(size_du) => ("brush-size", size_du.into()),
         Effect::Lines(shown) => ("lines", shown.into()),
         Effect::Scribbles(shown) => ("scribbles", shown.into()),
+        Effect::Result(shown) => ("result", shown.into()),
         Effect::Settings(settings) => ("settings", js_from_settings(settings)),
         Effect::Solver(SolverState { asked, source }) => (
             "solver",
@@ -142,6 +144,7 @@ fn js_from_effect(effect: Effect) -> (&'static str, JsValue) {
             "scribbles-erased",
             object(&[("erased", (erased as f64).into()), ("count", (count as f64).into())]),
         ),
+        Effect::Picked(color) => ("picked", object(&[("color", color.to_string().into())])),
         Effect::ScribbleDropped => ("scribble-dropped", object(&[])),
         Effect::Undone => ("undone", object(&[])),
         Effect::Redone => ("redone", object(&[])),
