@@ -7,6 +7,7 @@ import { Engine } from "./engine.js";
 import { cancelExport, copyPicture, saveExport, setSize, showExport } from "./export.js";
 import { choose, keep, receive } from "./files.js";
 import { formats } from "./formats.js";
+import { showHelp } from "./help.js";
 import { Keeper } from "./keeper.js";
 import { listen } from "./keys.js";
 import { label, say } from "./messages.js";
@@ -158,11 +159,12 @@ const actions = {
   "pick-color": pickColor,
   dismiss: () => warn(""),
   "dismiss-unkept": () => showUnkept(false),
-  cancel: () => pointers.cancel(),
-  "pan-left": () => engine.command("pan", [STEP_PX, 0]),
-  "pan-right": () => engine.command("pan", [-STEP_PX, 0]),
-  "pan-up": () => engine.command("pan", [0, STEP_PX]),
-  "pan-down": () => engine.command("pan", [0, -STEP_PX]),
+  help: showHelp,
+  drop: () => pointers.cancel(),
+  "pan-ArrowLeft": () => engine.command("pan", [STEP_PX, 0]),
+  "pan-ArrowRight": () => engine.command("pan", [-STEP_PX, 0]),
+  "pan-ArrowUp": () => engine.command("pan", [0, STEP_PX]),
+  "pan-ArrowDown": () => engine.command("pan", [0, -STEP_PX]),
 };
 
 /** @param {string} action */

@@ -117,14 +117,14 @@ function keepFocus(event) {
  */
 function fillSwatches(id, swatches) {
   control(id).replaceChildren();
-  for (const [key, color] of swatches) {
+  for (const [i, [key, color]] of swatches.entries()) {
     const item = document.createElement("li");
     const swatch = document.createElement("button");
     swatch.type = "button";
     swatch.className = "swatch";
     swatch.dataset.color = color;
     paint(swatch, color);
-    if (color === NO_COLOR) swatch.dataset.keys = "0";
+    if (id === "palette") swatch.dataset.shortcut = `swatch-${color === NO_COLOR ? 0 : i + 1}`;
     name(swatch, say(key));
     item.append(swatch);
     control(id).append(item);
