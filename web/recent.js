@@ -40,8 +40,8 @@ export class Recent {
       this.#dialog.close();
       if (!isShown) this.#open(entry.id);
     });
-    open.append(image, element("span", entry.name), element("small", note(entry, isShown)));
-    item.append(open);
+    open.append(image, element("span", entry.name));
+    item.append(open, element("small", note(entry, isShown)));
     if (!isShown) item.append(this.#removal(entry, item));
     return item;
   }

@@ -42,12 +42,12 @@ export class Samples {
     image.loading = "lazy";
     name.textContent = sample.name;
     credit.textContent = sample.credit;
-    button.append(image, name, credit);
+    button.append(image, name);
     button.addEventListener("click", () => {
       this.#dialog.close();
       this.#open(sample);
     });
-    item.append(button);
+    item.append(button, credit);
     return item;
   }
 

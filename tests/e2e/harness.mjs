@@ -122,7 +122,8 @@ export class Editor {
   }
 
   /**
-   * Uses a control. Where it lies in a panel that is closed, its button opens that before, and Escape closes it after.
+   * Uses a control. Where it lies in a panel that is closed, its button opens that before, and Escape closes it after
+   * if it is still open.
    * @param {string} name of the control, or its id
    * @param {() => Promise<unknown>} act
    */
@@ -136,7 +137,9 @@ export class Editor {
     }`);
     if (opener) await this.tab.click("button", opener);
     await act();
-    if (opener) await this.tab.press("Escape");
+    if (opener && (await this.tab.evaluate(`document.querySelector(":popover-open") !== null`))) {
+      await this.tab.press("Escape");
+    }
   }
 
   /**
@@ -179,7 +182,8 @@ export class Editor {
 
   /** Opens a drawing of the tests through "Open". @param {string} name of the file, without `.svg` */
   openDrawing(name) {
-    return this.until(`Opened ${name}`, () => this.tab.chooseFiles([drawing(`${name}.svg`)]));
+    const choose = () => this.tab.chooseFiles([drawing(`${name}.svg`)]);
+    return this.until(`Opened ${name}`, () => this.#reach("Open", choose));
   }
 
   /** @param {string} name */
