@@ -1,5 +1,6 @@
 // The dialog of "Export": the picture as a file for other programs, or as pixels on the clipboard.
 
+import { openDialog } from "./dialogs.js";
 import { download } from "./files.js";
 import { formats } from "./formats.js";
 import { say } from "./messages.js";
@@ -26,19 +27,17 @@ const dialog = /** @type {HTMLDialogElement} */ (part("export"));
 /** Ends the work that is going on. @type {AbortController | undefined} */
 let job;
 
+/** Whether lines were shown as the dialog was opened last: what is chosen in it holds until that changes. @type {boolean | undefined} */
+let linesBefore;
+
 dialog.addEventListener("close", cancelExport);
-dialog.addEventListener("input", showChoice);
+dialog.addEventListener("input", judge);
 
 /** @param {boolean} lines whether they are shown */
 export function showExport(lines) {
-  input("export-lines").checked = lines;
-  tell("");
-  showChoice();
-  dialog.showModal();
-}
-
-export function closeExport() {
-  dialog.close();
+  if (lines !== linesBefore) input("export-lines").checked = linesBefore = lines;
+  judge();
+  openDialog(dialog);
 }
 
 export function cancelExport() {
@@ -48,14 +47,25 @@ export function cancelExport() {
 /** @param {number} times */
 export function setSize(times) {
   input("export-size").valueAsNumber = times * ONE_PX;
+  judge();
+}
+
+/** Says what is wrong with what is chosen, if anything is. */
+function judge() {
+  tell(hasSize() ? "" : say("export-size-fault"));
+  input("export-size").setAttribute("aria-invalid", String(!hasSize()));
   showChoice();
+}
+
+function hasSize() {
+  return input("export-size").validity.valid;
 }
 
 /** Only pixels can be copied, and only where the page may. */
 function showChoice() {
   part("copy-picture").hidden = format() !== "png" || !navigator.clipboard?.write;
   for (const id of ["save-export", "copy-picture"]) {
-    /** @type {HTMLButtonElement} */ (part(id)).disabled = job !== undefined || !input("export-size").validity.valid;
+    /** @type {HTMLButtonElement} */ (part(id)).disabled = job !== undefined || !hasSize();
   }
 }
 

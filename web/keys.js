@@ -1,32 +1,105 @@
-// The keyboard: chords to actions. The buttons name their chords in their tooltips.
+// The keyboard: the table of all shortcuts, which binds them, names them in tooltips and is what Help lists.
 
-/** @type {Record<string, string>} */
-const CHORDS = {
-  "ctrl+o": "open",
-  "ctrl+s": "save",
-  "ctrl+shift+e": "export",
-  "ctrl+z": "undo",
-  "ctrl+shift+z": "redo",
-  "ctrl+y": "redo",
-  "ctrl+=": "zoom-in",
-  "ctrl++": "zoom-in",
-  "ctrl+shift++": "zoom-in",
-  "ctrl+-": "zoom-out",
-  "ctrl+0": "zoom-reset",
-  "shift+1": "fit",
-  "b": "tool-scribble",
-  "e": "tool-erase",
-  "s": "other-kind",
-  "x": "swap-colors",
-  "[": "brush-smaller",
-  "]": "brush-larger",
-  "escape": "cancel",
-  "arrowleft": "pan-left",
-  "arrowright": "pan-right",
-  "arrowup": "pan-up",
-  "arrowdown": "pan-down",
-  ...Object.fromEntries([0, 1, 2, 3, 4, 5, 6, 7, 8, 9].map((n) => [String(n), `swatch-${n}`])),
+/**
+ * Actions with their chords, by groups; both are keys of the message table. A letter in a chord is a key, whatever its
+ * case; an action that ends in a hyphen stands for one action with each of its keys.
+ * @type {Record<string, Record<string, string[]>>}
+ */
+export const SHORTCUTS = {
+  tools: {
+    "tool-scribble": ["B"],
+    "tool-erase": ["E"],
+    "tool-pick": ["I"],
+    // Pointers look at it themselves.
+    "hold-pick": ["Alt"],
+    "tool-hand": ["H"],
+    "hold-hand": ["Space"],
+    "other-kind": ["S"],
+    "brush-smaller": ["["],
+    "brush-larger": ["]"],
+    drop: ["Escape"],
+  },
+  colour: {
+    "swatch-": ["1", "2", "3", "4", "5", "6", "7", "8", "9"],
+    "swatch-0": ["0"],
+    "swap-colors": ["X"],
+  },
+  "group-history": { undo: ["Ctrl+Z"], redo: ["Ctrl+Shift+Z", "Ctrl+Y"] },
+  "group-file": { open: ["Ctrl+O"], save: ["Ctrl+S"], export: ["Ctrl+Shift+E"], help: ["?"] },
+  "group-view": {
+    "pan-": ["ArrowLeft", "ArrowRight", "ArrowUp", "ArrowDown"],
+    "zoom-in": ["Ctrl+=", "Ctrl++"],
+    "zoom-out": ["Ctrl+-"],
+    "zoom-reset": ["Ctrl+0"],
+    fit: ["Shift+1"],
+    "show-lines": ["Shift+L"],
+    "show-scribbles": ["Shift+B"],
+    "show-result": ["Shift+R"],
+  },
 };
+
+/** Actions by chords. */
+const ACTIONS = new Map(
+  Object.values(SHORTCUTS).flatMap((group) =>
+    Object.entries(group).flatMap(([action, chords]) =>
+      chords.map((chord) => /** @type {const} */ ([chord, action.endsWith("-") ? action + chord : action])),
+    ),
+  ),
+);
+
+/** What a chord is on the keys of other machines, and keys that have signs. @type {[string, string][]} */
+const SIGNS = [
+  ["ArrowLeft", "←"],
+  ["ArrowRight", "→"],
+  ["ArrowUp", "↑"],
+  ["ArrowDown", "↓"],
+  ...(/Mac|iP/.test(navigator.platform) ? /** @type {[string, string][]} */ ([["Ctrl+", "⌘"], ["Shift+", "⇧"], ["Alt", "⌥"]]) : []),
+];
+
+/** Where the browser keeps that shortcuts of a single key are off, for those who dictate or rest on the keyboard. */
+const SINGLES = "scumble-single-keys";
+
+let singles = kept() !== "off";
+
+function kept() {
+  try {
+    return localStorage.getItem(SINGLES);
+  } catch {
+    return null;
+  }
+}
+
+/** Whether shortcuts of a single character are on. */
+export function haveSingles() {
+  return singles;
+}
+
+/** @param {boolean} on */
+export function setSingles(on) {
+  singles = on;
+  try {
+    localStorage.setItem(SINGLES, on ? "on" : "off");
+  } catch (fault) {
+    // A page that may keep nothing has it until it is closed.
+    console.warn(fault);
+  }
+}
+
+/** @param {string} chord */
+function isOn(chord) {
+  return singles || !/^(Shift\+)?.$/.test(chord);
+}
+
+/** How a chord is written on this machine's keys. @param {string} chord */
+export function written(chord) {
+  return SIGNS.reduce((text, [key, sign]) => text.replace(key, sign), chord);
+}
+
+/** The chord of an action, as it is written; nothing where there is none that is on. @param {string} action */
+export function keysOf(action) {
+  const found = [...ACTIONS].find(([chord, of]) => of === action && isOn(chord));
+  return found && written(found[0]);
+}
 
 /**
  * @param {(action: string) => void} act
@@ -34,16 +107,14 @@ const CHORDS = {
  */
 export function listen(act, holdSpace) {
   window.addEventListener("keydown", (event) => {
-    if (event.defaultPrevented || document.querySelector("dialog[open]")) return;
-    if (event.key === " " && isCanvas(event.target)) {
-      event.preventDefault();
-      holdSpace(true);
-      return;
-    }
-    const action = CHORDS[chord(event)];
+    if (event.defaultPrevented || event.altKey || document.querySelector("dialog[open]")) return;
+    const chord = chordOf(event);
+    const action = isOn(chord) && ACTIONS.get(chord);
     if (!action || (usesKey(event.target, event.key) && !event.ctrlKey && !event.metaKey)) return;
-    event.preventDefault();
-    act(action);
+    // Escape also closes what has come down from a button.
+    if (event.key !== "Escape") event.preventDefault();
+    if (action === "hold-hand") holdSpace(true);
+    else if (action !== "hold-pick") act(action);
   });
   window.addEventListener("keyup", (event) => {
     if (event.key === " ") holdSpace(false);
@@ -51,26 +122,23 @@ export function listen(act, holdSpace) {
 }
 
 /** @param {KeyboardEvent} event */
-function chord(event) {
+function chordOf(event) {
   const digit = /^Digit(\d)$/.exec(event.code)?.[1];
-  const key = event.shiftKey && digit ? digit : event.key.toLowerCase();
-  return `${event.ctrlKey || event.metaKey ? "ctrl+" : ""}${event.shiftKey ? "shift+" : ""}${key}`;
+  const key = event.key === " " ? "Space" : event.shiftKey && digit ? digit : event.key;
+  // Shift is part of what makes a sign.
+  const isSign = /^[^a-z\d]$/i.test(key);
+  const modifiers = `${event.ctrlKey || event.metaKey ? "Ctrl+" : ""}${event.shiftKey && !isSign ? "Shift+" : ""}`;
+  return modifiers + (key.length === 1 ? key.toUpperCase() : key);
 }
 
 /**
- * Where Space is the hand: on the canvas, or with nothing focused.
- * @param {EventTarget | null} target
- */
-function isCanvas(target) {
-  return target instanceof HTMLCanvasElement || target === document.body;
-}
-
-/**
- * Sliders and lists use plain keys themselves, radio buttons the arrows, check boxes none that means something here.
+ * Space is the hand on the canvas, or with nothing focused. Sliders and lists use plain keys themselves, radio buttons the
+ * arrows, check boxes none that means something here.
  * @param {EventTarget | null} target
  * @param {string} key
  */
 function usesKey(target, key) {
+  if (key === " ") return !(target instanceof HTMLCanvasElement || target === document.body);
   if (!(target instanceof HTMLInputElement)) return target instanceof HTMLSelectElement;
   if (target.type === "range") return /^(Arrow|Home$|End$|Page)/.test(key);
   return target.type === "radio" ? key.startsWith("Arrow") : target.type !== "checkbox";

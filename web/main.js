@@ -1,11 +1,13 @@
 // The start of the page, and the wiring of its parts.
 
 import { followed } from "./cursor.js";
+import { closeOpen } from "./dialogs.js";
 import { Drawings, isKept, isUnsaved, stem } from "./drawings.js";
 import { Engine } from "./engine.js";
-import { cancelExport, closeExport, copyPicture, saveExport, setSize, showExport } from "./export.js";
+import { cancelExport, copyPicture, saveExport, setSize, showExport } from "./export.js";
 import { choose, keep, receive } from "./files.js";
 import { formats } from "./formats.js";
+import { showHelp } from "./help.js";
 import { Keeper } from "./keeper.js";
 import { listen } from "./keys.js";
 import { label, say } from "./messages.js";
@@ -14,9 +16,9 @@ import { png } from "./png.js";
 import { Pointers } from "./pointer.js";
 import { Recent } from "./recent.js";
 import { Samples } from "./samples.js";
-import { closeShare, copyLink, isLink, sendLink, showLink } from "./share.js";
+import { copyLink, isLink, sendLink, showLink } from "./share.js";
 import { putAside } from "./storage.js";
-import { areLinesShown, connect, done, failed, pickColor, shown, showName, showUnkept, swatch, tell, warn } from "./toolbar.js";
+import { areLinesShown, connect, done, failed, pickColor, shown, showName, showUnkept, swatch, tell, toggle, warn } from "./toolbar.js";
 import { Tracing } from "./tracing.js";
 
 /** What the address may ask for. */
@@ -60,7 +62,7 @@ const handlers = {
   }),
   opened: ({ notes }) => done(say(notes === "" ? "opened" : "opened-in-part", { name: drawings.shown.name, notes })),
   ...Object.fromEntries(
-    ["scribble-added", "scribbles-erased", "scribble-dropped", "undone", "redone"].map((key) => [
+    ["scribble-added", "scribbles-erased", "scribble-dropped", "picked", "undone", "redone"].map((key) => [
       key,
       (values) => done(say(key, values)),
     ]),
@@ -158,7 +160,6 @@ const actions = {
   open: () => void choose((file) => opening.file(file)).catch(failed),
   save,
   export: () => showExport(areLinesShown()),
-  "close-export": closeExport,
   "export-1": () => setSize(1),
   "export-2": () => setSize(2),
   "export-4": () => setSize(4),
@@ -167,28 +168,28 @@ const actions = {
   "cancel-export": cancelExport,
   "remove-tracing": removeTracing,
   share,
-  "close-share": closeShare,
   "copy-link": copyLink,
   "send-link": sendLink,
   recent: showRecent,
-  "close-recent": () => recent.close(),
   samples: () => samples.show(),
-  "close-samples": () => samples.close(),
+  close: closeOpen,
   "pick-color": pickColor,
   dismiss: () => warn(""),
   "dismiss-unkept": () => showUnkept(false),
-  cancel: () => pointers.cancel(),
-  "pan-left": () => engine.command("pan", [STEP_PX, 0]),
-  "pan-right": () => engine.command("pan", [-STEP_PX, 0]),
-  "pan-up": () => engine.command("pan", [0, STEP_PX]),
-  "pan-down": () => engine.command("pan", [0, -STEP_PX]),
+  help: showHelp,
+  drop: () => pointers.cancel(),
+  "pan-ArrowLeft": () => engine.command("pan", [STEP_PX, 0]),
+  "pan-ArrowRight": () => engine.command("pan", [-STEP_PX, 0]),
+  "pan-ArrowUp": () => engine.command("pan", [0, STEP_PX]),
+  "pan-ArrowDown": () => engine.command("pan", [0, -STEP_PX]),
 };
 
 /** @param {string} action */
 function act(action) {
-  const [, kind, which] = /^(swatch|tool)-(.+)$/.exec(action) ?? [];
+  const [, kind, which] = /^(swatch|tool|show)-(.+)$/.exec(action) ?? [];
   if (kind === "swatch") engine.command("color", swatch(Number(which)));
   else if (kind === "tool") engine.command("tool", which);
+  else if (kind === "show") toggle(which);
   else if (actions[action]) actions[action]();
   else engine.command(action);
 }

@@ -1,12 +1,14 @@
 // Every word that the page shows: a table from keys to texts. A text that needs values is a function of them.
 
+import { keysOf } from "./keys.js";
+
 /** @type {Record<string, string | ((values: any) => string)>} */
 const english = {
   "app": "Scumble",
   "group-file": "File",
   "group-history": "History",
   "group-show": "Show",
-  "group-settings": "Settings",
+  "group-zoom": "Zoom",
   "group-view": "View",
   "open": "Open",
   "save": "Save",
@@ -26,6 +28,7 @@ const english = {
   "svg": "SVG",
   "pdf": "PDF",
   "export-size": "Longer side in pixels",
+  "export-size-fault": "The longer side takes a whole number of pixels, from 1 to 16,384",
   "lines": "Lines",
   "transparent": "Transparent",
   "save-export": "Save file",
@@ -57,19 +60,28 @@ const english = {
   "show-tracing": "Show tracing image",
   "tracing-opacity": "Opacity",
   "remove-tracing": "Remove tracing image",
+  "show-result": "Show result",
+  "scribbles": "Scribbles",
+  "result": "Result",
+  "settings": "Settings",
   "engine": "Engine",
+  "engine-note": "Global reads all scribbles at once, Progressive one after the other",
   "engine-global": "Global",
   "engine-progressive": "Progressive",
   "solver": "Solver",
+  "solver-note": "What draws the picture on this screen; files are the same with each",
   "solver-automatic": "Automatic",
   "solver-mesh": "Mesh",
   "solver-gpu": "GPU",
   "source-without-gpu": "Without WebGPU or WebGL2, the mesh solver draws",
   "source-so-close": "At this zoom, the mesh solver draws",
   "gap-closing": "Gap closing",
+  "gap-note": "More stops colours at wider gaps between lines",
   "spread": "Spread",
+  "spread-note": "Colours also what nobody scribbled",
   "percent": ({ percent }) => `${percent}%`,
   "blend": "Blend",
+  "blend-note": "The space in which colours mix",
   "blend-oklab": "OKLab",
   "blend-srgb": "sRGB",
   "zoom-in": "Zoom in",
@@ -79,6 +91,8 @@ const english = {
   "tools": "Tools",
   "tool-scribble": "Scribble",
   "tool-erase": "Erase",
+  "tool-pick": "Pick colour",
+  "tool-hand": "Hand",
   "kind": "What a scribble does",
   "kind-fill": "Fill",
   "kind-shade": "Shade",
@@ -98,7 +112,23 @@ const english = {
   "canvas": "Canvas",
   "canvas-instructions":
     "Draw with the pointer to scribble a colour, to shade, or to erase scribbles. The arrow keys move the picture; Escape drops what the pointer has done since it came down.",
-  "guide": "Wheel or Space-drag moves, Ctrl+wheel zooms, 0–9 pick a colour, [ and ] change the brush, S shades, E erases",
+  "guide": "Wheel or Space-drag moves, Ctrl+wheel zooms, ? shows all shortcuts",
+  "help": "Help",
+  "guide-1": "Pick a colour and scribble inside a shape: the colour fills it. Nothing need be neat. Shade adds soft light and shadow where you draw.",
+  "guide-2": "Where a colour goes wrong, scribble there in the right one, or erase what led astray. Gap closing, in Settings, is for lines with gaps.",
+  "guide-3": "The wheel or two fingers move the picture; Ctrl and the wheel, or a pinch, zoom. Undo takes back anything. Your work is kept in this browser; Export makes the picture.",
+  "single-keys": "Shortcuts of a single key",
+  "hold-pick": "Pick colour, while held",
+  "hold-hand": "Hand, while held",
+  "other-kind": "Fill or shade",
+  "brush-smaller": "Smaller brush",
+  "brush-larger": "Larger brush",
+  "drop": "Drop the stroke",
+  "swatch-": "Swatch",
+  "swatch-0": "No colour",
+  "swap-colors": "The colour before",
+  "pan-": "Move the picture",
+  "zoom-reset": "Zoom to 100%",
   "dismiss": "Dismiss",
   "close": "Close",
   "samples-credit": "Drawings marked OpenMoji are by openmoji.org, licence CC BY-SA 4.0. The others are Scumble’s own.",
@@ -134,6 +164,7 @@ const english = {
   "scribble-added": ({ count }) => `Scribble added, ${count} in the drawing`,
   "scribbles-erased": ({ erased, count }) =>
     `${erased === 1 ? "Scribble" : `${erased} scribbles`} erased, ${count} in the drawing`,
+  "picked": ({ color }) => `Picked ${color === "none" ? "no colour" : color}`,
   "scribble-dropped": "Scribble dropped",
   "undone": "Undone",
   "redone": "Redone",
@@ -175,8 +206,7 @@ export function say(key, values = {}) {
 }
 
 /**
- * Puts the words into the page: `data-text` becomes an element's text, `data-label` its accessible name and, for
- * buttons and what has keys, its tooltip with `data-keys`.
+ * Puts the words into the page: `data-text` becomes an element's text, `data-label` its accessible name.
  * @param {ParentNode} root
  */
 export function label(root) {
@@ -189,12 +219,16 @@ export function label(root) {
 }
 
 /**
- * Gives an element its accessible name, and a tooltip if it is a button or has keys.
+ * Gives an element its accessible name, and a tooltip if it is a button or an input, with the shortcut of its
+ * `data-shortcut`, or of what it does.
  * @param {HTMLElement} element
  * @param {string} text
  */
 export function name(element, text) {
   element.setAttribute("aria-label", text);
-  const { keys } = element.dataset;
-  if (keys || element instanceof HTMLButtonElement) element.title = keys ? `${text} (${keys})` : text;
+  const { shortcut, action, label } = element.dataset;
+  const keys = keysOf(shortcut ?? action ?? label ?? "");
+  if (element instanceof HTMLButtonElement || element instanceof HTMLInputElement) {
+    element.title = keys ? `${text} (${keys})` : text;
+  }
 }

@@ -1,4 +1,5 @@
-// Pointers over the canvas: the pen scribbles or erases; wheel, pinch, middle button and Space move and zoom the view.
+// Pointers over the canvas: the pen does what its tool does, or picks a colour while Alt is held; wheel, pinch, middle
+// button and Space move and zoom the view.
 
 /** @typedef {import("./engine.js").Engine} Engine */
 
@@ -16,7 +17,7 @@ const PX_PER_LINE = 16;
 export class Pointers {
   #stage;
   #engine;
-  /** @type {number | null} The pointer that scribbles or erases. */
+  /** @type {number | null} The pointer that uses the tool. */
   #pen = null;
   #penPoints = 0;
   /** @type {number | null} The pointer that drags the view. */
@@ -67,6 +68,8 @@ export class Pointers {
     if (!(event.target instanceof HTMLCanvasElement)) return;
     event.target.focus();
     event.preventDefault();
+    // A press beside a panel closes that, and no more.
+    if (document.querySelector(":popover-open")) return;
     this.#stage.setPointerCapture(event.pointerId);
     if (event.pointerType === "touch") this.#fingers.set(event.pointerId, this.#place(event));
     if (this.#fingers.size > 1) this.#startPinch();
@@ -76,6 +79,7 @@ export class Pointers {
 
   /** @param {PointerEvent} event */
   #move(event) {
+    this.#stage.classList.toggle("pick", event.altKey);
     if (event.pointerId === this.#hand) this.#drag(this.#place(event));
     else if (this.#fingers.size === 2 && this.#fingers.has(event.pointerId)) this.#pinch(event);
     else if (event.pointerId === this.#pen) this.#stroke("move", event);
@@ -99,7 +103,8 @@ export class Pointers {
 
   /** @param {PointerEvent} event */
   #startStroke(event) {
-    const phase = event.button === 0 ? "down" : event.button === ERASER_BUTTON ? "erase" : null;
+    const main = event.altKey ? "pick" : "down";
+    const phase = event.button === 0 ? main : event.button === ERASER_BUTTON ? "erase" : null;
     if (phase === null) return;
     this.#pen = event.pointerId;
     this.#penPoints = 0;

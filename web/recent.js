@@ -1,5 +1,6 @@
 // The drawings that the browser keeps: a dialog of their pictures, to go on with or to be deleted.
 
+import { openDialog } from "./dialogs.js";
 import { hold, letGo } from "./hold.js";
 import { name, say } from "./messages.js";
 import * as storage from "./storage.js";
@@ -13,9 +14,6 @@ export class Recent {
   /** @param {(id: string) => void} open */
   constructor(open) {
     this.#open = open;
-    this.#dialog.addEventListener("click", (event) => {
-      if (event.target === this.#dialog) this.close();
-    });
   }
 
   /**
@@ -26,11 +24,7 @@ export class Recent {
     const entries = await storage.entries();
     this.#list.replaceChildren(...entries.map((entry) => this.#item(entry, entry.id === shown)));
     this.#none.hidden = entries.length > 0;
-    this.#dialog.showModal();
-  }
-
-  close() {
-    this.#dialog.close();
+    openDialog(this.#dialog);
   }
 
   /**
@@ -43,11 +37,11 @@ export class Recent {
     image.alt = "";
     showPicture(image, entry.id);
     const open = button(say("open-kept", entry), () => {
-      this.close();
+      this.#dialog.close();
       if (!isShown) this.#open(entry.id);
     });
-    open.append(image, element("span", entry.name), element("small", note(entry, isShown)));
-    item.append(open);
+    open.append(image, element("span", entry.name));
+    item.append(open, element("small", note(entry, isShown)));
     if (!isShown) item.append(this.#removal(entry, item));
     return item;
   }

@@ -1,5 +1,6 @@
 // The drawings that come with the page: a dialog of thumbnails.
 
+import { openDialog } from "./dialogs.js";
 import { say } from "./messages.js";
 
 /** @typedef {{ file: string, name: string, credit: string }} Sample */
@@ -13,9 +14,6 @@ export class Samples {
   /** @param {(sample: Sample) => unknown} open */
   constructor(open) {
     this.#open = open;
-    this.#dialog.addEventListener("click", (event) => {
-      if (event.target === this.#dialog) this.#dialog.close();
-    });
   }
 
   /**
@@ -29,11 +27,7 @@ export class Samples {
   }
 
   show() {
-    this.#dialog.showModal();
-  }
-
-  close() {
-    this.#dialog.close();
+    openDialog(this.#dialog);
   }
 
   /** @param {Sample} sample */
@@ -48,12 +42,12 @@ export class Samples {
     image.loading = "lazy";
     name.textContent = sample.name;
     credit.textContent = sample.credit;
-    button.append(image, name, credit);
+    button.append(image, name);
     button.addEventListener("click", () => {
       this.#dialog.close();
       this.#open(sample);
     });
-    item.append(button);
+    item.append(button, credit);
     return item;
   }
 

@@ -1,5 +1,6 @@
 // The dialog of "Share": a link that holds the drawing, how long it is, and ways to hand it on.
 
+import { openDialog } from "./dialogs.js";
 import { say } from "./messages.js";
 
 /** Links up to these lengths, in characters, are taken by nearly everything, by many programs, by some. */
@@ -33,7 +34,7 @@ export async function showLink(fragment, isTraced, codeOf) {
   part("share-tracing").hidden = !isTraced;
   part("share-status").textContent = "";
   part("code").toggleAttribute("hidden", true);
-  dialog.showModal();
+  openDialog(dialog);
   if (length <= LENGTHS.fine) drawCode(await codeOf(link));
 }
 
@@ -50,10 +51,6 @@ function drawCode(code) {
   svg.setAttribute("viewBox", `0 0 ${code.size} ${code.size}`);
   svg.querySelector("path")?.setAttribute("d", code.path);
   svg.toggleAttribute("hidden", false);
-}
-
-export function closeShare() {
-  dialog.close();
 }
 
 /** Copies the link. Where the page may not, it stays selected for the user to copy. */

@@ -51,6 +51,7 @@ const settingOf = (/** @type {string} */ setting) =>
  */
 export function connect(act, set) {
   shown.palette([]);
+  shown.zoom(1);
   fillSwatches("tones", Object.keys(TONES).map((tone) => [tone, tone]));
   for (const id of ["palette", "tones"]) {
     control(id).addEventListener("click", ({ target }) => {
@@ -59,11 +60,13 @@ export function connect(act, set) {
     });
   }
   document.addEventListener("mousedown", keepFocus);
+  // Before what is chosen there is done, so that the focus comes back to what is still to be seen.
+  control("files").addEventListener("click", () => control("files").togglePopover(false), true);
   for (const button of /** @type {NodeListOf<HTMLElement>} */ (document.querySelectorAll("[data-action]"))) {
     button.addEventListener("click", () => act(button.dataset.action ?? ""));
   }
   for (const radio of radios()) radio.addEventListener("change", () => set(radio.name, radio.value));
-  for (const setting of ["lines", "scribbles", "spread", "crosses"]) {
+  for (const setting of ["lines", "scribbles", "result", "spread", "crosses"]) {
     settingOf(setting).addEventListener("change", () => set(setting, settingOf(setting).checked));
   }
   for (const setting of ["engine", "solver", "blend", "pressure"]) {
@@ -101,11 +104,12 @@ function check(group, value) {
 }
 
 /**
- * A button pressed with the mouse leaves the focus where it is: on the canvas, where Space is the hand.
+ * A button pressed with the mouse leaves the focus where it is: on the canvas, where Space is the hand. One that opens
+ * a panel takes it, as the panel follows it for those who go on by keys.
  * @param {MouseEvent} event
  */
 function keepFocus(event) {
-  if (event.target instanceof Element && event.target.closest("button, .tool, .kind")) event.preventDefault();
+  if (event.target instanceof Element && event.target.closest("button:not([popovertarget]), .tool, .kind, .toggle")) event.preventDefault();
 }
 
 /**
@@ -114,14 +118,14 @@ function keepFocus(event) {
  */
 function fillSwatches(id, swatches) {
   control(id).replaceChildren();
-  for (const [key, color] of swatches) {
+  for (const [i, [key, color]] of swatches.entries()) {
     const item = document.createElement("li");
     const swatch = document.createElement("button");
     swatch.type = "button";
     swatch.className = "swatch";
     swatch.dataset.color = color;
     paint(swatch, color);
-    if (color === NO_COLOR) swatch.dataset.keys = "0";
+    if (id === "palette") swatch.dataset.shortcut = `swatch-${color === NO_COLOR ? 0 : i + 1}`;
     name(swatch, say(key));
     item.append(swatch);
     control(id).append(item);
@@ -147,6 +151,11 @@ export function swatch(n) {
 
 export function areLinesShown() {
   return settingOf("lines").checked;
+}
+
+/** Shows or hides one of the layers. @param {string} layer */
+export function toggle(layer) {
+  settingOf(layer).click();
 }
 
 /** Opens the browser's colour picker. */
@@ -210,6 +219,10 @@ export const shown = {
   scribbles(on) {
     settingOf("scribbles").checked = on;
   },
+  /** @param {boolean} on */
+  result(on) {
+    settingOf("result").checked = on;
+  },
   /** @param {{blend: string, engine: string, gapClosing: number, spread: boolean}} settings of the drawing */
   settings({ blend, engine, gapClosing, spread }) {
     settingOf("blend").value = blend;
@@ -221,7 +234,8 @@ export const shown = {
   },
   /** @param {{image?: number, opacity?: number}} state which picture is under the lines, if any, and its opacity */
   tracing({ image, opacity = 0 }) {
-    control("tracing").hidden = image === undefined;
+    control("tracing-button").hidden = image === undefined;
+    if (image === undefined) control("tracing").hidePopover();
     showPercent(settingOf("tracing-opacity"), control("tracing-figure"), Math.round(opacity * 100));
   },
   /** @param {{asked: string}} state which solver is to make the picture */

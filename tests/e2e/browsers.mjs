@@ -59,6 +59,7 @@ const VIEWPORT = { width: 1200, height: 800 };
  * @property {string[]} faults what went wrong in the page: uncaught errors and errors on the console
  * @property {(see: (url: string) => void) => void} onRequest
  * @property {(script: string) => Promise<unknown>} prepare runs a script in each page that is opened from now on, before its own
+ * @property {(width_px: number, height_px: number) => Promise<unknown>} resize its window
  * @property {(bytes: number) => Promise<unknown>} limitStorage
  * @property {() => Promise<Tab>} beside another page with the same history
  * @property {() => Promise<void>} close
@@ -132,6 +133,7 @@ async function chromiumTab(page) {
     },
     onRequest: (see) => void page.on("request", (request) => see(request.url())),
     prepare: (script) => page.addInitScript(script),
+    resize: (width_px, height_px) => page.setViewportSize({ width: width_px, height: height_px }),
     limitStorage: async (bytes) => {
       const devtools = await page.context().newCDPSession(page);
       await devtools.send("Storage.overrideQuotaForOrigin", { origin: new URL(page.url()).origin, quotaSize: bytes });
@@ -217,6 +219,7 @@ function puppeteerTab(page) {
     },
     onRequest: (see) => void page.on("request", (request) => see(request.url())),
     prepare: (script) => page.evaluateOnNewDocument(script),
+    resize: (width_px, height_px) => page.setViewport({ width: width_px, height: height_px }),
     limitStorage: async () => {
       throw new Error("storage is limited in Chromium");
     },

@@ -146,46 +146,84 @@ for (const browser of /** @type {const} */ (["chromium", "firefox"])) {
   });
 }
 
-describe("the dialog of exports", () => {
-  /** @type {Awaited<ReturnType<typeof start>>} */
-  let session;
-  before(async () => {
-    session = await start("chromium");
-  });
-  after(() => session.close());
+for (const browser of /** @type {const} */ (["chromium", "firefox"])) {
+  describe(`the dialog of exports in ${browser}`, () => {
+    /** @type {Awaited<ReturnType<typeof start>>} */
+    let session;
+    before(async () => {
+      session = await start(browser);
+    });
+    after(() => session.close());
 
-  const open = async () => {
-    const editor = await session.open("cpu");
-    await editor.openDrawing("rooms");
-    await editor.tab.hold("Control", () => editor.tab.hold("Shift", () => editor.tab.press("E")));
-    await editor.tab.waitFor(`document.getElementById("export").open`);
-    return editor;
-  };
+    const open = async () => {
+      const editor = await session.open("cpu");
+      await editor.openDrawing("rooms");
+      await editor.tab.hold("Control", () => editor.tab.hold("Shift", () => editor.tab.press("E")));
+      await editor.tab.waitFor(`document.getElementById("export").open`);
+      return editor;
+    };
 
-  test("it opens and closes by keys, and bad sizes are not made", async () => {
-    const editor = await open();
-    await editor.tab.evaluate(`{
-      const size = document.getElementById("export-size");
-      size.value = "16385";
-      size.dispatchEvent(new Event("input", { bubbles: true }));
-    }`);
-    assert.equal(await editor.tab.evaluate(`document.getElementById("save-export").disabled`), true);
-    await editor.click("4×");
-    assert.equal(await editor.tab.evaluate(`document.getElementById("save-export").disabled`), false);
-    await editor.tab.press("Escape");
-    await editor.tab.waitFor(`!document.getElementById("export").open`);
-    assert.deepEqual(editor.tab.faults, []);
-  });
+    /** @param {import("./harness.mjs").Editor} editor @param {string} size */
+    const setSize = async (editor, size) => {
+      await editor.tab.evaluate(`{
+        const size = document.getElementById("export-size");
+        size.value = "${size}";
+        size.dispatchEvent(new Event("input", { bubbles: true }));
+      }`);
+      return /** @type {Promise<{disabled: boolean, invalid: string, said: string}>} */ (editor.tab.evaluate(`({
+        disabled: document.getElementById("save-export").disabled,
+        invalid: document.getElementById("export-size").ariaInvalid,
+        said: document.getElementById("export-status").textContent,
+      })`));
+    };
 
-  test("pixels are copied", async () => {
-    const editor = await open();
-    await editor.tab.evaluate(`
-      navigator.clipboard.write = async ([item]) => void (window.copied = await item.getType("image/png"))`);
-    await editor.click("Copy picture");
-    await editor.tab.waitFor(`document.getElementById("export-status").textContent === "Copied"`);
-    const picture = Picture.decode(await bytes(editor, "window.copied"));
-    assert.equal(picture.width, 1024);
-    await editor.tab.click("radio", "SVG");
-    assert.equal(await editor.tab.evaluate(`document.getElementById("copy-picture").hidden`), true);
+    test("it opens and closes by keys, begins at the first choice, and says which sizes are not made", async () => {
+      const editor = await open();
+      assert.equal(await editor.tab.evaluate("document.activeElement.ariaLabel"), "PNG");
+      for (const size of ["16385", "0", "12.5", ""]) {
+        const { disabled, invalid, said } = await setSize(editor, size);
+        assert.deepEqual([disabled, invalid], [true, "true"], size);
+        assert.match(said, /from 1 to 16,384/);
+      }
+      for (const size of ["16384", "1"]) {
+        assert.deepEqual(await setSize(editor, size), { disabled: false, invalid: "false", said: "" });
+      }
+      await setSize(editor, "16385");
+      await editor.click("4×");
+      assert.equal(await editor.tab.evaluate(`document.getElementById("save-export").disabled`), false);
+      await editor.tab.press("Escape");
+      await editor.tab.waitFor(`!document.getElementById("export").open`);
+      assert.deepEqual(editor.tab.faults, []);
+    });
+
+    test("Lines stay as they were chosen, until those of the view change", async () => {
+      const editor = await open();
+      const lines = () => editor.tab.evaluate(`document.getElementById("export-lines").checked`);
+      /** Opens it again, after something else. @param {() => Promise<unknown>} [between] */
+      const again = async (between = async () => {}) => {
+        await editor.click("Close");
+        await editor.tab.waitFor(`!document.getElementById("export").open`);
+        await between();
+        await editor.click("Export");
+        return lines();
+      };
+      assert.equal(await lines(), true);
+      await editor.toggle("Lines");
+      assert.equal(await again(), false);
+      assert.equal(await again(() => editor.toggle("Show lines")), false);
+      assert.equal(await again(() => editor.toggle("Show lines")), true);
+    });
+
+    test("pixels are copied", async () => {
+      const editor = await open();
+      await editor.tab.evaluate(`
+        navigator.clipboard.write = async ([item]) => void (window.copied = await item.getType("image/png"))`);
+      await editor.click("Copy picture");
+      await editor.tab.waitFor(`document.getElementById("export-status").textContent === "Copied"`);
+      const picture = Picture.decode(await bytes(editor, "window.copied"));
+      assert.equal(picture.width, 1024);
+      await editor.tab.click("radio", "SVG");
+      assert.equal(await editor.tab.evaluate(`document.getElementById("copy-picture").hidden`), true);
+    });
   });
-});
+}

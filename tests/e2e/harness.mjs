@@ -28,6 +28,9 @@ export const DIST = fileURLToPath(new URL("../../dist", import.meta.url));
 /** Longer side of any page in drawing units. */
 const PAGE_DU = 1024;
 
+/** How wide Chromium draws the thumb of a slider. */
+const THUMB_PX = 16;
+
 /** @param {string} file */
 export const drawing = (file) => fileURLToPath(new URL(`drawings/${file}`, import.meta.url));
 
@@ -138,12 +141,33 @@ export class Editor {
 
   /** @param {string} name */
   click(name) {
-    return this.tab.click("button", name);
+    return this.#reach(name, () => this.tab.click("button", name));
   }
 
   /** Checks or unchecks a box. @param {string} name */
   toggle(name) {
-    return this.tab.click("checkbox", name);
+    return this.#reach(name, () => this.tab.click("checkbox", name));
+  }
+
+  /**
+   * Uses a control. Where it lies in a panel that is closed, its button opens that before, and Escape closes it after
+   * if it is still open.
+   * @param {string} name of the control, or its id
+   * @param {() => Promise<unknown>} act
+   */
+  async #reach(name, act) {
+    const opener = await this.tab.evaluate(`{
+      const wanted = ${JSON.stringify(name)};
+      const isIt = (control) => control.id === wanted || (control.ariaLabel ?? control.labels?.[0]?.textContent) === wanted;
+      const panels = [...document.querySelectorAll("[popover]")].filter((panel) => !panel.checkVisibility());
+      const panel = panels.find((panel) => [...panel.querySelectorAll("button, input, select")].some(isIt));
+      panel && document.querySelector('[popovertarget="' + panel.id + '"]').ariaLabel;
+    }`);
+    if (opener) await this.tab.click("button", opener);
+    await act();
+    if (opener && (await this.tab.evaluate(`document.querySelector(":popover-open") !== null`))) {
+      await this.tab.press("Escape");
+    }
   }
 
   /**
@@ -152,7 +176,7 @@ export class Editor {
    * @param {string} option its value
    */
   choose(name, option) {
-    return this.tab.choose(name, option);
+    return this.#reach(name, () => this.tab.choose(name, option));
   }
 
   /**
@@ -161,14 +185,22 @@ export class Editor {
    * @param {number} percent
    * @param {() => Promise<unknown>} [look] while it is held there
    */
-  async slide(id, percent, look = async () => {}) {
+  slide(id, percent, look = async () => {}) {
+    return this.#reach(id, () => this.#slide(id, percent, look));
+  }
+
+  /**
+   * @param {string} id
+   * @param {number} percent
+   * @param {() => Promise<unknown>} look
+   */
+  async #slide(id, percent, look) {
     /** @type {{x: number, y: number, width: number, height: number, value: number}} */
     const { x, y, width, height, value } = await this.tab.evaluate(`{
       const slider = document.getElementById(${JSON.stringify(id)});
       ({ ...slider.getBoundingClientRect().toJSON(), value: slider.valueAsNumber });
     }`);
-    const thumb_px = height;
-    const at = (/** @type {number} */ p) => x + thumb_px / 2 + ((width - thumb_px) * p) / 100;
+    const at = (/** @type {number} */ p) => x + THUMB_PX / 2 + ((width - THUMB_PX) * p) / 100;
     await this.tab.mouse.move(at(value), y + height / 2);
     await this.tab.mouse.down();
     for (const step of [0.3, 0.7, 1]) await this.tab.mouse.move(at(value + step * (percent - value)), y + height / 2);
@@ -178,7 +210,8 @@ export class Editor {
 
   /** Opens a drawing of the tests through "Open". @param {string} name of the file, without `.svg` */
   openDrawing(name) {
-    return this.until(`Opened ${name}`, () => this.tab.chooseFiles([drawing(`${name}.svg`)]));
+    const choose = () => this.tab.chooseFiles([drawing(`${name}.svg`)]);
+    return this.until(`Opened ${name}`, () => this.#reach("Open", choose));
   }
 
   /** @param {string} name */

@@ -56,7 +56,7 @@ const drop = (editor, name, content) =>
 const lay = (editor) => editor.until("sea.png lies under", () => drop(editor, "sea.png", HALVES));
 
 /** @param {Editor} editor @returns {Promise<boolean>} whether there is a picture, shown or not */
-const hasControls = (editor) => editor.tab.evaluate(`document.getElementById("tracing").checkVisibility()`);
+const hasControls = (editor) => editor.tab.evaluate(`document.getElementById("tracing-button").checkVisibility()`);
 
 for (const { browser, renderer } of TARGETS) {
   describe(`a picture to trace, ${renderer} in ${browser}`, () => {

@@ -53,6 +53,7 @@ pub(crate) fn command_from_js(name: &str, args: &JsValue) -> Option<Command> {
         "lines" => Command::Lines(args.as_bool()?),
         "scribbles" => Command::Scribbles(args.as_bool()?),
         "paper" => Command::Paper(args.as_bool()?),
+        "result" => Command::Result(args.as_bool()?),
         "desk" => Command::Desk(color(args)?),
         _ => Command::View(view_change(name, args)?),
     })
@@ -132,6 +133,7 @@ fn js_from_effect(effect: Effect) -> (&'static str, JsValue) {
         Effect::Lines(shown) => ("lines", shown.into()),
         Effect::Scribbles(shown) => ("scribbles", shown.into()),
         Effect::Tracing(state) => ("tracing", js_from_tracing(state)),
+        Effect::Result(shown) => ("result", shown.into()),
         Effect::Settings(settings) => ("settings", js_from_settings(settings)),
         Effect::Solver(SolverState { asked, source }) => (
             "solver",
@@ -146,6 +148,7 @@ fn js_from_effect(effect: Effect) -> (&'static str, JsValue) {
             "scribbles-erased",
             object(&[("erased", (erased as f64).into()), ("count", (count as f64).into())]),
         ),
+        Effect::Picked(color) => ("picked", object(&[("color", color.to_string().into())])),
         Effect::ScribbleDropped => ("scribble-dropped", object(&[])),
         Effect::Undone => ("undone", object(&[])),
         Effect::Redone => ("redone", object(&[])),

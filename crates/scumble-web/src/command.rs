@@ -14,6 +14,8 @@ pub enum Phase {
     Down,
     /// It begins, with the eraser at the other end of the pen.
     Erase,
+    /// It begins, with the tool that picks a colour.
+    Pick,
     /// It goes on.
     Move,
     /// It ends, and is kept.
@@ -28,6 +30,7 @@ impl Phase {
         match name {
             "down" => Some(Self::Down),
             "erase" => Some(Self::Erase),
+            "pick" => Some(Self::Pick),
             "move" => Some(Self::Move),
             "up" => Some(Self::Up),
             "cancel" => Some(Self::Cancel),
@@ -44,6 +47,10 @@ pub enum Tool {
     Scribble,
     /// It takes scribbles away that it touches.
     Erase,
+    /// It takes the colour that it is lifted from for the next scribbles.
+    Pick,
+    /// It moves the view.
+    Hand,
 }
 
 /// One of the settings of a drawing.
@@ -121,6 +128,8 @@ pub enum Command {
     Scribbles(bool),
     /// Whether there is paper under the colours. Without it what lies under the canvas is seen.
     Paper(bool),
+    /// Whether the colours are shown.
+    Result(bool),
     /// The colour around the page.
     Desk(Srgb8),
     /// Another view.

@@ -32,6 +32,8 @@ pub enum Effect {
     Lines(bool),
     /// Whether scribbles are shown.
     Scribbles(bool),
+    /// Whether the colours are shown.
+    Result(bool),
     /// How the drawing is coloured.
     Settings(Settings),
     /// The picture under the lines. Told before the sheet whose it is.
@@ -57,6 +59,8 @@ pub enum Effect {
         /// How many are left.
         count: usize,
     },
+    /// A colour was taken from the picture.
+    Picked(Paint),
     /// A scribble was abandoned.
     ScribbleDropped,
     /// A gesture was taken back.
@@ -104,6 +108,7 @@ pub(crate) struct State {
     pub(crate) brush_du: Option<f64>,
     pub(crate) lines: Option<bool>,
     pub(crate) scribbles: Option<bool>,
+    pub(crate) result: Option<bool>,
     pub(crate) settings: Option<Settings>,
     pub(crate) tracing: Option<TracingState>,
     pub(crate) palette: Option<Vec<Paint>>,
@@ -126,6 +131,7 @@ impl State {
             news(self.brush_du, known.brush_du, Effect::BrushSize),
             news(self.lines, known.lines, Effect::Lines),
             news(self.scribbles, known.scribbles, Effect::Scribbles),
+            news(self.result, known.result, Effect::Result),
             news(self.settings, known.settings, Effect::Settings),
             news(self.solver, known.solver, Effect::Solver),
         ];

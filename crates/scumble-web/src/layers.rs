@@ -89,8 +89,13 @@ impl Layers {
     }
 }
 
+/// How wide a scribble is drawn, in du.
+pub(crate) fn drawn_width_du(scribble: &Scribble) -> f64 {
+    if scribble.is_fill() { scribble.width_du } else { SPINE_DU.min(scribble.width_du) }
+}
+
 fn shapes(scribble: &Scribble, tolerance_du: f64) -> [Shape; EACH] {
-    let width_du = if scribble.is_fill() { scribble.width_du } else { SPINE_DU.min(scribble.width_du) };
+    let width_du = drawn_width_du(scribble);
     let drawn = Scribble { width_du, ..scribble.clone() };
     let rim_du = RIM_PX * tolerance_du / TOLERANCE_PX;
     let is_pale = is_pale(scribble.color);

@@ -22,9 +22,10 @@ use crate::view::Viewport;
 mod coloring;
 mod gestures;
 mod ink;
+mod picker;
 mod sheet;
 
-use gestures::{Eraser, Stroke};
+use gestures::{Held, Stroke};
 use sheet::Sheet;
 
 /// The page that is there before a drawing is opened, in du.
@@ -49,13 +50,14 @@ pub struct Session {
     layers: Layers,
     viewport: Viewport,
     tool: Tool,
-    /// The eraser in hand.
-    eraser: Option<Eraser>,
+    /// What the pen is down as, where it draws no scribble.
+    held: Option<Held>,
     brush: Brush,
     stroke: Stroke,
     lines_shown: bool,
     scribbles_shown: bool,
     paper: Option<Srgb8>,
+    result_shown: bool,
     desk: Srgb8,
     solver: Solver,
     grids: Grids,
@@ -106,12 +108,13 @@ impl Session {
             problem: None,
             layers: Layers::default(),
             tool: Tool::default(),
-            eraser: None,
+            held: None,
             brush: Brush::default(),
             stroke: Stroke::default(),
             lines_shown: true,
             scribbles_shown: true,
             paper: Some(PAPER),
+            result_shown: true,
             desk,
             solver: Solver::default(),
             grids: Grids::default(),
@@ -173,6 +176,7 @@ impl Session {
                 self.paper = shown.then_some(PAPER);
                 self.stale.view = true;
             }
+            Command::Result(shown) => self.show_result(shown),
             Command::Desk(desk) => self.set_desk(desk),
             Command::View(change) => {
                 change.apply(&mut self.viewport);
@@ -186,9 +190,10 @@ impl Session {
         self.refresh_colors();
         self.refresh_ink();
         if take(&mut self.stale.view) {
+            let blank = Field::default();
             let painting = Painting {
-                field: &self.field,
-                problem: self.problem.as_ref().filter(|_| self.source == Source::Grid),
+                field: if self.result_shown { &self.field } else { &blank },
+                problem: self.problem.as_ref().filter(|_| self.source == Source::Grid && self.result_shown),
                 layers: &self.layers,
                 view: self.viewport.view(),
                 paper: self.paper,
@@ -286,7 +291,7 @@ impl Session {
 
     /// Ends the drag of a slider, not what the pen does meanwhile.
     fn settle(&mut self) {
-        if self.eraser.is_none() && !self.sheet.editor.is_scribbling() {
+        if self.held.is_none() && !self.sheet.editor.is_scribbling() {
             self.sheet.editor.commit();
         }
     }
@@ -319,6 +324,7 @@ impl Session {
             brush_du: Some(self.brush.size_du()),
             lines: Some(self.lines_shown),
             scribbles: Some(self.scribbles_shown),
+            result: Some(self.result_shown),
             settings: Some(self.document().settings),
             tracing: Some(TracingState {
                 tracing: self.document().tracing,

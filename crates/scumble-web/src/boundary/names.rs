@@ -7,13 +7,15 @@ use crate::command::Tool;
 use crate::solver::{Solver, Source};
 
 pub(super) fn tool_from_name(name: &str) -> Option<Tool> {
-    [Tool::Scribble, Tool::Erase].into_iter().find(|tool| tool_name(*tool) == name)
+    [Tool::Scribble, Tool::Erase, Tool::Pick, Tool::Hand].into_iter().find(|tool| tool_name(*tool) == name)
 }
 
 pub(super) fn tool_name(tool: Tool) -> &'static str {
     match tool {
         Tool::Scribble => "scribble",
         Tool::Erase => "erase",
+        Tool::Pick => "pick",
+        Tool::Hand => "hand",
     }
 }
 

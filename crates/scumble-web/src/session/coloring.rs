@@ -25,6 +25,12 @@ impl Session {
         if source == Source::Grid { self.refresh_problem() } else { self.refresh_field() }
     }
 
+    pub(super) fn show_result(&mut self, shown: bool) {
+        self.result_shown = shown;
+        (self.changed.field, self.changed.problem) = (true, true);
+        self.stale.view = true;
+    }
+
     /// Where the picture is to come from.
     pub(super) fn choice(&self) -> Source {
         self.solver.source(&self.moment())

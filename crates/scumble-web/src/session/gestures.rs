@@ -1,23 +1,18 @@
-//! What the pen does on the canvas: it scribbles, or erases scribbles.
+//! What the pen does on the canvas: it scribbles, erases scribbles, picks a colour or moves the view.
 
-use kurbo::{Affine, Line, Point, Rect, Vec2};
-use scumble_core::{Paint, Scribble, ScribbleKind, Srgb8};
-use scumble_solve::{Scene, View, paint};
+use kurbo::{Line, Point, Rect};
+use scumble_core::{Paint, Scribble, ScribbleKind};
 
 use super::Session;
 use crate::brush::{Brush, Ink};
 use crate::command::{Phase, Tool};
 use crate::effect::Effect;
-use crate::painting::PAPER;
 
 /// The eraser reaches this far, in CSS pixels.
 const ERASER_REACH_CSS: f64 = 5.0;
 
 /// A pen that stays this close to where it came down has clicked, not dragged, in CSS pixels.
 const CLICK_CSS: f64 = 4.0;
-
-/// Pixels of a du where the colour of a place is looked up.
-const CLOSE: f64 = 64.0;
 
 /// What a stroke is drawn with, from its beginning to its end.
 #[derive(Clone, Copy, Debug, Default)]
@@ -36,6 +31,15 @@ impl Stroke {
     fn width_and_kind(&self) -> (f64, ScribbleKind) {
         self.brush.pressed(self.pressed)
     }
+}
+
+/// What a pen is that is down, where it draws no scribble.
+#[derive(Debug)]
+pub(super) enum Held {
+    Eraser(Eraser),
+    Picker,
+    /// A hand on a place in du, which follows the pen.
+    Hand(Point),
 }
 
 /// An eraser on its way.
@@ -61,6 +65,8 @@ impl Session {
         match (phase, self.tool) {
             (Phase::Down, Tool::Scribble) => self.begin_scribble(&points),
             (Phase::Down, Tool::Erase) | (Phase::Erase, _) => self.begin_erasing(&points),
+            (Phase::Down, Tool::Pick) | (Phase::Pick, _) => self.held = Some(Held::Picker),
+            (Phase::Down, Tool::Hand) => self.held = points.first().copied().map(Held::Hand),
             (Phase::Move, _) => self.carry_on(&points),
             (Phase::Up, _) => self.end(&points),
             (Phase::Cancel, _) => self.drop_gesture(),
@@ -77,24 +83,37 @@ impl Session {
         if self.sheet.editor.is_scribbling() {
             self.extend_scribble(points);
             self.scribbles_changed();
+        } else if let Some(Held::Hand(place)) = self.held {
+            self.drag(place, points);
         } else {
             self.erase_along(points);
         }
     }
 
+    /// Moves the view so that a place in du lies under the pen.
+    fn drag(&mut self, place: Point, points: &[Point]) {
+        if let Some(&under) = points.last() {
+            self.viewport.pan((under - place) * self.viewport.zoom());
+            self.stale.view = true;
+        }
+    }
+
     fn end(&mut self, points: &[Point]) {
         if self.sheet.editor.is_scribbling() {
-            self.end_scribble(points);
-        } else {
-            self.erase_along(points);
-            self.end_erasing();
+            return self.end_scribble(points);
+        }
+        self.carry_on(points);
+        match (self.held.take(), points.last()) {
+            (Some(Held::Eraser(eraser)), _) => self.end_erasing(&eraser),
+            (Some(Held::Picker), Some(&place)) => self.pick(place),
+            _ => {}
         }
     }
 
     fn drop_gesture(&mut self) {
         if self.sheet.editor.is_scribbling() {
             self.drop_scribble();
-        } else if self.eraser.take().is_some() {
+        } else if let Some(Held::Eraser(_)) = self.held.take() {
             self.sheet.editor.abort();
             self.scribbles_changed();
         }
@@ -109,17 +128,6 @@ impl Session {
         let (width_du, kind) = self.stroke.width_and_kind();
         self.sheet.editor.begin_scribble(Scribble { color, kind, width_du, points: points.to_vec() });
         self.scribbles_changed();
-    }
-
-    /// The colour of the picture at a place in du, under lines and scribbles.
-    fn color_under(&mut self, place: Point) -> Srgb8 {
-        self.refresh_field();
-        let middle_px = Vec2::new(0.5, 0.5);
-        let px_from_du =
-            Affine::translate(middle_px) * Affine::scale(CLOSE) * Affine::translate(-place.to_vec2());
-        let scene = Scene { paper: Some(PAPER), field: &self.field, shapes: &[] };
-        let pixel = paint(&scene, &View { px_from_du, width_px: 1, height_px: 1 });
-        pixel.rgba.first_chunk().map_or(PAPER, |&rgb| Srgb8(rgb))
     }
 
     fn extend_scribble(&mut self, points: &[Point]) {
@@ -155,14 +163,14 @@ impl Session {
     fn begin_erasing(&mut self, points: &[Point]) {
         let Some(&last) = points.first() else { return };
         self.sheet.editor.begin();
-        self.eraser = Some(Eraser { last, erased: 0 });
+        self.held = Some(Held::Eraser(Eraser { last, erased: 0 }));
         let uppermost = self.touched(Line::new(last, last)).pop();
         self.erase(uppermost.as_slice());
     }
 
     fn erase_along(&mut self, points: &[Point]) {
         for &point in points {
-            let Some(eraser) = &mut self.eraser else { return };
+            let Some(Held::Eraser(eraser)) = &mut self.held else { return };
             let way = Line::new(eraser.last, point);
             if (way.p1 - way.p0).hypot() * self.viewport.zoom() >= CLICK_CSS {
                 eraser.last = point;
@@ -172,12 +180,10 @@ impl Session {
         }
     }
 
-    fn end_erasing(&mut self) {
-        if let Some(Eraser { erased, .. }) = self.eraser.take() {
-            self.sheet.editor.commit();
-            if erased > 0 {
-                self.tell(Effect::ScribblesErased { erased, count: self.document().scribbles.len() });
-            }
+    fn end_erasing(&mut self, &Eraser { erased, .. }: &Eraser) {
+        self.sheet.editor.commit();
+        if erased > 0 {
+            self.tell(Effect::ScribblesErased { erased, count: self.document().scribbles.len() });
         }
     }
 
@@ -190,7 +196,7 @@ impl Session {
 
     fn erase(&mut self, indices: &[usize]) {
         let erased = self.sheet.editor.erase_scribbles(indices);
-        if let (Some(eraser), 1..) = (&mut self.eraser, erased) {
+        if let (Some(Held::Eraser(eraser)), 1..) = (&mut self.held, erased) {
             eraser.erased += erased;
             self.scribbles_changed();
         }

@@ -61,14 +61,14 @@ impl Session {
     }
 
     fn show(&mut self, sheet: Sheet) -> Sheet {
-        self.eraser = None;
+        self.held = None;
         self.viewport.show_page(sheet.editor.document().drawing.frame());
         self.stale = Stale::ALL;
         replace(&mut self.sheet, sheet)
     }
 
     pub(super) fn undo(&mut self) {
-        self.eraser = None;
+        self.held = None;
         if self.sheet.editor.undo() {
             self.scribbles_changed();
         } else if let Some(sheet) = self.shelf.pop() {

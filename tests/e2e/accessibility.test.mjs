@@ -1,0 +1,92 @@
+// axe, by Deque, looks at the page in each of its states: nothing serious or critical.
+import assert from "node:assert/strict";
+import { readFile } from "node:fs/promises";
+import { after, before, describe, test } from "node:test";
+import { start } from "./harness.mjs";
+
+/** @typedef {import("./harness.mjs").Editor} Editor */
+
+const AXE = await readFile(new URL("../../node_modules/axe-core/axe.min.js", import.meta.url), "utf8");
+
+const WIDE = /** @type {const} */ ([1200, 800]);
+const PHONE = /** @type {const} */ ([360, 640]);
+
+/** What is open or chosen, and how one comes there. @type {Record<string, (editor: Editor) => Promise<unknown>>} */
+const STATES = {
+  "a drawing": async () => {},
+  shading: (editor) => editor.tab.click("radio", "Shade"),
+  settings: (editor) => editor.click("Settings"),
+  samples: (editor) => opened(editor, "Samples", "samples"),
+  "recent drawings": (editor) => opened(editor, "Recent drawings", "recent"),
+  export: (editor) => opened(editor, "Export", "export"),
+  "a bad size": async (editor) => {
+    await opened(editor, "Export", "export");
+    await editor.tab.evaluate(`{
+      const size = document.getElementById("export-size");
+      size.value = "0";
+      size.dispatchEvent(new Event("input", { bubbles: true }));
+    }`);
+  },
+  share: (editor) => opened(editor, "Share", "share"),
+  help: (editor) => opened(editor, "Help", "help"),
+  "a warning": (editor) =>
+    editor.tab.evaluate(`document.getElementById("alert").hidden = false; document.querySelector("#alert p").textContent = "Mind."`),
+};
+
+/** Those that only a narrow window has. @type {typeof STATES} */
+const NARROW = {
+  files: (editor) => editor.tab.click("button", "File"),
+  view: (editor) => editor.tab.click("button", "View"),
+};
+
+/** @param {Editor} editor @param {string} button @param {string} dialog */
+async function opened(editor, button, dialog) {
+  await editor.click(button);
+  await editor.tab.waitFor(`document.getElementById("${dialog}").open`);
+}
+
+/** @param {Editor} editor @returns {Promise<string[]>} what is serious or critical, and where */
+const faults = (editor) =>
+  editor.tab.evaluate(`axe.run(document, { resultTypes: ["violations"] }).then(({ violations }) =>
+    violations
+      .filter(({ impact }) => ["serious", "critical"].includes(impact))
+      .flatMap(({ id, nodes }) => nodes.map(({ target, failureSummary }) => [id, target, failureSummary].join(" | "))))`);
+
+/** Colours are the same in both browsers. @type {["chromium" | "firefox", string[]][]} */
+const THEMES = [
+  ["chromium", ["light", "dark"]],
+  ["firefox", ["light"]],
+];
+
+for (const [browser, themes] of THEMES) {
+  describe(`axe in ${browser}`, () => {
+    /** @type {Awaited<ReturnType<typeof start>>} */
+    let session;
+    before(async () => {
+      session = await start(browser);
+    });
+    after(() => session.close());
+
+    for (const [name, [width, height], states] of /** @type {const} */ ([
+      ["a wide window", WIDE, STATES],
+      ["a phone", PHONE, { ...STATES, ...NARROW }],
+    ])) {
+      for (const theme of themes) {
+        test(`finds nothing serious in ${name}, ${theme}`, async () => {
+          const editor = await session.open("cpu");
+          await editor.tab.resize(width, height);
+          await editor.openDrawing("rooms");
+          await editor.tab.evaluate(`document.documentElement.style.colorScheme = "${theme}"`);
+          await editor.tab.evaluate(AXE);
+          for (const [state, reach] of Object.entries(states)) {
+            await reach(editor);
+            assert.deepEqual(await faults(editor), [], state);
+            await editor.tab.evaluate(`
+              document.querySelector("dialog[open]")?.close();
+              document.querySelector(":popover-open")?.hidePopover();`);
+          }
+        });
+      }
+    }
+  });
+}
