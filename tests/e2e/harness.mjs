@@ -158,7 +158,7 @@ export class Editor {
   async #reach(name, act) {
     const opener = await this.tab.evaluate(`{
       const wanted = ${JSON.stringify(name)};
-      const isIt = (control) => control.id === wanted || (control.ariaLabel ?? control.labels?.[0]?.textContent) === wanted;
+      const isIt = (control) => control.id === wanted || (control.ariaLabel ?? control.labels?.[0]?.textContent ?? control.textContent) === wanted;
       const panels = [...document.querySelectorAll("[popover]")].filter((panel) => !panel.checkVisibility());
       const panel = panels.find((panel) => [...panel.querySelectorAll("button, input, select")].some(isIt));
       panel && document.querySelector('[popovertarget="' + panel.id + '"]').ariaLabel;
