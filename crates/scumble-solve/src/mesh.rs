@@ -21,6 +21,7 @@ mod fronts;
 mod order;
 mod refine;
 mod region;
+mod substitution;
 mod system;
 
 use std::mem;
