@@ -1,8 +1,9 @@
 //! `scumble bench`: how long each stage takes on the drawings of a quality set, and labelling by each engine, on one
-//! thread; or how labelling grows on made drawings.
+//! thread; or how labels and pictures grow on made drawings.
 
 mod growth;
 mod labels;
+mod pictures;
 mod shades;
 
 use std::path::Path;

@@ -211,8 +211,16 @@ fn stops(runs: &[Run]) -> Vec<Stop> {
 /// Where several curves run along one piece, the first of them colours it.
 pub(crate) fn side_colors(map: &PlanarMap, spans: &[ColorSpan], blend: Blend) -> SideColors {
     let mut colors = vec![None; map.side_count()];
+    let mut last = (Paint::Clear, blend.from_paint(Paint::Clear));
+    let mut color_of = |paint: Paint| {
+        // Most stops have the colour of the one before, and roots take their time.
+        if paint != last.0 {
+            last = (paint, blend.from_paint(paint));
+        }
+        last.1
+    };
     for span in spans {
-        let knots: Vec<_> = span.stops.iter().map(|p| (p.arc_du, blend.from_paint(p.color))).collect();
+        let knots: Vec<_> = span.stops.iter().map(|p| (p.arc_du, color_of(p.color))).collect();
         let steps = map.steps(span.curve as usize);
         let round_du = steps.last().map_or(0.0, |last| last.arc_du[1]);
         // Last without a round ahead: what was set by hand past the end is of no account.
@@ -229,12 +237,13 @@ pub type Knot = (f64, BlendColor);
 /// Colours the steps that lie within a span, `before_du` being what its arc positions are ahead of theirs.
 fn color_steps(map: &PlanarMap, span: &ColorSpan, knots: &[Knot], before_du: f64, colors: &mut SideColors) {
     let [Some(first), Some(last)] = [knots.first(), knots.last()] else { return };
+    let is_plain = knots.iter().all(|knot| knot.1 == first.1);
     let steps = map.steps(span.curve as usize);
     let begin = steps.partition_point(|step| step.arc_du[0] + before_du < first.0);
     let within = steps[begin..].iter().take_while(|step| step.arc_du[1] + before_du <= last.0);
     for step in within.filter(|step| map.pieces()[step.left.piece()].curve == Some(span.curve)) {
         let [a, b] = step.arc_du.map(|arc_du| arc_du + before_du);
-        let along = [a, 0.5 * (a + b), b].map(|arc_du| color_at(knots, arc_du));
+        let along = if is_plain { [first.1; 3] } else { [a, 0.5 * (a + b), b].map(|at| color_at(knots, at)) };
         let [start, middle, end] = along;
         let side = side(step, span.is_left);
         colors[side.index()] = Some(if span.is_left { [end, middle, start] } else { along });

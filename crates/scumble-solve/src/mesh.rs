@@ -21,17 +21,18 @@ mod fronts;
 mod order;
 mod refine;
 mod region;
+mod substitution;
 mod system;
 
 use std::mem;
 use std::sync::Arc;
 
-use scumble_core::{Blend, Boundary, Triangulation, sort};
+use scumble_core::{Blend, Boundary, SoftSource, Triangulation, sort};
 use thiserror::Error;
 
 use crate::barriers::Barriers;
 use crate::field::{Field, FieldTriangle};
-use crate::reach::Regions;
+use crate::reach::{Reach, Regions};
 use region::Region;
 
 /// Why a drawing has no colour field.
@@ -95,8 +96,7 @@ impl MeshSolver {
     /// Sets up the systems of the regions whose gaps or set of coloured sides changed.
     pub fn analyse(&mut self, boundary: &Boundary) {
         self.close_gaps(&boundary.closed_gaps);
-        let regions = Regions::new(&self.mesh, &mut self.regions.iter().map(Region::triangles));
-        let reaches: Vec<_> = boundary.sources.iter().map(|source| regions.reach(source)).collect();
+        let reaches = self.reaches(&boundary.sources);
         for (i, region) in (0..).zip(&mut self.regions) {
             let shading = boundary.sources.iter().zip(&reaches);
             let shading = shading.filter(|(_, reach)| reach.meets(&self.mesh, i, region.triangles()));
@@ -106,6 +106,14 @@ impl MeshSolver {
                 self.memory = memory;
             }
         }
+    }
+
+    fn reaches(&self, sources: &[SoftSource]) -> Vec<Reach> {
+        if sources.is_empty() {
+            return Vec::new();
+        }
+        let regions = Regions::new(&self.mesh, &mut self.regions.iter().map(Region::triangles));
+        sources.iter().map(|source| regions.reach(source)).collect()
     }
 
     /// Numbers the regions anew that have a part in a gap which was closed or opened.
@@ -176,10 +184,11 @@ impl MeshSolver {
         let mut triangles = mem::take(&mut self.field.triangles);
         triangles.resize(counts.iter().sum(), FieldTriangle::default());
         let mut rest = &mut triangles[..];
-        for ((region, &count), &is_changed) in self.regions.iter().zip(&counts).zip(is_changed) {
+        let barriers = Barriers { mesh: &self.mesh, closed_gaps: &self.closed_gaps };
+        for ((region, &count), &is_changed) in self.regions.iter_mut().zip(&counts).zip(is_changed) {
             let (own, others) = rest.split_at_mut(count);
             if is_changed || is_moved {
-                region.emit(self.barriers(), own);
+                region.emit(barriers, is_moved, own);
             }
             rest = others;
         }

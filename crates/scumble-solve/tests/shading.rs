@@ -192,6 +192,24 @@ fn a_small_move_makes_a_small_difference() {
     }
 }
 
+#[test]
+fn a_move_that_leaves_the_number_of_triangles_moves_their_corners() {
+    let mut document = document(fills());
+    document.scribbles.push(shade(BLUE, 0.8, 40.0, &[(300.0, 450.0)]));
+    let mut picture = Picture::new(&document.drawing).expect("a map");
+    let mut moved = 0;
+    for _ in 0..30 {
+        let before = picture.update(&document).expect("a field").clone();
+        document.scribbles[3].points[0] += Vec2::new(2.0, 1.5);
+        let after = picture.update(&document).expect("a field");
+        assert!(after == &field(&document), "as if it had been there from the first");
+        let pairs = || before.triangles.iter().zip(&after.triangles);
+        let is_as_many = before.triangles.len() == after.triangles.len();
+        moved += usize::from(is_as_many && pairs().any(|(a, b)| a.corners != b.corners));
+    }
+    assert!(moved > 0, "some move is one of those");
+}
+
 fn any_shade() -> impl Strategy<Value = Scribble> {
     let points = prop::collection::vec((150.0..900.0_f64, 250.0..750.0_f64), 1..4);
     (any::<[u8; 3]>(), 0.05..=1.0_f64, 6.0..150.0_f64, points, any::<bool>()).prop_map(

@@ -1,8 +1,9 @@
-//! How times grow with the pieces of a drawing.
+//! How times grow with the pieces of a drawing: labels by each engine, and pictures.
 
 use scumble_core::{Drawing, PlanarMap, Sampling, Settings};
 
 use super::labels::{self, CANDIDATES, LabelTimes, ROWS};
+use super::pictures::{self, PictureTimes};
 use super::times_of;
 use crate::clock::timed;
 use crate::made;
@@ -19,9 +20,10 @@ struct Sample {
     map_ms: f64,
     gaps_ms: f64,
     labels: [LabelTimes; CANDIDATES.len()],
+    pictures: PictureTimes,
 }
 
-/// Times maps and labels on made drawings and prints how they grow.
+/// Times maps, labels and pictures on made drawings and prints how they grow.
 ///
 /// # Errors
 /// When a made drawing has no map.
@@ -30,9 +32,11 @@ pub(crate) fn run() -> anyhow::Result<()> {
     let samples = CELLS
         .into_iter()
         .map(|cells| {
-            let (map, map_ms, gaps_ms) = map(&made::drawing(cells))?;
+            let drawing = made::drawing(cells);
+            let (map, map_ms, gaps_ms) = map(&drawing)?;
             let labels = CANDIDATES.map(|candidate| times_of(candidate, &map, &scribbles));
-            Ok(Sample { piece_count: map.pieces().len(), map_ms, gaps_ms, labels })
+            let pictures = PictureTimes::of(&drawing, &scribbles)?;
+            Ok(Sample { piece_count: map.pieces().len(), map_ms, gaps_ms, labels, pictures })
         })
         .collect::<anyhow::Result<Vec<_>>>()?;
     let in_full = &samples[IN_FULL];
@@ -56,6 +60,10 @@ fn print(samples: &[Sample]) {
     println!(" {:>9}", "exponent");
     print_row("map", samples, |sample| sample.map_ms);
     print_row("gaps", samples, |sample| sample.gaps_ms);
+    println!("pictures");
+    for (row, name) in pictures::ROWS.iter().enumerate() {
+        print_row(&format!("  {name}"), samples, |sample| sample.pictures.rows[row].median());
+    }
     for (i, candidate) in CANDIDATES.iter().enumerate() {
         println!("{}", candidate.name);
         for (row, name) in ROWS.iter().enumerate() {

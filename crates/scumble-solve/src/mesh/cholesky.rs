@@ -1,7 +1,7 @@
 //! Sparse Cholesky factorisation, front by front, and the solution of systems with the factor.
 //!
-//! Columns of fronts are packed: each begins at the diagonal and ends with the front. No sum runs along a column, so
-//! vector instructions do not change the order of any.
+//! Columns of fronts are packed: each begins at the diagonal, of which it has the inverse, and ends with the front. No
+//! sum runs along a column, so vector instructions do not change the order of any.
 
 use std::mem;
 
@@ -10,6 +10,7 @@ use scumble_core::BlendColor;
 use super::SolveError;
 use super::element::Matrix;
 use super::fronts::{Front, Fronts, NONE};
+use super::substitution;
 
 /// Where a part of the region hangs on the rest by triangles without area alone, the last pivot of that part is zero
 /// but for rounding. Pivots up to this are taken as one, so that the part gets some value within the range.
@@ -69,18 +70,7 @@ impl Factor {
 
     /// Replaces the right-hand sides by the solutions.
     pub(super) fn solve(&self, fronts: &Fronts, values: &mut [BlendColor]) {
-        let mut local = Vec::new();
-        let mut start = 0;
-        for front in &fronts.list {
-            let columns = &self.entries[start..start + front.entry_count()];
-            forwards(columns, front, fronts.boundary(front), values, &mut local);
-            start += front.entry_count();
-        }
-        for front in fronts.list.iter().rev() {
-            start -= front.entry_count();
-            let columns = &self.entries[start..start + front.entry_count()];
-            backwards(columns, front, fronts.boundary(front), values, &mut local);
-        }
+        substitution::solve(&self.entries, fronts, values);
     }
 }
 
@@ -162,8 +152,9 @@ impl<'a> Dense<'a> {
                 return Err(SolveError::NotPositive);
             }
             let root = if pivot > LEAST_PIVOT { pivot.sqrt() } else { 1.0 };
-            column[0] = root;
-            column[1..].iter_mut().for_each(|entry| *entry /= root);
+            let per_root = root.recip();
+            column[0] = per_root;
+            column[1..].iter_mut().for_each(|entry| *entry *= per_root);
         }
         let mut left = &mut *self.left;
         for length in (1..=self.size - self.pivot_count).rev() {
@@ -176,7 +167,7 @@ impl<'a> Dense<'a> {
 }
 
 /// Where a column begins in the lower half of a matrix.
-fn start(size: usize, j: usize) -> usize {
+pub(super) fn start(size: usize, j: usize) -> usize {
     j * (2 * size + 1 - j) / 2
 }
 
@@ -203,57 +194,6 @@ fn subtract(before: &[f64], target: &mut [f64], size: usize, count: usize) {
         let factor = a[0];
         target.iter_mut().zip(a).for_each(|(entry, a)| *entry -= factor * a);
     }
-}
-
-/// Solves for the pivots of a front from the first on, and takes what they add to its boundary from there.
-fn forwards(
-    columns: &[f64],
-    front: &Front,
-    boundary: &[u32],
-    values: &mut [BlendColor],
-    local: &mut Vec<BlendColor>,
-) {
-    let pivots = front.pivots.start as usize..front.pivots.end as usize;
-    local.clear();
-    local.extend_from_slice(&values[pivots.clone()]);
-    local.resize(front.size(), [0.0; 4]);
-    let mut columns = columns;
-    for j in 0..pivots.len() {
-        let (column, rest) = columns.split_at(front.size() - j);
-        let value = local[j].map(|value| value / column[0]);
-        local[j] = value;
-        for (sum, entry) in local[j + 1..].iter_mut().zip(&column[1..]) {
-            (0..4).for_each(|i| sum[i] -= entry * value[i]);
-        }
-        columns = rest;
-    }
-    values[pivots.clone()].copy_from_slice(&local[..pivots.len()]);
-    for (&row, sum) in boundary.iter().zip(&local[pivots.len()..]) {
-        (0..4).for_each(|i| values[row as usize][i] += sum[i]);
-    }
-}
-
-/// Solves for the pivots of a front from the last on; the values on its boundary are known.
-fn backwards(
-    columns: &[f64],
-    front: &Front,
-    boundary: &[u32],
-    values: &mut [BlendColor],
-    local: &mut Vec<BlendColor>,
-) {
-    let pivots = front.pivots.start as usize..front.pivots.end as usize;
-    local.clear();
-    local.extend_from_slice(&values[pivots.clone()]);
-    local.extend(boundary.iter().map(|&row| values[row as usize]));
-    for j in (0..pivots.len()).rev() {
-        let column = &columns[start(front.size(), j)..][..front.size() - j];
-        let mut sum = local[j];
-        for (value, entry) in local[j + 1..].iter().zip(&column[1..]) {
-            (0..4).for_each(|i| sum[i] -= entry * value[i]);
-        }
-        local[j] = sum.map(|sum| sum / column[0]);
-    }
-    values[pivots.clone()].copy_from_slice(&local[..pivots.len()]);
 }
 
 #[cfg(test)]

@@ -28,6 +28,8 @@ pub(super) struct Region {
     /// The colour of each unknown, where the region is neither paper nor flat.
     values: Vec<[f32; 4]>,
     is_solved: bool,
+    /// Whether corners and edges of its elements are in the field.
+    is_shaped: bool,
 }
 
 /// How much there is to solve.
@@ -52,6 +54,7 @@ impl Region {
             coloring: Coloring::Paper,
             values: Vec::new(),
             is_solved: false,
+            is_shaped: false,
         }
     }
 
@@ -92,14 +95,14 @@ impl Region {
     ) -> Option<Vec<f64>> {
         let is_paper = self.base.dofs.sides.iter().all(|side| color(colors, side).is_none());
         let memory = self.shade(mesh, sources, is_paper);
-        let given = given(&self.elements().dofs.sides, colors);
-        if given != self.given {
-            self.given = given;
+        if !self.is_given(colors) {
+            self.given = self.elements().dofs.sides.iter().map(|side| given(side, colors)).collect();
             self.is_solved = false;
         }
-        if !self.is_solved {
-            self.coloring = coloring(self.colors());
+        if self.is_solved {
+            return memory;
         }
+        self.coloring = coloring(self.colors());
         if self.coloring == Coloring::Blended {
             let is_colored: Vec<_> = self.given.iter().map(Option::is_some).collect();
             let elements = self.shaded.as_mut().map_or(&mut self.base, |(_, elements)| elements);
@@ -128,6 +131,7 @@ impl Region {
                     let elements = Elements::shaded(cells, dofs, &sources, is_paper);
                     (sources, elements)
                 };
+                self.is_shaped = false;
                 self.shaded = Some(sources).filter(|sources| !sources.is_empty()).map(shaded);
                 memory
             }
@@ -144,11 +148,13 @@ impl Region {
     pub(super) fn solve(&mut self) -> bool {
         let changed = !self.is_solved;
         if let (true, Coloring::Blended, Some(system)) = (changed, self.coloring, self.elements().system()) {
-            let mut values = self.fixed_values();
             let [least, most] = self.range();
-            system.solve(&mut values, &mut self.elements().loads(self.sources()));
             let clamp = |value: BlendColor| [0, 1, 2, 3].map(|i| value[i].max(least[i]).min(most[i]) as f32);
-            self.values = values.into_iter().map(clamp).collect();
+            let values = system.solve(self.conditions(), self.elements().loads(self.sources()));
+            let of_unknown = |values: Vec<BlendColor>| {
+                system.places().iter().map(|&place| clamp(values[place as usize])).collect()
+            };
+            self.values = values.map(of_unknown).unwrap_or_default();
         }
         self.is_solved = true;
         changed
@@ -159,39 +165,39 @@ impl Region {
         if self.coloring == Coloring::Paper { 0 } else { self.elements().dofs.triangles.len() }
     }
 
-    /// Writes its triangles, as many as there are.
-    pub(super) fn emit(&self, barriers: Barriers<'_>, triangles: &mut [FieldTriangle]) {
-        let colors = |dofs: &[u32; 6]| match self.coloring {
-            Coloring::Flat(color) => [color.map(|c| c as f32); 6],
-            _ => dofs.map(|dof| self.values[dof as usize]),
-        };
-        let elements = self.elements();
-        let dofs = &elements.dofs;
-        let own = dofs.triangles.iter().zip(&dofs.of_triangle).enumerate();
-        for ((i, (&t, of_triangle)), triangle) in own.zip(triangles) {
-            *triangle = FieldTriangle {
-                corners: elements.corners(barriers.mesh, i).map(|p| [p.x as f32, p.y as f32]),
-                colors: colors(of_triangle),
-                side_edges: elements.side_edges(i).unwrap_or_else(|| side_edges(barriers, t as usize)),
+    /// Writes its triangles, as many as there are, or their colours alone where the rest is there since the last time.
+    pub(super) fn emit(&mut self, barriers: Barriers<'_>, is_moved: bool, triangles: &mut [FieldTriangle]) {
+        if is_moved || !self.is_shaped {
+            self.emit_shapes(barriers, triangles);
+            self.is_shaped = true;
+        }
+        for (of_triangle, triangle) in self.elements().dofs.of_triangle.iter().zip(triangles) {
+            triangle.colors = match self.coloring {
+                Coloring::Flat(color) => [color.map(|c| c as f32); 6],
+                _ => of_triangle.map(|dof| self.values[dof as usize]),
             };
         }
     }
 
-    /// The unknowns of the coloured sides, with their colours.
-    fn conditions(&self) -> impl Iterator<Item = (usize, BlendColor)> {
-        let sides = self.elements().dofs.sides.iter().zip(&self.given);
-        sides.flat_map(|(side, given)| {
-            given.iter().flat_map(|colors| side.dofs.iter().map(|&dof| dof as usize).zip(*colors))
-        })
+    fn emit_shapes(&self, barriers: Barriers<'_>, triangles: &mut [FieldTriangle]) {
+        let elements = self.elements();
+        for ((i, &t), triangle) in elements.dofs.triangles.iter().enumerate().zip(triangles) {
+            triangle.corners = elements.corners(barriers.mesh, i).map(|p| [p.x as f32, p.y as f32]);
+            triangle.side_edges = elements.side_edges(i).unwrap_or_else(|| side_edges(barriers, t as usize));
+        }
     }
 
-    /// The values of the fixed unknowns: the mean, where two sides meet with different colours.
-    fn fixed_values(&self) -> Vec<BlendColor> {
-        let mut values = vec![None; self.elements().dofs.count];
-        for (dof, color) in self.conditions() {
-            values[dof] = Some(values[dof].map_or(color, |other| mean(other, color)));
-        }
-        values.into_iter().map(Option::unwrap_or_default).collect()
+    /// The unknowns of the coloured sides, with their colours.
+    fn conditions(&self) -> impl Iterator<Item = (u32, BlendColor)> {
+        let sides = self.elements().dofs.sides.iter().zip(&self.given);
+        sides.flat_map(|(side, given)| given.iter().flat_map(|colors| side.dofs.into_iter().zip(*colors)))
+    }
+
+    /// Whether these are the colours of the last look at the sides.
+    fn is_given(&self, colors: &SideColors) -> bool {
+        let sides = &self.elements().dofs.sides;
+        sides.len() == self.given.len()
+            && sides.iter().zip(&self.given).all(|(side, known)| given(side, colors) == *known)
     }
 
     /// The colours that are given: by sides, by sources, and by the paper where these are on it.
@@ -210,9 +216,8 @@ impl Region {
     }
 }
 
-fn given(sides: &[Side], colors: &SideColors) -> Vec<Option<[BlendColor; 3]>> {
-    let part = |side: &Side| color(colors, side).map(|colors| colors_of_part(*colors, side.part));
-    sides.iter().map(part).collect()
+fn given(side: &Side, colors: &SideColors) -> Option<[BlendColor; 3]> {
+    color(colors, side).map(|colors| colors_of_part(*colors, side.part))
 }
 
 /// The colours of the side of a curve that a side is a part of.
@@ -253,10 +258,6 @@ fn coloring(mut colors: impl Iterator<Item = BlendColor>) -> Coloring {
         }
         Some(_) => Coloring::Blended,
     }
-}
-
-fn mean(a: BlendColor, b: BlendColor) -> BlendColor {
-    [0, 1, 2, 3].map(|i| 0.5 * (a[i] + b[i]))
 }
 
 /// The edges of a triangle of the mesh that bound its region.

@@ -14,10 +14,10 @@ use super::fronts::{Fronts, NONE};
 /// A system, analysed; and factored once its factor is asked for.
 #[derive(Debug)]
 pub(super) struct System {
-    /// The row of each unknown of the region, or [`NONE`] where it is fixed.
-    row_of: Vec<u32>,
-    /// A row, a fixed unknown, and the entry between them.
-    couplings: Vec<(u32, u32, f64)>,
+    /// Where the value of each unknown of the region is: the free ones come first, in the order of their rows, the fixed
+    /// ones after them.
+    place_of: Vec<u32>,
+    couplings: Couplings,
     fronts: Fronts,
     /// The rows of each element; none once they are factored.
     rows: Vec<[u32; 6]>,
@@ -27,18 +27,19 @@ pub(super) struct System {
 impl System {
     /// Finds what couples the unknowns of elements, and the pattern of the factor.
     pub(super) fn new(dofs: &Dofs, matrix: &dyn Fn(usize) -> Matrix, fixed: &[bool]) -> Self {
-        let row_of = rows(fixed);
+        let (place_of, row_count) = places(fixed);
         let mut couplings = Vec::new();
         let couple = |(i, dofs): (usize, &[u32; 6])| {
-            let rows = dofs.map(|dof| row_of[dof as usize]);
+            let places = dofs.map(|dof| place_of[dof as usize]);
+            let rows = places.map(|place| if place < row_count { place } else { NONE });
             if rows.contains(&NONE) && rows != [NONE; 6] {
-                couple(dofs, &rows, &matrix(i), &mut couplings);
+                couple(&places, &rows, &matrix(i), &mut couplings);
             }
             rows
         };
         let rows: Vec<_> = dofs.of_triangle.iter().enumerate().map(couple).collect();
-        let fronts = Fronts::new(&rows, &group_ends(&row_of, &dofs.group_ends));
-        Self { row_of, couplings, fronts, rows, factor: None }
+        let fronts = Fronts::new(&rows, &group_ends(fixed, &dofs.group_ends));
+        Self { place_of, couplings: Couplings::new(&couplings, row_count), fronts, rows, factor: None }
     }
 
     /// The memory of its factor.
@@ -64,50 +65,63 @@ impl System {
         Ok(())
     }
 
-    /// Computes the free values of a factored system from the fixed ones and from loads on unknowns.
+    /// Where the value of each unknown is among those that [`System::solve`] gives.
+    pub(super) fn places(&self) -> &[u32] {
+        &self.place_of
+    }
+
+    /// The values of all unknowns, from those of the fixed ones, the mean where one has two, and from loads; `None` before
+    /// the system is factored.
     pub(super) fn solve(
         &self,
-        values: &mut [BlendColor],
-        loads: &mut dyn Iterator<Item = (u32, BlendColor)>,
-    ) {
-        let Some(factor) = &self.factor else { return };
-        let mut sums = vec![[0.0; 4]; self.fronts.row_count()];
-        for &(row, fixed, entry) in &self.couplings {
-            add(&mut sums[row as usize], -entry, values[fixed as usize]);
+        fixed: impl Iterator<Item = (u32, BlendColor)>,
+        loads: impl Iterator<Item = (u32, BlendColor)>,
+    ) -> Option<Vec<BlendColor>> {
+        let factor = self.factor.as_ref()?;
+        let mut values = vec![[0.0; 4]; self.place_of.len()];
+        let (sums, fixed_values) = values.split_at_mut(self.fronts.row_count());
+        let mut is_known = vec![false; fixed_values.len()];
+        for (dof, value) in fixed {
+            let i = self.place_of[dof as usize] as usize - sums.len();
+            fixed_values[i] = if is_known[i] { mean(fixed_values[i], value) } else { value };
+            is_known[i] = true;
         }
+        self.couplings.subtract(fixed_values, sums);
         for (dof, load) in loads {
-            if let Some(sum) = sums.get_mut(self.row_of[dof as usize] as usize) {
+            if let Some(sum) = sums.get_mut(self.place_of[dof as usize] as usize) {
                 add(sum, 1.0, load);
             }
         }
-        factor.solve(&self.fronts, &mut sums);
-        for (value, &row) in values.iter_mut().zip(&self.row_of).filter(|(_, row)| **row != NONE) {
-            *value = sums[row as usize];
-        }
+        factor.solve(&self.fronts, sums);
+        Some(values)
     }
+}
+
+fn mean(a: BlendColor, b: BlendColor) -> BlendColor {
+    [0, 1, 2, 3].map(|i| 0.5 * (a[i] + b[i]))
 }
 
 fn add(sum: &mut BlendColor, factor: f64, color: BlendColor) {
     sum.iter_mut().zip(color).for_each(|(sum, value)| *sum += factor * value);
 }
 
-fn rows(fixed: &[bool]) -> Vec<u32> {
-    let mut next = 0;
-    let row = |&fixed: &bool| {
-        if fixed {
-            return NONE;
-        }
-        next += 1;
-        next - 1
+/// The place of each unknown, and how many of them are free.
+fn places(fixed: &[bool]) -> (Vec<u32>, u32) {
+    let free_count = fixed.iter().filter(|fixed| !**fixed).count() as u32;
+    let mut next = [0, free_count];
+    let place = |&fixed: &bool| {
+        let next = &mut next[usize::from(fixed)];
+        *next += 1;
+        *next - 1
     };
-    fixed.iter().map(row).collect()
+    (fixed.iter().map(place).collect(), free_count)
 }
 
 /// Where the rows of groups of unknowns end.
-fn group_ends(row_of: &[u32], ends: &[u32]) -> Vec<u32> {
+fn group_ends(fixed: &[bool], ends: &[u32]) -> Vec<u32> {
     let (mut row_ends, mut row_end, mut start) = (Vec::with_capacity(ends.len()), 0, 0);
     for &end in ends {
-        let rows = row_of[start..end as usize].iter().filter(|row| **row != NONE).count();
+        let rows = fixed[start..end as usize].iter().filter(|fixed| !**fixed).count();
         start = end as usize;
         if rows > 0 {
             row_end += rows as u32;
@@ -117,11 +131,46 @@ fn group_ends(row_of: &[u32], ends: &[u32]) -> Vec<u32> {
     row_ends
 }
 
+/// What couples rows to fixed unknowns, row by row: so what is added to is always at hand.
+#[derive(Debug)]
+struct Couplings {
+    /// Where those of each row begin, and where the last ones end.
+    starts: Vec<u32>,
+    /// Which of the fixed unknowns, and the entry.
+    list: Vec<(u32, f64)>,
+}
+
+impl Couplings {
+    /// Sorts rows, places of fixed unknowns and entries by their rows.
+    fn new(unsorted: &[(u32, u32, f64)], row_count: u32) -> Self {
+        let mut starts = vec![0; row_count as usize + 1];
+        unsorted.iter().for_each(|&(row, ..)| starts[row as usize + 1] += 1);
+        for row in 0..row_count as usize {
+            starts[row + 1] += starts[row];
+        }
+        let mut next = starts.clone();
+        let mut list = vec![(0, 0.0); unsorted.len()];
+        for &(row, place, entry) in unsorted {
+            list[next[row as usize] as usize] = (place - row_count, entry);
+            next[row as usize] += 1;
+        }
+        Self { starts, list }
+    }
+
+    fn subtract(&self, fixed_values: &[BlendColor], sums: &mut [BlendColor]) {
+        for (sum, ends) in sums.iter_mut().zip(self.starts.windows(2)) {
+            for &(fixed, entry) in &self.list[ends[0] as usize..ends[1] as usize] {
+                add(sum, -entry, fixed_values[fixed as usize]);
+            }
+        }
+    }
+}
+
 /// Collects the entries between free and fixed unknowns of an element.
-fn couple(dofs: &[u32; 6], rows: &[u32; 6], matrix: &Matrix, couplings: &mut Vec<(u32, u32, f64)>) {
+fn couple(places: &[u32; 6], rows: &[u32; 6], matrix: &Matrix, couplings: &mut Vec<(u32, u32, f64)>) {
     for i in (0..6).filter(|&i| rows[i] != NONE) {
         for j in (0..6).filter(|&j| rows[j] == NONE) {
-            couplings.push((rows[i], dofs[j], matrix[element::entry(i, j)]));
+            couplings.push((rows[i], places[j], matrix[element::entry(i, j)]));
         }
     }
 }

@@ -1,0 +1,77 @@
+//! How long the picture of a drawing takes: opened, with one more scribble, and with another colour.
+
+use scumble_core::{Drawing, Paint, Scribble, Settings};
+use scumble_solve::Picture;
+
+use crate::clock::{Times, timed};
+use crate::stages::{self, PAPER};
+
+/// Longer side of the painted picture.
+const SIZE_PX: u32 = 1024;
+
+/// Scribbles that are each in turn the last one.
+const TURNS: usize = 12;
+
+/// What is timed, in the order of [`PictureTimes::rows`].
+pub(super) const ROWS: [&str; 7] = [
+    "drawing to picture, one scribble",
+    "one more scribble (color to solve)",
+    "  … of which color",
+    "  … of which analyse",
+    "  … of which factor",
+    "it is recoloured (color to solve)",
+    "  … of which solve",
+];
+
+/// Times of one drawing.
+#[derive(Debug, Default)]
+pub(super) struct PictureTimes {
+    pub(super) rows: [Times; ROWS.len()],
+}
+
+impl PictureTimes {
+    /// Opens a drawing, then draws and recolours some scribbles, each as the last of all.
+    pub(super) fn of(drawing: &Drawing, scribbles: &[Scribble]) -> anyhow::Result<Self> {
+        let mut times = Self::default();
+        let first = &scribbles[..scribbles.len().min(1)];
+        let (opened, open_ms) = timed(|| {
+            let mut picture = Picture::new(drawing)?;
+            stages::spread(&mut picture, first, &[], &Settings::default())?;
+            let view = stages::page_view(drawing, SIZE_PX);
+            stages::paint_page(picture.mesh().spread(Settings::default().blend)?, &[], &view, Some(PAPER));
+            Ok::<_, anyhow::Error>(picture)
+        });
+        let mut picture = opened?;
+        times.rows[0].push(open_ms);
+        let mut scribbles = scribbles.to_vec();
+        for _ in 0..scribbles.len().min(TURNS) {
+            scribbles.rotate_left(1);
+            times.last(&mut picture, &mut scribbles)?;
+        }
+        Ok(times)
+    }
+
+    /// The last scribble comes, and gets another colour.
+    fn last(&mut self, picture: &mut Picture, scribbles: &mut [Scribble]) -> anyhow::Result<()> {
+        let others = scribbles.len().saturating_sub(1);
+        let mut spread = |scribbles: &[Scribble]| {
+            stages::spread(picture, scribbles, &[], &Settings::default()).map(|(_, times)| times)
+        };
+        spread(&scribbles[..others])?;
+        let drawn = spread(scribbles)?;
+        if let Some(Scribble { color: Paint::Color(color), .. }) = scribbles.last_mut() {
+            color.0[1] ^= 0x40;
+        }
+        let recolored = spread(scribbles)?;
+        let times_ms = [
+            drawn.total_ms(),
+            drawn.color_ms,
+            drawn.analyse_ms,
+            drawn.factor_ms,
+            recolored.total_ms(),
+            recolored.solve_ms,
+        ];
+        self.rows[1..].iter_mut().zip(times_ms).for_each(|(row, ms)| row.push(ms));
+        Ok(())
+    }
+}
