@@ -1,5 +1,5 @@
-// The way to the second wasm module, which knows files, links and pictures for other programs. It is fetched when it is first needed: most visits
-// never do. Work goes in and out as its exact bytes. What fails says so in a sentence for people.
+// The way to the second wasm module, which knows files, links and pictures for other programs. It is fetched when it is
+// first needed: most visits never do. Work goes in and out as its exact bytes. What fails says so in a sentence for people.
 
 import { say } from "./messages.js";
 

@@ -238,5 +238,6 @@ export async function take(id) {
  * @returns {import("./drawings.js").Images}
  */
 function imagesOf(image) {
-  return new Map(image?.bytes instanceof Uint8Array ? [[Number(image.number), image.bytes]] : []);
+  const isSound = image?.bytes instanceof Uint8Array && Number.isInteger(image.number);
+  return new Map(isSound ? [[image.number, image.bytes]] : []);
 }

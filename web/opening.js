@@ -162,7 +162,7 @@ export class Opening {
    * @param {string} name of its file
    */
   #trace(image, name) {
-    this.#tracing.lay(image, this.#drawings.shown.images);
+    this.#tracing.lay(image);
     done(say("traced", { name }));
   }
 

@@ -32,13 +32,11 @@ export class Tracing {
     return bytes && { number, bytes };
   }
 
-  /**
-   * @param {Uint8Array<ArrayBuffer>} image
-   * @param {Images} images of the drawing that is shown
-   */
-  lay(image, images) {
-    const number = 1 + Math.max(0, ...images.keys());
-    images.set(number, image);
+  /** @param {Uint8Array<ArrayBuffer>} image for the drawing that is shown */
+  lay(image) {
+    // The module may know one more, of which the storage has lost the file.
+    const number = 1 + Math.max(this.#state.image ?? 0, ...this.#images.keys());
+    this.#images.set(number, image);
     box.checked = true;
     this.#engine.command("trace", number);
   }

@@ -235,6 +235,8 @@ for (const browser of /** @type {const} */ (["chromium", "firefox"])) {
       assert.equal(await editor.name(), "rooms.svg");
       assertNear(await colorsAt(editor, LEFT), ["#ffffff"]);
       await editor.until("Scribble added", () => editor.scribble(IN_LEFT_ROOM, ROOMS));
+      await lay(editor);
+      assertNear(await colorsAt(editor, LEFT), ["#8080ff"]);
       await editor.click("Remove tracing image");
       await editor.kept();
       assert.equal(await hasControls(editor), false);

@@ -115,15 +115,20 @@ impl Global {
         if self.claims.iter().any(Claim::gives_up) {
             self.dry(map);
         }
-        for (label, claim) in (0..).zip(&mut self.claims) {
-            claim.let_in(|seed| {
-                self.flood.reach(seed.triangle, seed.cost, label, &ranks);
-                self.at_hand.reach(seed.triangle, seed.at_hand, label, &ranks);
-            });
-        }
+        self.let_in(&ranks);
         self.flood.run(map, &ways.costs, &ranks);
         self.at_hand.run(map, &ways.lengths, &ranks);
         self.ranks = ranks;
+    }
+
+    /// Lets scribbles into the rooms that they mean, as far as they are not in yet.
+    fn let_in(&mut self, ranks: &[u32]) {
+        for (label, claim) in (0..).zip(&mut self.claims) {
+            claim.let_in(|seed| {
+                self.flood.reach(seed.triangle, seed.cost, label, ranks);
+                self.at_hand.reach(seed.triangle, seed.at_hand, label, ranks);
+            });
+        }
     }
 
     /// Opens the gaps that the scribbles of this call go through.

@@ -14,7 +14,7 @@ use exporting::Wanted;
 use js_sys::Uint8Array;
 use opening::Content;
 use scumble_core::{Srgb8, Work, exact};
-use scumble_io::{LinkError, MAX_FILE_BYTES, write_file, write_link};
+use scumble_io::{LinkError, MAX_FILE_BYTES, write_link};
 use wasm_bindgen::JsError;
 use wasm_bindgen::prelude::wasm_bindgen;
 
@@ -60,7 +60,7 @@ impl Opened {
 /// Opens a file: a `.scumble`, a palette, a picture to trace, or else a drawing of another program.
 ///
 /// # Errors
-/// A sentence for people, where it is neither, damaged, or beyond the limits.
+/// A sentence for people, where it is none of these, damaged, or beyond the limits.
 #[wasm_bindgen]
 pub fn open(file: &Uint8Array, name: &str) -> Result<Opened, JsError> {
     // So many bytes that it is plain that there are too many.
@@ -96,8 +96,7 @@ pub fn on_sample(work: &[u8], sample: &[u8]) -> Result<Vec<u8>, JsError> {
 /// A sentence for people, where it could not be read again.
 #[wasm_bindgen]
 pub fn save(work: &[u8], image: Option<Vec<u8>>) -> Result<Vec<u8>, JsError> {
-    let image = image.unwrap_or_default();
-    Ok(write_file(&Work { image, ..opening::exact(work)? })?)
+    Ok(opening::file_of(opening::exact(work)?, image.unwrap_or_default())?)
 }
 
 /// The picture as SVG, with the work in it; `raster` is a PNG of the field alone, on the same paper, for its shades.

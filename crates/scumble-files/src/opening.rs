@@ -3,7 +3,7 @@
 use scumble_core::{Srgb8, Work, exact as exact_bytes};
 use scumble_io::{
     FileError, ImageError, ImportError, LinkError, PaletteError, PaletteKind, check_image, import_drawing,
-    is_image, other_kind, read_file, read_palette,
+    is_image, other_kind, read_file, read_palette, write_file,
 };
 use thiserror::Error;
 
@@ -104,6 +104,17 @@ pub fn file(bytes: &[u8], name: &str) -> Result<Content, OpenError> {
 /// Where they are damaged.
 pub fn exact(bytes: &[u8]) -> Result<Work, OpenError> {
     exact_bytes::read(bytes).ok_or(OpenError::Damaged)
+}
+
+/// The `.scumble` file of work, with the picture under its lines if its file is not empty.
+///
+/// # Errors
+/// Where it could not be read again, as with a picture that the browser's storage has damaged.
+pub fn file_of(work: Work, image: Vec<u8>) -> Result<Vec<u8>, OpenError> {
+    if !image.is_empty() {
+        check_image(&image)?;
+    }
+    Ok(write_file(&Work { image, ..work })?)
 }
 
 /// The sample that work is without the lines of.

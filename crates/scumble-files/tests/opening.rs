@@ -3,7 +3,7 @@
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
 use kurbo::Point;
-use scumble_core::{Scribble, ScribbleKind, Srgb8, Work, exact};
+use scumble_core::{Scribble, ScribbleKind, Srgb8, Tracing, Work, exact};
 use scumble_files::opening::{self, Content, OpenError};
 use scumble_io::{ImageError, read_link, write_file, write_link};
 
@@ -44,6 +44,22 @@ fn what_was_saved_opens_as_it_was_whatever_stands_before_it() {
         assert_eq!(write_file(&work).unwrap(), file);
         assert_eq!(notes, "");
     }
+}
+
+#[test]
+fn a_file_that_could_not_be_opened_again_is_not_saved() {
+    let png = include_bytes!("../../scumble-io/tests/foreign/sketch.png");
+    let traced = || {
+        let mut work = scribbled();
+        work.document.tracing = Some(Tracing::faded(7));
+        work
+    };
+    for image in [&png[..], &[]] {
+        let file = opening::file_of(traced(), image.to_vec()).unwrap();
+        assert_eq!(work(&file).0.image, image);
+    }
+    let saved = opening::file_of(traced(), png[..png.len() - 1].to_vec());
+    assert!(matches!(saved, Err(OpenError::Image(ImageError::Damaged(_)))));
 }
 
 #[test]

@@ -2,6 +2,7 @@
 
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
+use scumble_core::work::Item;
 use scumble_core::{Tracing, Work};
 use scumble_io::{
     FILE_IMAGE, FileError, ImageError, MAX_IMAGE_BYTES, check_image, read_file, write_file, write_png,
@@ -140,6 +141,23 @@ fn only_files_with_a_picture_need_a_reader_of_version_1_1() {
     let opacity_alone =
         r#"{"format": "scumble", "version": "1.1", "canvas": [0, 0, 9, 9], "tracing_opacity": 0.5}"#;
     assert_eq!(read_file(opacity_alone.as_bytes()).unwrap().document.tracing, None);
+}
+
+#[test]
+fn a_picture_that_an_older_page_kept_as_unknown_comes_back_unless_there_is_another() {
+    let mut kept = read_file(file(DOT, "").as_bytes()).unwrap();
+    let dot = std::mem::take(&mut kept.image);
+    kept.document.tracing = None;
+    let field = format!("\"tracing_opacity\": 1,\"tracing_image\": \"{DOT}\"");
+    kept.unknown.keep(Item::Work, 0, &field);
+    let read_again = |work: &Work| {
+        let work = read_file(&write_file(work).unwrap()).unwrap();
+        (work.image, work.document.tracing)
+    };
+    assert_eq!(read_again(&kept), (dot, Some(Tracing { image: FILE_IMAGE, opacity: 1.0 })));
+    kept.image = JPEG.to_vec();
+    kept.document.tracing = Some(Tracing::faded(2));
+    assert_eq!(read_again(&kept), (JPEG.to_vec(), Some(Tracing::faded(FILE_IMAGE))));
 }
 
 #[test]

@@ -13,7 +13,8 @@
 //! Rooms that hang together through wide gaps, none of them open to the border, are a *hall*. Once colours have most of
 //! one, they have all of it: nobody leaves a hole. Where lines are all around, a part of it is enough.
 //!
-//! No colour ever takes less after more was drawn, of whatever colour. Where two may go into a room, the flood decides.
+//! No colour ever takes less after another scribble was drawn, of whatever colour: only one that is drawn on may turn out
+//! not to mean a room. Where two may go into a room, the flood decides.
 
 use crate::planar_map::{Gap, PlanarMap};
 use crate::sets::Sets;

@@ -31,10 +31,11 @@ pub(super) fn written(work: &Work, image: &[u8]) -> String {
     text.push_str("],\n\"settings\": ");
     push_settings(&mut text, settings, work.unknown.of(Item::Settings, 0));
     push_lists(&mut text, work);
+    push_unknown(&mut text, ",\n", work.unknown.of(Item::Work, 0));
     if let Some(tracing) = tracing {
+        // Last, as the last field of a name counts: a page of version 1.0 may have kept another picture as unknown.
         push_tracing(&mut text, tracing, image);
     }
-    push_unknown(&mut text, ",\n", work.unknown.of(Item::Work, 0));
     text.push_str("\n}\n");
     text
 }
