@@ -291,6 +291,15 @@ proptest! {
     }
 
     #[test]
+    fn a_scribble_alone_colours_something(map in maps(), scribble in scribble(), spread: bool) {
+        let is_on_page = |p: &Point| map.triangulation().locate(*p, 0).is_some();
+        if scribble.points.iter().any(is_on_page) {
+            let labels = fresh(&map, spread, std::slice::from_ref(&scribble));
+            prop_assert!(labels.sides.iter().any(Option::is_some));
+        }
+    }
+
+    #[test]
     fn without_scribbles_no_side_has_a_label(map in maps(), scribbles in vec(scribble(), 1..5), spread: bool) {
         let mut engine = Global::new(spread);
         prop_assert_eq!(engine.label(&map, &[]), Labels::none(&map));
@@ -304,6 +313,20 @@ proptest! {
         let far = Scribble { color: Paint::Clear, kind: ScribbleKind::Fill, width_du: 8.0, points };
         prop_assert_eq!(fresh(&map, spread, &[far]), Labels::none(&map));
     }
+}
+
+/// No berry has a third of what lies on the page around them, and all of them have more than that.
+#[test]
+fn a_stroke_along_a_row_of_berries_colours_them() {
+    let berries: Vec<_> =
+        (0..8).map(|i| (Circle::new((400.0 + 11.0 * f64::from(i), 400.0), 4.0).to_path(0.01), 1.0)).collect();
+    let map = build(berries, 0.0);
+    let points = vec![Point::new(381.0, 400.0), Point::new(496.0, 400.0)];
+    let stroke = Scribble { color: Paint::Clear, kind: ScribbleKind::Fill, width_du: 8.0, points };
+    let labels = fresh(&map, false, std::slice::from_ref(&stroke));
+    let mesh = map.triangulation();
+    let side_within = |h| mesh.side(h).filter(|_| mesh.segment(h).iter().all(|p| (p.y - 400.0).abs() < 5.0));
+    assert!(mesh.half_edges().filter_map(side_within).any(|side| labels.sides[side.index()] == Some(0)));
 }
 
 /// Scribbles that come one by one to a drawing with many places behind gaps: some end in places that others came

@@ -117,12 +117,13 @@ impl Claim {
     }
 
     fn meant(&self) -> Meant {
-        let most = self.visits.values().map(|visit| visit.seeds.len()).max().unwrap_or(0);
-        let total = |is_at_border| {
-            let visits = self.visits.values().filter(|visit| visit.is_at_border == is_at_border);
-            visits.map(|visit| visit.seeds.len()).sum::<usize>()
+        let counts = |is_at_border| {
+            let visits = self.visits.values().filter(move |visit| visit.is_at_border == is_at_border);
+            visits.map(|visit| visit.seeds.len())
         };
-        Meant { least: (MEANT * most as f64).ceil() as usize, is_page: total(true) >= total(false) }
+        let is_page = counts(true).sum::<usize>() >= counts(false).sum();
+        let most = counts(false).chain(counts(true).filter(|_| is_page)).max().unwrap_or(0);
+        Meant { least: (MEANT * most as f64).ceil() as usize, is_page }
     }
 }
 
