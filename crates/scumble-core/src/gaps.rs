@@ -22,7 +22,7 @@ const WAIST: f64 = 0.7;
 const WIDE: f64 = 0.2;
 
 /// A line means to reach the border of the page where it ends within this part of its length of it, and points there.
-const MEANT: f64 = 0.125;
+const REACH: f64 = 0.125;
 
 /// A line points along what its direction has at least this cosine with.
 const POINTED: f64 = 0.5;
@@ -79,23 +79,23 @@ fn find(map: &PlanarMap, clearance: &Clearance, ratio: f64) -> Vec<Gap> {
 /// The width by which a gap is wide, and the one by which it is plain. Beside the border of the page, what is at hand
 /// counts as much as a passage there counts, unless a line means to reach it.
 fn wide_widths_du(map: &PlanarMap, lengths_du: &[f64], h: HalfEdge, width_du: f64) -> [f64; 2] {
-    let counts = map.is_at_border(map.triangulation().ends(h)) && !is_met(map, lengths_du, h);
+    let counts = map.is_at_border(map.triangulation().ends(h)) && !means_to_reach(map, lengths_du, h);
     [if counts { width_du } else { clear_width_du(map, h) }, width_du]
 }
 
 /// Whether a line that ends at an edge of the triangulation, and points along it, is so long beside it that it means to
 /// reach the other end; by the lengths of the lines at each node.
-fn is_met(map: &PlanarMap, lengths_du: &[f64], h: HalfEdge) -> bool {
+fn means_to_reach(map: &PlanarMap, lengths_du: &[f64], h: HalfEdge) -> bool {
     let mesh = map.triangulation();
     let [a, b] = mesh.segment(h);
-    let means = |node: u32, way: Vec2| {
+    let is_near = |node: u32, way: Vec2| {
         let tip = map.clearance().tips[node as usize];
         let length_du = way.hypot();
-        length_du < MEANT * lengths_du[node as usize]
+        length_du < REACH * lengths_du[node as usize]
             && tip.is_some_and(|direction| direction.dot(way) > POINTED * length_du)
     };
     let [from, to] = mesh.ends(h);
-    means(from, b - a) || means(to, a - b)
+    is_near(from, b - a) || is_near(to, a - b)
 }
 
 /// Per node the length of the last curve through it, in du.

@@ -1,4 +1,4 @@
-//! A picture under the lines, to trace or to pick colours by: a help, and no part of what is made of a drawing.
+//! A picture under the lines, to trace or to colour by: a help, and no part of what is made of a drawing.
 
 /// How a picture lies under the lines: as large as fits into the page, in its middle. Part of the document: changed by
 /// gestures that can be undone.
