@@ -27,7 +27,8 @@ const LONGEST_START_DU: f64 = AT_HAND * OPEN_DU;
 
 /// A room counts as meant where the scribble has at least this part of the samples that it has in the room where it has
 /// most: less is a hand that slipped, or that set the pen down beside the shape. Around the shapes of the page half of
-/// all samples must lie: running out is worse than stopping short.
+/// all samples must lie: running out is worse than stopping short. Samples on drawn lines fall to either side by chance,
+/// and count only where there are no others.
 const MEANT: f64 = 1.0 / 3.0;
 
 /// The samples of a scribble so far.
@@ -67,9 +68,18 @@ pub(super) fn at_hand_limit() -> Cost {
 #[derive(Clone, Debug, Default)]
 struct Visit {
     is_at_border: bool,
+    /// How many of them do not lie on a drawn line.
+    in_the_clear: usize,
     seeds: Vec<Seed>,
     /// How many of them have been let in.
     let_in: usize,
+}
+
+impl Visit {
+    /// The samples that count.
+    fn count(&self, all_lie_on_lines: bool) -> usize {
+        if all_lie_on_lines { self.seeds.len() } else { self.in_the_clear }
+    }
 }
 
 impl Claim {
@@ -85,8 +95,10 @@ impl Claim {
             *triangle = map.refined().locate(p, *triangle).unwrap_or(*triangle);
             let room = ways.room_of[*triangle];
             let visit = visits.entry(room);
+            let distance_du = distance_to_lines_du(map, p, base);
             visit.is_at_border = ways.rooms.is_at_border(room);
-            visit.seeds.push(Seed::new(*triangle, distance_to_lines_du(map, p, base)));
+            visit.in_the_clear += usize::from(distance_du > 0.0);
+            visit.seeds.push(Seed::new(*triangle, distance_du));
         });
     }
 
@@ -117,13 +129,14 @@ impl Claim {
     }
 
     fn meant(&self) -> Meant {
+        let all_lie_on_lines = self.visits.values().all(|visit| visit.in_the_clear == 0);
         let counts = |is_at_border| {
             let visits = self.visits.values().filter(move |visit| visit.is_at_border == is_at_border);
-            visits.map(|visit| visit.seeds.len())
+            visits.map(move |visit| visit.count(all_lie_on_lines))
         };
         let is_page = counts(true).sum::<usize>() >= counts(false).sum();
         let most = counts(false).chain(counts(true).filter(|_| is_page)).max().unwrap_or(0);
-        Meant { least: (MEANT * most as f64).ceil() as usize, is_page }
+        Meant { least: (MEANT * most as f64).ceil() as usize, is_page, all_lie_on_lines }
     }
 }
 
@@ -134,10 +147,11 @@ struct Meant {
     least: usize,
     /// Whether rooms at the border of the page may be.
     is_page: bool,
+    all_lie_on_lines: bool,
 }
 
 impl Meant {
     fn contains(&self, visit: &Visit) -> bool {
-        visit.seeds.len() >= self.least && (self.is_page || !visit.is_at_border)
+        visit.count(self.all_lie_on_lines) >= self.least && (self.is_page || !visit.is_at_border)
     }
 }
