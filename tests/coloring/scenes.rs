@@ -26,15 +26,16 @@ pub(crate) const LINE_WIDTH_DU: f64 = 6.0;
 const SCRIBBLE_WIDTH_DU: f64 = 12.0;
 
 /// Where engines are known not to do what a person would expect, and what they do.
-const FALLS_SHORT: [(EngineKind, &str); 7] = [
+const FALLS_SHORT: [(EngineKind, &str); 8] = [
     // A stretch of yellow lies between green and red: all of the gap at the tip of the crease is a narrow place.
     (EngineKind::Global, "figure-11-with-a-crease"),
     // The gaps between the tip of the vein and the outline are closed: half of the leaf stays white.
     (EngineKind::Global, "a-leaf-with-a-vein"),
-    // Colour runs out onto the page, or goes to it from where the stroke begins.
+    // Colour runs out onto the page, or goes to it from where the stroke lies beside its shape.
     (EngineKind::Progressive, "figure-17-several-open-regions"),
     (EngineKind::Progressive, "a-leaf-with-a-vein"),
     (EngineKind::Progressive, "a-start-beside-its-shape"),
+    (EngineKind::Progressive, "a-stroke-over-a-star"),
     // The page is coloured from the ends of the ground on downwards, too.
     (EngineKind::Progressive, "a-sky-behind-a-pole"),
     // The circuit runs from scale to scale: hardly any side of the outline has a colour.
@@ -57,7 +58,9 @@ pub(crate) fn all() -> Vec<Coloring> {
         open_leaf(),
         leaf_with_a_vein(),
         body_with_scales(),
+        corner_behind_a_line(),
         start_beside_its_shape(),
+        stroke_over_a_star(),
         sky_behind_a_pole(),
         head_with_an_eye(),
         two_rooms_and_a_door(),
@@ -196,6 +199,22 @@ const SCALES: &str = "M 380 380 A 40 40 0 0 1 380 460 M 480 380 A 40 40 0 0 1 48
 pub(crate) fn start_beside_its_shape() -> Coloring {
     let stroke = [(110.0, 400.0), (250.0, 460.0), (420.0, 440.0)];
     scene("a-start-beside-its-shape", &[BLOB], &[(YELLOW, &stroke)])
+}
+
+/// A hasty stroke over a small star: most of it lies on lines, where a sample falls to either side by chance.
+pub(crate) fn stroke_over_a_star() -> Coloring {
+    scene("a-stroke-over-a-star", &[STAR, RAYS], &[(RED, &[(450.0, 530.0), (560.0, 490.0)])])
+}
+
+pub(crate) const STAR: &str =
+    "M 512 466 L 524 496 L 556 498 L 531 518 L 539 549 L 512 532 L 485 549 L 493 518 L 468 498 L 500 496 Z";
+const RAYS: &str =
+    "M 512 512 L 512 484 M 512 512 L 538 504 M 512 512 L 528 534 M 512 512 L 496 534 M 512 512 L 486 504";
+
+/// A body of which a line that nearly meets its outline parts a corner.
+pub(crate) fn corner_behind_a_line() -> Coloring {
+    let stroke = [(400.0, 450.0), (520.0, 400.0), (640.0, 480.0)];
+    scene("a-corner-behind-a-line", &[BODY, "M 272 376 C 320 440 320 580 276 652"], &[(YELLOW, &stroke)])
 }
 
 /// A pole before the sky, on ground whose line ends just before the borders of the page.

@@ -95,18 +95,42 @@ fn exit(
 /// Distance of a point from the nearest drawn line that is seen from the triangle that it lies in, in du; negative on a
 /// line, [`OPEN_DU`] where there is none.
 pub(crate) fn distance_to_lines_du(map: &PlanarMap, p: Point, triangle: usize) -> f64 {
+    let mut nearest_du = OPEN_DU;
+    look_around(map, p, triangle, |h| {
+        nearest_du = nearest_du.min(distance_to_line_du(map, p, h));
+        nearest_du
+    });
+    nearest_du
+}
+
+/// The half-edge, on this side of the line, of the piece of curve that is nearest to a point, seen from the triangle that
+/// it lies in.
+pub(crate) fn nearest_line(map: &PlanarMap, p: Point, triangle: usize) -> Option<HalfEdge> {
     let mesh = map.triangulation();
-    let (mut nearest_du, mut around, mut at) = (OPEN_DU, vec![triangle], 0);
+    let mut nearest = (OPEN_DU, None);
+    look_around(map, p, triangle, |h| {
+        let way_du = distance_du(p, mesh.segment(h));
+        if mesh.side(h).is_some() && way_du < nearest.0 {
+            nearest = (way_du, Some(h));
+        }
+        nearest.0
+    });
+    nearest.1
+}
+
+/// Shows the half-edges that are seen from a point in a triangle to `look`, which says how far there is still something
+/// to look for, in du.
+fn look_around(map: &PlanarMap, p: Point, triangle: usize, mut look: impl FnMut(HalfEdge) -> f64) {
+    let mesh = map.triangulation();
+    let (mut around, mut at) = (vec![triangle], 0);
     while let Some(&triangle) = around.get(at) {
         for h in (0..3).map(|i| HalfEdge::of(triangle, i)) {
-            nearest_du = nearest_du.min(distance_to_line_du(map, p, h));
-            let is_near = distance_du(p, mesh.segment(h)) < nearest_du;
+            let is_near = distance_du(p, mesh.segment(h)) < look(h);
             let next = mesh.passage(h).filter(|_| is_near).map(HalfEdge::triangle);
             around.extend(next.filter(|next| !around.contains(next)));
         }
         at += 1;
     }
-    nearest_du
 }
 
 /// Distance from what is drawn of a half-edge: its origin, and all of it if it is a piece of curve.

@@ -1,8 +1,8 @@
 //! Colour points: the colours of the sides of curves, as diffusion curves carry them (Orzan et al. 2008).
 //!
 //! A *run* of equal labels along one side of a curve holds its colour; where two runs meet, the colour passes from
-//! one to the other over a short transition, as in Figure 2(f) of Bao & Fu 2019. Where a side has points that were set
-//! by hand, these alone give it its colours.
+//! one to the other over a short transition, as in Figure 2(f) of Bao & Fu 2019, but where another line, or a closed gap,
+//! parts them. Where a side has points that were set by hand, these alone give it its colours.
 
 use crate::color::{Blend, BlendColor, Paint};
 use crate::engine::Labels;
@@ -10,7 +10,7 @@ use crate::planar_map::{PlanarMap, Step};
 use crate::scribble::Scribble;
 use crate::sort;
 use crate::source::{SoftSource, soft_sources};
-use crate::triangulation::SideId;
+use crate::triangulation::{HalfEdge, SideId};
 
 /// The colour of a side at the start, the middle and the end of its half-edge in the triangulation; `None` where
 /// the side has no colour and is a no-flux barrier. Indexed by [`SideId`].
@@ -72,7 +72,7 @@ pub fn curve_colors(
         let label = labels.sides.get(side.index()).copied().flatten()?;
         scribbles.get(label as usize).map(|scribble| scribble.color)
     };
-    color_spans(map, color_of, &sorted(by_hand))
+    color_spans(map, color_of, &labels.closed_gaps, &sorted(by_hand))
 }
 
 /// Length of the transition between two runs, in du; shorter where a run is shorter.
@@ -130,6 +130,7 @@ fn span_by_hand(map: &PlanarMap, points: &[ColorPoint]) -> Option<ColorSpan> {
 pub(crate) fn color_spans(
     map: &PlanarMap,
     color_of: impl Fn(SideId) -> Option<Paint>,
+    closed_gaps: &[bool],
     mut by_hand: &[ColorPoint],
 ) -> Vec<ColorSpan> {
     let mut spans = Vec::new();
@@ -142,10 +143,14 @@ pub(crate) fn color_spans(
                 spans.push(span);
                 continue;
             }
-            let colors: Vec<_> = map.steps(curve).iter().map(|step| color_of(side(step, is_left))).collect();
+            let steps = map.steps(curve);
+            let colors: Vec<_> = steps.iter().map(|step| color_of(side(step, is_left))).collect();
             let seam = if map.is_closed(curve) { seam(&colors) } else { 0 };
-            let runs = runs(map.steps(curve), &colors, seam);
-            let parts = runs.chunk_by(|a, b| a.end_du == b.start_du);
+            let are_parted = |before: usize, after: usize| {
+                are_parted(map, closed_gaps, [before, after].map(|i| side(&steps[i], is_left)), is_left)
+            };
+            let runs = runs(steps, &colors, seam, are_parted);
+            let parts = runs.chunk_by(|a, b| a.end_du == b.start_du && !b.is_parted);
             spans.extend(parts.map(|part| ColorSpan { curve: curve as u32, is_left, stops: stops(part) }));
         }
     }
@@ -154,6 +159,18 @@ pub(crate) fn color_spans(
 
 fn side(step: &Step, is_left: bool) -> SideId {
     if is_left { step.left.opposite() } else { step.left }
+}
+
+/// Whether another line, or a closed gap, lies between one side and the next along a curve.
+fn are_parted(map: &PlanarMap, closed_gaps: &[bool], [before, after]: [SideId; 2], is_left: bool) -> bool {
+    let mesh = map.triangulation();
+    let (from, to) = if is_left { (after, before) } else { (before, after) };
+    let is_closed = |h| mesh.gap(h).is_some_and(|gap| closed_gaps.get(gap as usize) == Some(&true));
+    let Some(mut h) = map.half_edge(from).map(HalfEdge::next) else { return false };
+    while let Some(twin) = mesh.passage(h).filter(|_| !is_closed(h)) {
+        h = twin.next();
+    }
+    mesh.side(h) != Some(to)
 }
 
 /// The step of a closed curve at which its sides are cut open: the middle of the longest run, where no transition
@@ -173,10 +190,18 @@ struct Run {
     start_du: f64,
     end_du: f64,
     color: Paint,
+    /// Whether something parts it from the one before.
+    is_parted: bool,
 }
 
-/// The runs of a curve's side, from step `seam` on and around.
-fn runs(steps: &[Step], colors: &[Option<Paint>], seam: usize) -> Vec<Run> {
+/// The runs of a curve's side, from step `seam` on and around, where `are_parted` says whether something parts a step from
+/// the next.
+fn runs(
+    steps: &[Step],
+    colors: &[Option<Paint>],
+    seam: usize,
+    are_parted: impl Fn(usize, usize) -> bool,
+) -> Vec<Run> {
     let round_du = steps.last().map_or(0.0, |last| last.arc_du[1]);
     let mut runs: Vec<Run> = Vec::new();
     for i in (seam..steps.len()).chain(0..seam) {
@@ -185,7 +210,10 @@ fn runs(steps: &[Step], colors: &[Option<Paint>], seam: usize) -> Vec<Run> {
         let [start_du, end_du] = steps[i].arc_du.map(|arc_du| arc_du + before_du);
         match runs.last_mut() {
             Some(run) if run.color == color && run.end_du == start_du => run.end_du = end_du,
-            _ => runs.push(Run { start_du, end_du, color }),
+            last => {
+                let is_parted = last.is_some() && are_parted((i + steps.len() - 1) % steps.len(), i);
+                runs.push(Run { start_du, end_du, color, is_parted });
+            }
         }
     }
     runs
@@ -280,7 +308,7 @@ mod tests {
 
     fn inner(map: &PlanarMap, color: impl Fn(usize) -> Option<Paint>) -> Vec<ColorSpan> {
         let index_of = |side: SideId| map.steps(0).iter().position(|step| step.left == side);
-        color_spans(map, |side| index_of(side).and_then(&color), &[])
+        color_spans(map, |side| index_of(side).and_then(&color), &[], &[])
     }
 
     #[test]

@@ -67,7 +67,7 @@ fn find(map: &PlanarMap, clearance: &Clearance, ratio: f64) -> Vec<Gap> {
         let ratio = if is_at_tip { ratio } else { WAIST * ratio };
         if a != b && is_gabriel(mesh, h) && width_du < ratio * narrower_du.max(0.0) {
             let [is_wide, is_plain] =
-                wide_widths_du(map, &lengths_du, h, width_du).map(|du| du > WIDE * narrower_du);
+                wide_widths_du(map, &lengths_du, h, width_du).map(|du| du > WIDE * narrower_du.max(0.0));
             gaps.push(Gap { nodes: mesh.ends(h), is_wide, is_plain: is_wide && is_plain });
         } else {
             basins.join(a, b);

@@ -23,6 +23,7 @@ mod claim;
 mod crossing;
 mod flood;
 mod pockets;
+mod shapes;
 mod shown;
 
 use std::cmp::Ordering;

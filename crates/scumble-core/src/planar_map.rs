@@ -14,7 +14,7 @@ use crate::drawing::Drawing;
 use crate::sample::{self, LatticePoint, Stretch};
 use crate::snap::{self, Snapped};
 use crate::sort;
-use crate::triangulation::{SideId, Triangulation};
+use crate::triangulation::{HalfEdge, SideId, Triangulation};
 
 /// How finely curves are sampled into pieces.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -92,6 +92,7 @@ pub struct PlanarMap {
     gaps: Vec<Gap>,
     half_widths_du: Vec<f64>,
     spacing_du: f64,
+    half_edges_of_sides: OnceLock<Vec<Option<HalfEdge>>>,
     clearance: OnceLock<Clearance>,
     refined: OnceLock<Arc<Triangulation>>,
 }
@@ -121,6 +122,7 @@ impl PlanarMap {
             gaps: Vec::new(),
             half_widths_du,
             spacing_du: sampling.spacing_du,
+            half_edges_of_sides: OnceLock::new(),
             clearance: OnceLock::new(),
             refined: OnceLock::new(),
         })
@@ -144,6 +146,20 @@ impl PlanarMap {
     /// Number of sides: twice the number of pieces.
     pub fn side_count(&self) -> usize {
         2 * self.pieces.len()
+    }
+
+    /// The half-edge of the triangulation that a side is.
+    pub(crate) fn half_edge(&self, side: SideId) -> Option<HalfEdge> {
+        let half_edges = self.half_edges_of_sides.get_or_init(|| {
+            let mut half_edges = vec![None; self.side_count()];
+            for h in self.triangulation.half_edges() {
+                if let Some(side) = self.triangulation.side(h) {
+                    half_edges[side.index()] = Some(h);
+                }
+            }
+            half_edges
+        });
+        half_edges[side.index()]
     }
 
     /// Number of curves.

@@ -178,7 +178,8 @@ fn is_right(scene: &Coloring) -> bool {
         }
         "figure-17-several-open-regions" => has_only(&[(area(&scenes::PETALS), 0)]),
         "an-open-leaf" | "a-leaf-with-a-vein" => has_only(&[(leaf(), 0)]),
-        "a-body-with-scales" => has_only(&[(area(&[scenes::BODY]), 0)]),
+        "a-body-with-scales" | "a-corner-behind-a-line" => has_only(&[(area(&[scenes::BODY]), 0)]),
+        "a-stroke-over-a-star" => has_only(&[(area(&[scenes::STAR]), 0)]),
         "a-sky-behind-a-pole" => has_only(&[(area(&["M 0 0 H 1024 V 850 H 0 Z"]), 0)]),
         "a-head-with-an-eye" => {
             has_only(&[(area(&[scenes::HEAD, "M 510 432 A 88 88 0 1 0 510 432.1 Z"]), 0)])

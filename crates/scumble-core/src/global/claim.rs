@@ -3,7 +3,7 @@
 use kurbo::Point;
 
 use super::flood::{Cost, Ways, cost, length};
-use crate::clearance::{OPEN_DU, distance_to_lines_du};
+use crate::clearance::{OPEN_DU, distance_to_lines_du, nearest_line};
 use crate::planar_map::PlanarMap;
 use crate::small_map::SmallMap;
 use crate::stroke::Stroke;
@@ -27,8 +27,7 @@ const LONGEST_START_DU: f64 = AT_HAND * OPEN_DU;
 
 /// A room counts as meant where the scribble has at least this part of the samples that it has in the room where it has
 /// most: less is a hand that slipped, or that set the pen down beside the shape. Around the shapes of the page half of
-/// all samples must lie: running out is worse than stopping short. Samples on drawn lines fall to either side by chance,
-/// and count only where there are no others.
+/// all samples must lie: running out is worse than stopping short.
 const MEANT: f64 = 1.0 / 3.0;
 
 /// The samples of a scribble so far.
@@ -68,18 +67,9 @@ pub(super) fn at_hand_limit() -> Cost {
 #[derive(Clone, Debug, Default)]
 struct Visit {
     is_at_border: bool,
-    /// How many of them do not lie on a drawn line.
-    in_the_clear: usize,
     seeds: Vec<Seed>,
     /// How many of them have been let in.
     let_in: usize,
-}
-
-impl Visit {
-    /// The samples that count.
-    fn count(&self, all_lie_on_lines: bool) -> usize {
-        if all_lie_on_lines { self.seeds.len() } else { self.in_the_clear }
-    }
 }
 
 impl Claim {
@@ -92,12 +82,14 @@ impl Claim {
     pub(super) fn follow(&mut self, map: &PlanarMap, ways: &Ways, points: &[Point]) {
         let Self { stroke, triangle, visits } = self;
         stroke.follow(map, points, |p, base| {
+            let distance_du = distance_to_lines_du(map, p, base);
             *triangle = map.refined().locate(p, *triangle).unwrap_or(*triangle);
+            if distance_du <= 0.0 {
+                *triangle = smaller_side(map, ways, p, [base, *triangle]);
+            }
             let room = ways.room_of[*triangle];
             let visit = visits.entry(room);
-            let distance_du = distance_to_lines_du(map, p, base);
             visit.is_at_border = ways.rooms.is_at_border(room);
-            visit.in_the_clear += usize::from(distance_du > 0.0);
             visit.seeds.push(Seed::new(*triangle, distance_du));
         });
     }
@@ -129,15 +121,35 @@ impl Claim {
     }
 
     fn meant(&self) -> Meant {
-        let all_lie_on_lines = self.visits.values().all(|visit| visit.in_the_clear == 0);
         let counts = |is_at_border| {
             let visits = self.visits.values().filter(move |visit| visit.is_at_border == is_at_border);
-            visits.map(move |visit| visit.count(all_lie_on_lines))
+            visits.map(|visit| visit.seeds.len())
         };
         let is_page = counts(true).sum::<usize>() >= counts(false).sum();
         let most = counts(false).chain(counts(true).filter(|_| is_page)).max().unwrap_or(0);
-        Meant { least: (MEANT * most as f64).ceil() as usize, is_page, all_lie_on_lines }
+        Meant { least: (MEANT * most as f64).ceil() as usize, is_page }
     }
+}
+
+/// The triangle of the refined mesh, on either side of the line that a point lies on, that is in the smaller room: a
+/// stroke over a line is for what the line shows, and that is not what lies under its ink. The point lies in these
+/// triangles of the map and of the refined mesh.
+fn smaller_side(map: &PlanarMap, ways: &Ways, p: Point, [base, triangle]: [usize; 2]) -> usize {
+    let mesh = map.triangulation();
+    let Some(line) = nearest_line(map, p, base) else { return triangle };
+    let half_width_du = map.half_width_du(mesh.origin(line)).unwrap_or_default();
+    let ink_du2 = (2.0 * half_width_du).powi(2);
+    let size = |&triangle: &usize| {
+        let area_du2 = ways.rooms.area_du2(ways.room_of[triangle]);
+        if area_du2 > ink_du2 { area_du2 } else { f64::INFINITY }
+    };
+    let beyond = || {
+        let [a, b] = mesh.segment(line);
+        let corners = mesh.corners(mesh.twin(line)?.triangle()).map(Point::to_vec2);
+        let center = (corners[0] + corners[1] + corners[2]) / 3.0;
+        map.refined().locate(a.midpoint(b).lerp(center.to_point(), 0.5), triangle)
+    };
+    beyond().filter(|beyond| size(beyond) < size(&triangle)).unwrap_or(triangle)
 }
 
 /// Which rooms are meant.
@@ -147,11 +159,10 @@ struct Meant {
     least: usize,
     /// Whether rooms at the border of the page may be.
     is_page: bool,
-    all_lie_on_lines: bool,
 }
 
 impl Meant {
     fn contains(&self, visit: &Visit) -> bool {
-        visit.count(self.all_lie_on_lines) >= self.least && (self.is_page || !visit.is_at_border)
+        visit.seeds.len() >= self.least && (self.is_page || !visit.is_at_border)
     }
 }

@@ -5,7 +5,7 @@ use std::collections::BinaryHeap;
 
 use kurbo::Point;
 
-use super::pockets::{Rooms, wide_gap};
+use super::pockets::{self, Rooms};
 use crate::clearance::OPEN_DU;
 use crate::planar_map::PlanarMap;
 use crate::triangulation::{HalfEdge, Triangulation};
@@ -78,7 +78,7 @@ impl Ways {
         let doors = self.rooms.open_doors(drawn);
         let mut closes = false;
         for h in &self.gaps {
-            let door = wide_gap(map, &self.room_of, *h);
+            let door = pockets::door(map, &self.room_of, *h);
             let is_open = door.is_some_and(|door| doors.binary_search(&door).is_ok());
             closes |= std::mem::replace(&mut self.is_open[h.index()], is_open) && !is_open;
         }

@@ -16,6 +16,7 @@
 //! No colour ever takes less after another scribble was drawn, of whatever colour: only one that is drawn on may turn out
 //! not to mean a room. Where two may go into a room, the flood decides.
 
+use super::shapes::Shapes;
 use crate::planar_map::{Gap, PlanarMap};
 use crate::sets::Sets;
 use crate::sort;
@@ -31,17 +32,17 @@ const HALL: f64 = 0.5;
 /// between two rays a fin. What is smaller still may well have a colour of its own.
 const CLOSED_HALL: f64 = 1.0 / 16.0;
 
-/// From a room to one behind a wide gap.
-type Door = [u32; 2];
+/// From a room to one behind a gap.
+pub(super) type Door = [u32; 2];
 
-/// The rooms of a map, and the wide gaps between them.
+/// The rooms of a map, and the gaps between them.
 #[derive(Clone, Debug)]
 pub(super) struct Rooms {
     /// Without bound where a room reaches the border of the page, and nobody knows how far it goes on.
     areas_du2: Vec<f64>,
     /// Whether a wide gap leads to such a room, or it is one.
     are_beside_border: Vec<bool>,
-    /// In ascending order.
+    /// Through wide gaps, in ascending order.
     doors: Vec<Door>,
     /// Those that a colour may go on through by itself, in ascending order.
     plain_doors: Vec<Door>,
@@ -49,6 +50,7 @@ pub(super) struct Rooms {
     hall_of: Vec<u32>,
     /// Per room the part of its hall that colours must have to have all of it.
     hall_parts: Vec<f64>,
+    shapes: Shapes,
 }
 
 impl Rooms {
@@ -65,8 +67,10 @@ impl Rooms {
             are_beside_border[from as usize] |= areas_du2[to as usize].is_infinite();
         }
         let hall_of = halls(&are_beside_border, &doors);
-        let hall_parts = hall_parts(map, room_of, &areas_du2);
-        Self { areas_du2, are_beside_border, doors, plain_doors, hall_of, hall_parts }
+        let shapes = Shapes::new(map, room_of, &areas_du2);
+        let hall_part = |room| if shapes.contain(room) { CLOSED_HALL } else { HALL };
+        let hall_parts = (0..room_count as u32).map(hall_part).collect();
+        Self { areas_du2, are_beside_border, doors, plain_doors, hall_of, hall_parts, shapes }
     }
 
     /// The doors that colours go through, in ascending order; `drawn` are pairs of a colour and a room that it was drawn
@@ -82,12 +86,12 @@ impl Rooms {
             open.extend(self.doors.iter().filter(|&&door| taken.leads(door)));
             taken.taken.iter().for_each(|&room| are_taken[room as usize] = true);
         }
-        let are_colored = self.colored_halls(&are_taken);
-        let is_within = |&&[from, to]: &&Door| {
-            let [from, to] = [from, to].map(|room| self.hall_of[room as usize]);
-            from == to && are_colored[from as usize]
-        };
-        open.extend(self.doors.iter().filter(is_within));
+        let are_colored_halls = self.colored_halls(&are_taken);
+        let is_colored = |room: u32| are_colored_halls[self.hall_of[room as usize] as usize];
+        let is_within = |[from, to]: Door| self.hall_of[from as usize] == self.hall_of[to as usize];
+        open.extend(self.doors.iter().filter(|&&door| is_within(door) && is_colored(door[0])));
+        (0..).zip(&mut are_taken).for_each(|(room, is_taken)| *is_taken |= is_colored(room));
+        open.extend(self.shapes.corner_doors(&are_taken));
         sorted(open)
     }
 
@@ -101,8 +105,13 @@ impl Rooms {
         free_du2.iter().map(|&free_du2| free_du2 < 0.0).collect()
     }
 
+    /// The area of a room, in du²; without bound at the border of the page.
+    pub(super) fn area_du2(&self, room: u32) -> f64 {
+        self.areas_du2[room as usize]
+    }
+
     pub(super) fn is_at_border(&self, room: u32) -> bool {
-        self.areas_du2[room as usize].is_infinite()
+        self.area_du2(room).is_infinite()
     }
 }
 
@@ -114,13 +123,13 @@ fn gap_and_door<'a>(map: &'a PlanarMap, room_of: &[u32], h: HalfEdge) -> Option<
     Some((gap, [h, twin].map(|h| room_of[h.triangle()])))
 }
 
-/// The rooms on this side of a half-edge and on the other, if it is part of a wide gap.
-pub(super) fn wide_gap(map: &PlanarMap, room_of: &[u32], h: HalfEdge) -> Option<Door> {
-    gap_and_door(map, room_of, h).filter(|(gap, _)| gap.is_wide).map(|(_, door)| door)
+/// The rooms on this side of a half-edge and on the other, if it is part of a gap.
+pub(super) fn door(map: &PlanarMap, room_of: &[u32], h: HalfEdge) -> Option<Door> {
+    gap_and_door(map, room_of, h).map(|(_, door)| door)
 }
 
 /// From room to room through the gaps of some kind, in ascending order.
-fn doors(map: &PlanarMap, room_of: &[u32], is_kind: impl Fn(&Gap, Door) -> bool) -> Vec<Door> {
+pub(super) fn doors(map: &PlanarMap, room_of: &[u32], is_kind: impl Fn(&Gap, Door) -> bool) -> Vec<Door> {
     let all = map.refined().half_edges().filter_map(|h| gap_and_door(map, room_of, h));
     sorted(all.filter(|&(gap, door)| is_kind(gap, door)).map(|(_, door)| door).collect())
 }
@@ -148,21 +157,6 @@ fn areas_du2(map: &PlanarMap, room_of: &[u32], room_count: usize) -> Vec<f64> {
         areas_du2[room as usize] += if is_at_border { f64::INFINITY } else { 0.5 * (b - a).cross(c - a) };
     }
     areas_du2
-}
-
-fn hall_parts(map: &PlanarMap, room_of: &[u32], areas_du2: &[f64]) -> Vec<f64> {
-    let (region_of, region_count) = map.refined().regions();
-    let mut are_closed = vec![true; region_count];
-    for (&region, &room) in region_of.iter().zip(room_of) {
-        are_closed[region as usize] &= areas_du2[room as usize].is_finite();
-    }
-    let mut parts = vec![HALL; areas_du2.len()];
-    for (&region, &room) in region_of.iter().zip(room_of) {
-        if are_closed[region as usize] {
-            parts[room as usize] = CLOSED_HALL;
-        }
-    }
-    parts
 }
 
 fn halls(are_beside_border: &[bool], doors: &[Door]) -> Vec<u32> {

@@ -1,0 +1,66 @@
+//! Closed shapes: regions of the map with lines all around, so that nothing runs out of them onto the page.
+//!
+//! Once colours have half of one, they have its corners too, behind whatever gap: nobody leaves a hole between a loose
+//! scale and the outline of a fish. A larger part behind a narrow gap may well be a thing of its own.
+
+use super::pockets::{Door, doors};
+use crate::planar_map::PlanarMap;
+
+/// Colours have the corners of a shape once they have more than this part of its area.
+const MOSTLY: f64 = 0.5;
+
+/// A corner has less than this part of the area of its shape.
+const CORNER: f64 = 1.0 / 6.0;
+
+/// Shape of a room at the border of the page, or open to it through no line.
+const NONE: u32 = u32::MAX;
+
+/// The closed shapes of a map.
+#[derive(Clone, Debug)]
+pub(super) struct Shapes {
+    /// Per room its shape, or [`NONE`].
+    of_rooms: Vec<u32>,
+    /// Per room the part of its shape that it has.
+    parts: Vec<f64>,
+    /// Between rooms of one shape, in ascending order.
+    doors: Vec<Door>,
+}
+
+impl Shapes {
+    /// The shapes that rooms of these areas make up; the area of a room at the border of the page has no bound.
+    pub(super) fn new(map: &PlanarMap, room_of: &[u32], areas_du2: &[f64]) -> Self {
+        let (region_of, region_count) = map.refined().regions();
+        let mut of_rooms = vec![NONE; areas_du2.len()];
+        room_of.iter().zip(region_of).for_each(|(&room, region)| of_rooms[room as usize] = region);
+        let mut shapes_du2 = vec![0.0; region_count];
+        let rooms = || of_rooms.iter().zip(areas_du2);
+        rooms().for_each(|(&shape, area_du2)| shapes_du2[shape as usize] += area_du2);
+        let parts = rooms().map(|(&shape, area_du2)| area_du2 / shapes_du2[shape as usize]).collect();
+        for shape in of_rooms.iter_mut().filter(|shape| shapes_du2[**shape as usize].is_infinite()) {
+            *shape = NONE;
+        }
+        let mut shapes = Self { of_rooms, parts, doors: Vec::new() };
+        shapes.doors = doors(map, room_of, |_, door| {
+            let [from, to] = door.map(|room| shapes.of_rooms[room as usize]);
+            from == to && from != NONE
+        });
+        shapes
+    }
+
+    /// Whether a room is in a closed shape.
+    pub(super) fn contain(&self, room: u32) -> bool {
+        self.of_rooms[room as usize] != NONE
+    }
+
+    /// The doors to the corners of those shapes that colours, who have these rooms, have for the most part; in ascending
+    /// order.
+    pub(super) fn corner_doors(&self, are_colored: &[bool]) -> impl Iterator<Item = Door> {
+        let mut parts = vec![0.0; self.of_rooms.len()];
+        for room in (0..are_colored.len()).filter(|&room| are_colored[room] && self.contain(room as u32)) {
+            parts[self.of_rooms[room] as usize] += self.parts[room];
+        }
+        let goes_in = move |room: u32| are_colored[room as usize] || self.parts[room as usize] < CORNER;
+        let is_mostly = move |room: u32| parts[self.of_rooms[room as usize] as usize] > MOSTLY;
+        self.doors.iter().copied().filter(move |&[from, to]| is_mostly(from) && goes_in(from) && goes_in(to))
+    }
+}
