@@ -72,6 +72,12 @@ export class Keeper {
     this.#write(drawing, state);
   }
 
+  /** Leaves drawings that were deleted as they are. @param {Drawing[]} drawings */
+  drop(drawings) {
+    for (const drawing of drawings) this.#late.delete(drawing);
+    this.hurry();
+  }
+
   /** Does at once what was to be done later: the page may go away. */
   hurry() {
     if (this.#fails) for (const [drawing, state] of this.#late) this.#write(drawing, state);

@@ -107,7 +107,7 @@ const keeper = new Keeper({
 });
 const opening = new Opening(engine, drawings, keeper, tracing);
 const samples = new Samples((sample) => opening.sample(sample));
-const recent = new Recent((id) => opening.kept(id));
+const recent = new Recent((id) => opening.kept(id), (id) => keeper.drop(drawings.forget(id)));
 const pointers = new Pointers(stage, engine);
 
 function nameShown() {

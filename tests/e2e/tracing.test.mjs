@@ -221,6 +221,27 @@ for (const browser of /** @type {const} */ (["chromium", "firefox"])) {
       assertNear(await colorsAt(editor, LEFT), ["#8080ff"]);
     });
 
+    test("a drawing that was deleted is kept anew, with it, once undo comes back to it", async () => {
+      const editor = await traced();
+      await editor.kept();
+      await editor.openSample("Apple");
+      await editor.click("Recent drawings");
+      await editor.tab.evaluate(`window.confirm = () => true`);
+      await editor.click("Delete rooms.svg");
+      await editor.tab.waitFor(`document.querySelectorAll("#recent li").length === 0`);
+      await editor.click("Close");
+      assert.equal(await editor.leaves(), true, "nobody misses it");
+      await editor.until("Undone", () => editor.click("Undo"));
+      await editor.kept();
+      await editor.scribble(IN_LEFT_ROOM, ROOMS);
+      await editor.kept();
+      await session.reopen(editor.tab);
+      assert.equal(await editor.name(), "rooms.svg");
+      assertNear(await colorsAt(editor, LEFT), ["#8080ff"]);
+      await editor.until("Scribble added, 2 in", () => editor.scribble(IN_LEFT_ROOM, ROOMS));
+      assert.deepEqual(editor.tab.faults, []);
+    });
+
     test("a picture of which the storage has lost the file leaves the drawing as it is", async () => {
       const editor = await traced();
       await editor.kept();
