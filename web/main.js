@@ -175,7 +175,7 @@ const actions = {
   close: closeOpen,
   "pick-color": pickColor,
   dismiss: () => warn(""),
-  "dismiss-unkept": () => showUnkept(false),
+  "dismiss-unkept": () => showUnkept(""),
   help: showHelp,
   drop: () => pointers.cancel(),
   "pan-ArrowLeft": () => engine.command("pan", [STEP_PX, 0]),
