@@ -267,15 +267,25 @@ export async function lastIds() {
  */
 export async function take(id) {
   const isOurs = await hold(id);
-  const writer = isOurs ? await storage.claim(id) : undefined;
+  const writer = isOurs ? await storage.claim(id).catch(goOnWhereHeld) : undefined;
   // What is read now is what was written last: nobody else writes it any more.
   const { entry, work, image } = await storage.drawing(id);
   if (!entry) return undefined;
   const { name, handle, isUnsaved } = entry;
   const images = imagesOf(image);
   const [keptImage] = images.keys();
-  const identity = isOurs ? { id, name, writer, handle, kept: 0, keptImage } : copyOf(name);
+  const identity = isOurs ? { id, name, writer: writer ?? entry.writer, handle, kept: 0, keptImage } : copyOf(name);
   return { drawing: { ...identity, images, saved: isUnsaved ? -1 : 0 }, work };
+}
+
+/**
+ * A storage that is full gives drawings out all the same: the lock alone says whose they are.
+ * @param {unknown} fault
+ */
+function goOnWhereHeld(fault) {
+  if (!navigator.locks) throw fault;
+  console.warn(fault);
+  return undefined;
 }
 
 /**

@@ -111,6 +111,31 @@ for (const browser of /** @type {const} */ (["chromium", "firefox"])) {
       });
     }
 
+    test("that takes nothing more gives out what it has", async () => {
+      const editor = await session.open("cpu");
+      await editor.openDrawing("rooms");
+      await editor.kept();
+      await editor.tab.prepare(`${WITHOUT_PATIENCE}{
+        const { put } = IDBObjectStore.prototype;
+        IDBObjectStore.prototype.put = function (...args) {
+          const request = put.apply(this, args);
+          if (!window.storageWorks && this.name === "entries") this.transaction.abort();
+          return request;
+        };
+      }`);
+      await session.reopen(editor.tab);
+      assert.equal(await editor.name(), "rooms.svg");
+      assert.equal(await isTold(editor), false, "it is kept as it is");
+      await editor.scribble(IN_LEFT_ROOM, ROOMS);
+      await assertTold(editor);
+      await editor.tab.evaluate("window.storageWorks = true");
+      await editor.kept();
+      await editor.tab.evaluate("window.storageWorks = false");
+      await session.reopen(editor.tab);
+      await editor.until("Scribble added, 2 in", () => editor.scribble(IN_LEFT_ROOM, ROOMS));
+      assert.deepEqual(editor.tab.faults, []);
+    });
+
     if (browser === "firefox") return;
 
     test("that is full is told of, and a file is there to have", async () => {
