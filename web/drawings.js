@@ -63,6 +63,11 @@ export class Drawings {
     this.#changed(this.#shown);
   }
 
+  /** Lets go of what undo does not come back to. @param {number} sheet */
+  close(sheet) {
+    this.#all.get(sheet)?.images.clear();
+  }
+
   /**
    * @param {Drawing} drawing
    * @param {number} revision that was saved

@@ -40,6 +40,7 @@ const handlers = {
     tracing.show(drawings.shown.images);
     keeper.follow(drawings.shown);
   },
+  closed: (sheet) => drawings.close(sheet),
   tracing: both(shown.tracing, (state) => tracing.follow(state)),
   tool: both(shown.tool, followed.tool),
   color: both(shown.color, followed.color),
