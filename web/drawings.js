@@ -9,7 +9,8 @@ import { say } from "./messages.js";
  * @typedef {object} Drawing
  * @property {string} name
  * @property {any} [handle] the file that it is saved to again, where the browser gives such
- * @property {boolean} [isBrought] whether it is from a file or a link
+ * @property {boolean} [isBrought] whether somebody's work was in it as it came
+ * @property {boolean} [isDeleted] whether its user has deleted it from the browser's storage and not come back to it
  * @property {string} [id] what the browser's storage has it as, if it does
  * @property {number} [writer] whose it is there, by a number
  * @property {number} [kept] the revision that is there
@@ -37,9 +38,9 @@ export class Drawings {
     return this.#shown;
   }
 
-  /** Whether any of them has been changed since it was saved, and is not kept by the browser either. */
+  /** Whether any of them that is still wanted has been changed since it was saved, and is not kept by the browser either. */
   get areAtRisk() {
-    return [...this.#all.values()].some((drawing) => isUnsaved(drawing) && !isKept(drawing));
+    return [...this.#all.values()].some((drawing) => isUnsaved(drawing) && !isKept(drawing) && !drawing.isDeleted);
   }
 
   /**
@@ -57,9 +58,14 @@ export class Drawings {
    */
   follow({ sheet, revision }) {
     this.#shown = this.#all.get(sheet) ?? this.#coming;
-    this.#shown.revision = revision;
+    Object.assign(this.#shown, { revision, isDeleted: false });
     this.#all.set(sheet, this.#shown);
     this.#changed(this.#shown);
+  }
+
+  /** Lets go of what undo does not come back to. @param {number} sheet */
+  close(sheet) {
+    this.#all.get(sheet)?.images.clear();
   }
 
   /**
@@ -70,6 +76,18 @@ export class Drawings {
   keep(drawing, revision, place) {
     Object.assign(drawing, place, { saved: revision });
     this.#changed(this.#shown);
+  }
+
+  /**
+   * Takes note that drawings are gone from the browser's storage. Undo may come back to them: they are kept anew then.
+   * @param {string} id
+   * @returns {Drawing[]} those that it was of
+   */
+  forget(id) {
+    const gone = [...this.#all.values()].filter((drawing) => drawing.id === id);
+    const nowhere = { id: undefined, writer: undefined, kept: undefined, keptImage: undefined };
+    for (const drawing of gone) Object.assign(drawing, nowhere, { isBrought: true, isDeleted: true });
+    return gone;
   }
 }
 

@@ -9,6 +9,7 @@ import * as storage from "./storage.js";
 /** @typedef {import("./drawings.js").Drawing} Drawing */
 /** @typedef {import("./storage.js").Image} Image */
 /** @typedef {{work: Uint8Array, image?: Image, revision: number}} State a drawing as it is to be written */
+/** @typedef {"" | "image" | "all"} Failing what cannot be kept: pictures under lines alone, or anything */
 
 /** After a failure it is tried again this much later. */
 const RETRY_MS = 5_000;
@@ -28,7 +29,7 @@ const SHOWN = "scumble-shown";
  * @property {() => Promise<Blob | undefined>} picture a small picture of it
  * @property {(drawing: Drawing) => void} kept called when a drawing was written
  * @property {(drawing: Drawing, before: string) => void} copied called when a drawing goes on as a copy of another
- * @property {(fails: boolean) => void} failing called when keeping begins to fail, and when it works again
+ * @property {(fails: Failing) => void} failing called when keeping begins to fail, and when it works again
  */
 
 export class Keeper {
@@ -37,7 +38,10 @@ export class Keeper {
   #late = new Map();
   /** The last states of drawings that have brought another image to the storage. @type {WeakMap<Drawing, State>} */
   #bringing = new WeakMap();
-  #fails = false;
+  /** Files of images that the storage has not taken: they are too large to be sent again with each stroke. @type {WeakSet<Uint8Array>} */
+  #unfit = new WeakSet();
+  /** @type {Failing} */
+  #fails = "";
   /** @type {Drawing | undefined} The one that is shown, where its picture is not as it is. */
   #unpictured;
   /** @type {ReturnType<typeof setTimeout> | undefined} */
@@ -72,8 +76,17 @@ export class Keeper {
     this.#write(drawing, state);
   }
 
+  /** Leaves drawings that were deleted as they are. @param {Drawing[]} drawings */
+  drop(drawings) {
+    for (const drawing of drawings) this.#late.delete(drawing);
+    this.#recover();
+    // There is more room.
+    this.hurry();
+  }
+
   /** Does at once what was to be done later: the page may go away. */
   hurry() {
+    this.#unfit = new WeakSet();
     if (this.#fails) for (const [drawing, state] of this.#late) this.#write(drawing, state);
     this.pictureNow();
   }
@@ -117,30 +130,57 @@ export class Keeper {
    * @param {State} state
    */
   async #write(drawing, state) {
-    const image = this.#otherImage(drawing, state);
+    const entry = entryOf(drawing, state.revision);
+    const isOther = this.#isOther(drawing, state);
+    const written = storage.write(entry, state.work, isOther);
+    const brought = !isOther || this.#bring(entry, state);
     try {
-      const isOurs = await storage.write(entryOf(drawing, state.revision), state.work, image);
-      if (isOurs && this.#bringing.get(drawing) === state) drawing.keptImage = state.image?.number;
+      const isOurs = await written;
+      const isWhole = await brought;
+      if (isOurs && isOther) this.#brought(drawing, state, isWhole);
       if (this.#late.get(drawing) !== state) return;
-      if (isOurs) this.#kept(drawing, state);
-      else this.#copy(drawing, state);
+      if (!isOurs) this.#copy(drawing, state);
+      else if (isWhole) this.#kept(drawing, state);
+      else this.#failed("image");
     } catch (fault) {
       console.warn(fault);
-      if (this.#late.get(drawing) === state) this.#failed();
+      if (this.#late.get(drawing) === state) this.#failed("all");
     }
   }
 
   /**
-   * What the storage is told of a state's image: it is large, and goes there only where it is another. Until that is
-   * known to be there, all states bring it.
+   * Whether the storage has another image than a state: it is large, and goes there only then. Until that is known to be
+   * there, all states bring it.
    * @param {Drawing} drawing
    * @param {State} state
    */
-  #otherImage(drawing, state) {
-    if (state.image?.number === drawing.keptImage) return undefined;
+  #isOther(drawing, state) {
+    if (state.image?.number === drawing.keptImage) return false;
     drawing.keptImage = NaN;
     this.#bringing.set(drawing, state);
-    return state.image ?? null;
+    return true;
+  }
+
+  /**
+   * Sends a state's image by itself: one that there is no room for keeps no stroke out.
+   * @param {storage.Entry} entry
+   * @param {State} state
+   * @returns whether the storage has it
+   */
+  async #bring(entry, { image }) {
+    if (!image) return true;
+    if (this.#unfit.has(image.bytes)) return false;
+    return storage.writeImage(entry, image).catch((fault) => (console.warn(fault), false));
+  }
+
+  /**
+   * @param {Drawing} drawing
+   * @param {State} state
+   * @param {boolean} isThere whether the storage has its image; otherwise it has none
+   */
+  #brought(drawing, state, isThere) {
+    if (!isThere && state.image) this.#unfit.add(state.image.bytes);
+    if (this.#bringing.get(drawing) === state) drawing.keptImage = isThere ? state.image?.number : undefined;
   }
 
   /**
@@ -151,7 +191,7 @@ export class Keeper {
     this.#late.delete(drawing);
     drawing.kept = revision;
     this.#page.kept(drawing);
-    this.#tell(false);
+    this.#recover();
   }
 
   /**
@@ -165,13 +205,19 @@ export class Keeper {
     this.#write(drawing, state);
   }
 
-  #failed() {
-    this.#tell(true);
+  /** @param {Failing} fails */
+  #failed(fails) {
+    this.#tell(fails);
     clearTimeout(this.#retry);
-    this.#retry = setTimeout(() => this.hurry(), RETRY_MS);
+    if (fails === "all") this.#retry = setTimeout(() => this.hurry(), RETRY_MS);
   }
 
-  /** @param {boolean} fails */
+  /** Nothing fails any more once nothing is left to be written. */
+  #recover() {
+    if (this.#late.size === 0) this.#tell("");
+  }
+
+  /** @param {Failing} fails */
   #tell(fails) {
     if (this.#fails !== fails) this.#page.failing(fails);
     this.#fails = fails;
@@ -221,15 +267,25 @@ export async function lastIds() {
  */
 export async function take(id) {
   const isOurs = await hold(id);
-  const writer = isOurs ? await storage.claim(id) : undefined;
+  const writer = isOurs ? await storage.claim(id).catch(goOnWhereHeld) : undefined;
   // What is read now is what was written last: nobody else writes it any more.
   const { entry, work, image } = await storage.drawing(id);
   if (!entry) return undefined;
   const { name, handle, isUnsaved } = entry;
   const images = imagesOf(image);
   const [keptImage] = images.keys();
-  const identity = isOurs ? { id, name, writer, handle, kept: 0, keptImage } : copyOf(name);
+  const identity = isOurs ? { id, name, writer: writer ?? entry.writer, handle, kept: 0, keptImage } : copyOf(name);
   return { drawing: { ...identity, images, saved: isUnsaved ? -1 : 0 }, work };
+}
+
+/**
+ * A storage that is full gives drawings out all the same: the lock alone says whose they are.
+ * @param {unknown} fault
+ */
+function goOnWhereHeld(fault) {
+  if (!navigator.locks) throw fault;
+  console.warn(fault);
+  return undefined;
 }
 
 /**

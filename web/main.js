@@ -40,6 +40,7 @@ const handlers = {
     tracing.show(drawings.shown.images);
     keeper.follow(drawings.shown);
   },
+  closed: (sheet) => drawings.close(sheet),
   tracing: both(shown.tracing, (state) => tracing.follow(state)),
   tool: both(shown.tool, followed.tool),
   color: both(shown.color, followed.color),
@@ -107,7 +108,7 @@ const keeper = new Keeper({
 });
 const opening = new Opening(engine, drawings, keeper, tracing);
 const samples = new Samples((sample) => opening.sample(sample));
-const recent = new Recent((id) => opening.kept(id));
+const recent = new Recent((id) => opening.kept(id), (id) => keeper.drop(drawings.forget(id)));
 const pointers = new Pointers(stage, engine);
 
 function nameShown() {
@@ -175,7 +176,7 @@ const actions = {
   close: closeOpen,
   "pick-color": pickColor,
   dismiss: () => warn(""),
-  "dismiss-unkept": () => showUnkept(false),
+  "dismiss-unkept": () => showUnkept(""),
   help: showHelp,
   drop: () => pointers.cancel(),
   "pan-ArrowLeft": () => engine.command("pan", [STEP_PX, 0]),

@@ -153,7 +153,9 @@ const english = {
   "copy": ({ name }) => `Copy of ${name}`,
   "opened-copy": ({ name }) => `Opened ${name}: another tab has the drawing itself`,
   "copied-beside": ({ name, before }) => `Another tab has ${before}; this one goes on as ${name}`,
-  "unkept": "The browser cannot keep your drawings. Save them as files, or they are gone when the page is closed.",
+  "unkept-all": "The browser cannot keep your drawings. Save them as files, or they are gone when the page is closed.",
+  "unkept-image":
+    "The browser cannot keep the tracing image, only the rest of the drawing. Save it as a file, or delete others under Recent.",
   "start": "Pick a colour and scribble it into the drawing",
   "opened": ({ name }) => `Opened ${name}`,
   "opened-in-part": ({ name, notes }) => `Opened ${name}; ${notes}`,

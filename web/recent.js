@@ -10,10 +10,15 @@ export class Recent {
   #list = /** @type {HTMLUListElement} */ (this.#dialog.querySelector("ul"));
   #none = /** @type {HTMLElement} */ (this.#dialog.querySelector(".none"));
   #open;
+  #removed;
 
-  /** @param {(id: string) => void} open */
-  constructor(open) {
+  /**
+   * @param {(id: string) => void} open
+   * @param {(id: string) => void} removed called when a drawing was deleted
+   */
+  constructor(open, removed) {
     this.#open = open;
+    this.#removed = removed;
   }
 
   /**
@@ -55,6 +60,7 @@ export class Recent {
       if (!confirm(say("delete-really", entry))) return;
       const isDone = await removed(entry.id).catch(() => false);
       if (!isDone) return remove.after(element("small", say("delete-not")));
+      this.#removed(entry.id);
       const next = item.nextElementSibling ?? item.previousElementSibling ?? this.#dialog;
       item.remove();
       this.#none.hidden = this.#list.childElementCount > 0;

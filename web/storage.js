@@ -75,21 +75,38 @@ export const picture = (id) => read(["pictures"], (stores) => stores.pictures.ge
  * Writes a drawing, unless it has become somebody else's.
  * @param {Entry} entry
  * @param {Uint8Array} work
- * @param {Image | null} [image] another one than before, or none any more; where nothing is said it stays
+ * @param {boolean} isBare whether the image that is there is its own no more
  * @returns {Promise<boolean>} whether it was written
  */
-export async function write(entry, work, image) {
+export const write = (entry, work, isBare) =>
+  writeAs(entry, ["entries", "works", "images"], ({ entries, works, images }) => {
+    entries.put(entry);
+    works.put(work, entry.id);
+    if (isBare) images.delete(entry.id);
+  });
+
+/**
+ * Writes a drawing's image, unless the drawing has become somebody else's.
+ * @param {Entry} entry
+ * @param {Image} image
+ * @returns {Promise<boolean>} whether it was written
+ */
+export const writeImage = (entry, image) => writeAs(entry, ["images"], ({ images }) => images.put(image, entry.id));
+
+/**
+ * @param {Entry} entry
+ * @param {string[]} names
+ * @param {(stores: Stores) => void} act
+ */
+async function writeAs({ id, writer }, names, act) {
   try {
-    await change(["entries", "works", "images", "ended"], (stores) => {
+    await change([...names, "ended"], (stores) => {
       // All of it fails where the mark is there. So the storage checks by itself, while the page is busy.
-      const mark = [entry.id, entry.writer];
+      const mark = [id, writer];
       stores.ended.add(true, mark);
       stores.ended.delete(mark);
-      stores.entries.put(entry);
-      stores.works.put(work, entry.id);
-      if (image) stores.images.put(image, entry.id);
-      else if (image === null) stores.images.delete(entry.id);
-      if (COMMITS_WELL) stores.works.transaction.commit();
+      act(stores);
+      if (COMMITS_WELL) stores.ended.transaction.commit();
     });
     return true;
   } catch (fault) {

@@ -296,8 +296,8 @@ export function failed(fault) {
   warn(say("failed", { sentence: /** @type {Error} */ (fault).message }));
 }
 
-/** Says that the browser keeps nothing, or no more. @param {boolean} isSo */
-export function showUnkept(isSo) {
-  control("unkept").hidden = !isSo;
-  /** @type {HTMLElement} */ (control("unkept").querySelector("p")).textContent = isSo ? say("unkept") : "";
+/** Says what the browser cannot keep, if there is anything. @param {import("./keeper.js").Failing} fails */
+export function showUnkept(fails) {
+  control("unkept").hidden = fails === "";
+  /** @type {HTMLElement} */ (control("unkept").querySelector("p")).textContent = fails && say(`unkept-${fails}`);
 }

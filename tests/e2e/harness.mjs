@@ -134,6 +134,11 @@ export class Editor {
     return this.tab.waitFor(`document.getElementById("drawing").dataset.kept === "true"`);
   }
 
+  /** Whether the page may be left without a question. @returns {Promise<boolean>} */
+  leaves() {
+    return this.tab.evaluate(`window.dispatchEvent(new Event("beforeunload", { cancelable: true }))`);
+  }
+
   /** What the drawing is called. @returns {Promise<string>} */
   name() {
     return this.tab.evaluate(`document.getElementById("drawing").textContent`);

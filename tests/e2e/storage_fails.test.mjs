@@ -13,9 +13,6 @@ const WITHOUT_PATIENCE = `{
   window.setTimeout = (act, ms) => setTimeout(act, ms >= 5000 ? 300 : ms);
 }`;
 
-/** Whether the page may be left without a question. */
-const LEAVES = `window.dispatchEvent(new Event("beforeunload", { cancelable: true }))`;
-
 /** @typedef {import("./harness.mjs").Editor} Editor */
 
 /** @param {Editor} editor @returns {Promise<boolean>} */
@@ -97,7 +94,7 @@ for (const browser of /** @type {const} */ (["chromium", "firefox"])) {
     const assertTold = async (editor) => {
       await editor.tab.waitFor(`!document.getElementById("unkept").hidden`);
       assert.match(await editor.tab.evaluate(`document.getElementById("unkept").textContent`), /cannot keep .*Save as a file/s);
-      assert.equal(await editor.tab.evaluate(LEAVES), false, "the page asks before it goes");
+      assert.equal(await editor.leaves(), false, "the page asks before it goes");
     };
 
     for (const [failure, script] of Object.entries(FAILURES)) {
@@ -109,10 +106,35 @@ for (const browser of /** @type {const} */ (["chromium", "firefox"])) {
         await editor.tab.evaluate("window.storageWorks = true");
         await editor.tab.waitFor(`document.getElementById("unkept").hidden`);
         await editor.kept();
-        assert.equal(await editor.tab.evaluate(LEAVES), true);
+        assert.equal(await editor.leaves(), true);
         assert.deepEqual(editor.tab.faults, []);
       });
     }
+
+    test("that takes nothing more gives out what it has", async () => {
+      const editor = await session.open("cpu");
+      await editor.openDrawing("rooms");
+      await editor.kept();
+      await editor.tab.prepare(`${WITHOUT_PATIENCE}{
+        const { put } = IDBObjectStore.prototype;
+        IDBObjectStore.prototype.put = function (...args) {
+          const request = put.apply(this, args);
+          if (!window.storageWorks && this.name === "entries") this.transaction.abort();
+          return request;
+        };
+      }`);
+      await session.reopen(editor.tab);
+      assert.equal(await editor.name(), "rooms.svg");
+      assert.equal(await isTold(editor), false, "it is kept as it is");
+      await editor.scribble(IN_LEFT_ROOM, ROOMS);
+      await assertTold(editor);
+      await editor.tab.evaluate("window.storageWorks = true");
+      await editor.kept();
+      await editor.tab.evaluate("window.storageWorks = false");
+      await session.reopen(editor.tab);
+      await editor.until("Scribble added, 2 in", () => editor.scribble(IN_LEFT_ROOM, ROOMS));
+      assert.deepEqual(editor.tab.faults, []);
+    });
 
     if (browser === "firefox") return;
 
@@ -123,7 +145,7 @@ for (const browser of /** @type {const} */ (["chromium", "firefox"])) {
       await editor.scribble(IN_LEFT_ROOM, ROOMS);
       await assertTold(editor);
       assert.ok(await editor.tab.download(() => editor.click("Save as a file")));
-      assert.equal(await editor.tab.evaluate(LEAVES), true, "it is in the file");
+      assert.equal(await editor.leaves(), true, "it is in the file");
       assert.deepEqual(editor.tab.faults, []);
     });
 

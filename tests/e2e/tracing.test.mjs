@@ -221,6 +221,61 @@ for (const browser of /** @type {const} */ (["chromium", "firefox"])) {
       assertNear(await colorsAt(editor, LEFT), ["#8080ff"]);
     });
 
+    test("a drawing that was deleted is kept anew, with it, once undo comes back to it", async () => {
+      const editor = await traced();
+      await editor.kept();
+      await editor.openSample("Apple");
+      await editor.click("Recent drawings");
+      await editor.tab.evaluate(`window.confirm = () => true`);
+      await editor.click("Delete rooms.svg");
+      await editor.tab.waitFor(`document.querySelectorAll("#recent li").length === 0`);
+      await editor.click("Close");
+      assert.equal(await editor.leaves(), true, "nobody misses it");
+      await editor.until("Undone", () => editor.click("Undo"));
+      await editor.kept();
+      await editor.scribble(IN_LEFT_ROOM, ROOMS);
+      await editor.kept();
+      await session.reopen(editor.tab);
+      assert.equal(await editor.name(), "rooms.svg");
+      assertNear(await colorsAt(editor, LEFT), ["#8080ff"]);
+      await editor.until("Scribble added, 2 in", () => editor.scribble(IN_LEFT_ROOM, ROOMS));
+      assert.deepEqual(editor.tab.faults, []);
+    });
+
+    test("where it is too much for the storage, all else is kept, and it is told of until it is kept, too", async () => {
+      const tab = await session.newTab();
+      await tab.prepare(`{
+        const { put } = IDBObjectStore.prototype;
+        IDBObjectStore.prototype.put = function (...args) {
+          const request = put.apply(this, args);
+          if (this.name === "images" && args[0].bytes.length === ${HALVES.length}) this.transaction.abort();
+          return request;
+        };
+      }`);
+      const editor = await session.reopen(tab);
+      await editor.openDrawing("rooms");
+      await lay(editor);
+      const isTold = () => tab.evaluate(`!document.getElementById("unkept").hidden`);
+      await tab.waitFor(`!document.getElementById("unkept").hidden`);
+      assert.match(await tab.evaluate(`document.getElementById("unkept").textContent`), /cannot keep the tracing image.*Save as a file/s);
+      assert.equal(await editor.leaves(), false, "the page asks before it goes");
+      await editor.scribble(IN_LEFT_ROOM, ROOMS);
+      await tab.evaluate(`window.addEventListener("beforeunload", (event) => event.stopImmediatePropagation(), true)`);
+      await session.reopen(tab);
+      assert.equal(await editor.name(), "rooms.svg");
+      assertNear(await colorsAt(editor, LEFT), ["#ffffff"]);
+      await editor.until("Scribble added, 2 in", () => editor.scribble(IN_LEFT_ROOM, ROOMS));
+
+      await lay(editor);
+      await tab.waitFor(`!document.getElementById("unkept").hidden`);
+      await editor.until("photo.jpg lies", async () => drop(editor, "photo.jpg", await readFile(JPEG)));
+      await editor.kept();
+      assert.equal(await isTold(), false, "this one fits");
+      await session.reopen(tab);
+      assertNear(await colorsAt(editor, LEFT), ["#9dc1fb"]);
+      assert.deepEqual(tab.faults, []);
+    });
+
     test("a picture of which the storage has lost the file leaves the drawing as it is", async () => {
       const editor = await traced();
       await editor.kept();

@@ -103,6 +103,7 @@ fn swatches_of_unknown_spaces_are_left_out() {
             .unwrap();
     assert_eq!((palette.colors.len(), &*palette.notes()), (1, "left out: 2 colours of an unknown kind"));
     refused(ase(&[(b"HSB ", &[0.1])]), PaletteError::NoKnownColors { count: 1 });
+    refused(ase(&[(b"LAB ", &[f32::NAN, 0.0, 0.0])]), PaletteError::NoKnownColors { count: 1 });
 }
 
 #[test]

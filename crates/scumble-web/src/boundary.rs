@@ -121,6 +121,7 @@ fn js_from_effect(effect: Effect) -> (&'static str, JsValue) {
         Effect::Sheet(SheetState { sheet, revision }) => {
             ("sheet", object(&[("sheet", sheet.into()), ("revision", revision.into())]))
         }
+        Effect::Closed(sheet) => ("closed", sheet.into()),
         Effect::Undo(possible) => ("undo", possible.into()),
         Effect::Redo(possible) => ("redo", possible.into()),
         Effect::Zoom(zoom) => ("zoom", zoom.into()),

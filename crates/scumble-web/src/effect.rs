@@ -12,6 +12,8 @@ use crate::solver::SolverState;
 pub enum Effect {
     /// Which drawing is shown, and as which revision of it.
     Sheet(SheetState),
+    /// Undo does not come back to the drawing of this number any more.
+    Closed(u32),
     /// Whether there is something to undo.
     Undo(bool),
     /// Whether there is something to redo.

@@ -254,6 +254,29 @@ fn each_drawing_is_told_from_the_others_and_its_states_from_each_other() {
 }
 
 #[test]
+fn drawings_that_undo_does_not_come_back_to_are_told_of() {
+    let mut page = Page::open(SQUARE);
+    page.session.take_effects();
+    let mut closed = |command| {
+        page.session.command(command);
+        page.session.take_effects().into_iter().find_map(|effect| match effect {
+            Effect::Closed(sheet) => Some(sheet),
+            _ => None,
+        })
+    };
+    assert_eq!(closed(page::open(SQUARE, &[])), Some(1), "nobody has worked on it");
+    for opened in 2..10 {
+        closed(Command::Palette(vec![RED.into()]));
+        assert_eq!(closed(page::open(SQUARE, &[])), None, "over number {opened}");
+    }
+    closed(Command::Palette(vec![RED.into()]));
+    assert_eq!(closed(page::open(SQUARE, &[])), Some(2));
+    assert_eq!(closed(Command::Undo), Some(11));
+    assert_eq!(closed(Command::Undo), None, "the palette of number 10");
+    assert_eq!(closed(Command::Undo), Some(10));
+}
+
+#[test]
 fn samples_that_are_no_numbers_are_left_out() {
     let mut page = Page::open(SQUARE);
     page.session.pointer(Phase::Down, &[f32::NAN, 0.0, 0.5]);

@@ -117,7 +117,8 @@ fn srgb_from_lab([l, a, b]: [f64; 3]) -> [f64; 3] {
     let part = |t: f64| if t > 6.0 / 29.0 { t * t * t } else { (t - 4.0 / 29.0) * 108.0 / 841.0 };
     let [x, y, z] = [y + a / 500.0, y, y - b / 200.0].map(part);
     let [x, y, z] = [x * D50[0], y * D50[1], z * D50[2]];
-    LINEAR_FROM_D50.map(|row| srgb_from_linear((row[0] * x + row[1] * y + row[2] * z).max(0.0)))
+    LINEAR_FROM_D50
+        .map(|row| srgb_from_linear((row[0] * x + row[1] * y + row[2] * z).clamp(0.0, f64::INFINITY)))
 }
 
 pub(super) fn written(colors: &[Srgb8]) -> Vec<u8> {

@@ -6,10 +6,10 @@ use scumble_core::Srgb8;
 use super::{ReadPalette, push};
 use crate::error::PaletteError;
 
-/// Whether a text begins as such a list.
+/// Whether a text begins as such a list. All files are asked: of what is none, however large, only the beginning is read.
 pub(super) fn begins(text: &[u8]) -> bool {
-    let text = String::from_utf8_lossy(text);
-    text.lines().find_map(|line| words(line).next()).is_some_and(|word| color(word).is_some())
+    let mut lines = text.split(|byte| *byte == b'\n').map(String::from_utf8_lossy);
+    lines.find_map(|line| words(&line).next().map(|word| color(word).is_some())).unwrap_or(false)
 }
 
 pub(super) fn read(text: &str) -> Result<ReadPalette, PaletteError> {

@@ -54,10 +54,18 @@ impl Session {
     /// Shows another drawing. The one that was there is kept if somebody worked on it.
     fn lay_over(&mut self, sheet: Sheet) {
         let under = self.show(sheet);
-        if under.editor.can_undo() {
-            self.shelf.push(under);
-            self.shelf.drain(..self.shelf.len().saturating_sub(SHELF_SIZE));
+        if !under.editor.can_undo() {
+            return self.close(&under);
         }
+        self.shelf.push(under);
+        if self.shelf.len() > SHELF_SIZE {
+            let oldest = self.shelf.remove(0);
+            self.close(&oldest);
+        }
+    }
+
+    fn close(&mut self, sheet: &Sheet) {
+        self.tell(Effect::Closed(sheet.number));
     }
 
     fn show(&mut self, sheet: Sheet) -> Sheet {
@@ -72,7 +80,8 @@ impl Session {
         if self.sheet.editor.undo() {
             self.scribbles_changed();
         } else if let Some(sheet) = self.shelf.pop() {
-            self.show(sheet);
+            let over = self.show(sheet);
+            self.close(&over);
         } else {
             return;
         }
