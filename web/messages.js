@@ -100,6 +100,7 @@ const english = {
   "strength": "Strength",
   "pressure": "Pen pressure",
   "pressure-radius": "Radius",
+  "pressure-off": "Off",
   "crosses": "Cross lines",
   "tones": "Tones",
   "lighter": "Lighter",

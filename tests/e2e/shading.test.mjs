@@ -189,6 +189,9 @@ describe("shading", () => {
     assertClose((await pen(1))[0], BLUE);
     const [weak] = await pen(0.2);
     assert.ok(distance(weak, BLUE) > 0.4 * distance(RED, BLUE), hex(weak));
+
+    await editor.choose("Pen pressure", "off");
+    assertClose((await pen(0.2))[1], hard);
     assert.deepEqual(editor.tab.faults, []);
   });
 

@@ -63,7 +63,9 @@ scumble color DRAWING.svg --scribbles S.json -o OUT.png
 
     S.json: {\"scribbles\":[{\"color\":\"#rrggbb\",\"width\":1.5,\"points\":[[x,y],…]},…]}
     in units of the drawing's viewBox, in drawing order. With \"kind\":\"shade\",\"strength\":0.8 a scribble shades
-    where it is drawn, in the region that it begins in; with \"crosses\":true also beyond.
+    where it is drawn, in the region that it begins in; with \"crosses\":true also beyond. The third number of a point,
+    [x,y,0.4], is how hard a pen pressed there: the part that is left of the radius, or with \"pressure\":\"strength\"
+    of the strength.
 
 scumble render FILE -o OUT.png|OUT.svg|OUT.pdf
     the picture of a .scumble file, of an SVG that was made of one, or of a drawing

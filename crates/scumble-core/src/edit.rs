@@ -116,10 +116,10 @@ impl Editor {
         }
     }
 
-    /// Gives the scribble in hand another width, in du, and kind, as a pen does that presses harder.
-    pub fn press_scribble(&mut self, width_du: f64, kind: ScribbleKind) {
+    /// Gives the scribble in hand another kind, as a pen does by how hard it presses.
+    pub fn press_scribble(&mut self, kind: ScribbleKind) {
         if let (true, Some(scribble)) = (self.is_scribbling(), self.document.scribbles.last_mut()) {
-            (scribble.width_du, scribble.kind) = (width_du, kind);
+            scribble.kind = kind;
         }
     }
 

@@ -5,13 +5,15 @@
 //! Writing and reading are one walk over the work. What reads trusts nothing: bytes that no work was written to stand
 //! for none, and lists grow only as their items are read.
 
+use std::mem;
+
 use kurbo::{BezPath, Cap, Join, PathEl, Point, Rect, Stroke};
 
 use crate::color::{Blend, Paint, Rgba8, Srgb8};
 use crate::color_points::ColorPoint;
 use crate::drawing::{Curve, Drawing, Fill, Line};
 use crate::edit::Document;
-use crate::scribble::{Scribble, ScribbleKind};
+use crate::scribble::{PenPressure, Scribble, ScribbleKind, Shading};
 use crate::settings::{EngineKind, Settings};
 use crate::tracing::Tracing;
 use crate::work::{MAX_CURVES, Unknown, Work, are_too_long, is_page, is_sample_name};
@@ -20,8 +22,8 @@ use tape::Tape;
 mod tape;
 
 /// The first byte. A storage may hold what an older version wrote, which is to be read as long as there are browsers
-/// that have it. Version 1 has no picture under the lines.
-const VERSION: u8 = 2;
+/// that have it. Version 1 has no picture under the lines, version 2 no pressure of pens.
+const VERSION: u8 = 3;
 
 /// The bytes of some work.
 pub fn write(work: &Work) -> Vec<u8> {
@@ -51,6 +53,9 @@ fn walk(tape: &mut Tape, work: &mut Work) {
     unknown(tape, &mut work.unknown);
     if version > 1 {
         self::tracing(tape, tracing);
+    }
+    if version > 2 {
+        scribbles.iter_mut().for_each(|scribble| pressure(tape, scribble));
     }
     tape.check(!are_too_long(&work.document.scribbles));
 }
@@ -166,7 +171,7 @@ const BLANK_SCRIBBLE: Scribble =
 
 fn scribble(tape: &mut Tape, scribble: &mut Scribble) {
     paint(tape, &mut scribble.color);
-    let mut shading = scribble.shading().unwrap_or_default();
+    let mut shading = scribble.shading().cloned().unwrap_or_default();
     if tape.flag(!scribble.is_fill()) {
         tape.number(&mut shading.strength);
         tape.check((0.0..=1.0).contains(&shading.strength));
@@ -176,6 +181,23 @@ fn scribble(tape: &mut Tape, scribble: &mut Scribble) {
     tape.number(&mut scribble.width_du);
     tape.list(&mut scribble.points, &Point::ZERO, &mut point);
     tape.check(scribble.width_du > 0.0 && !scribble.points.is_empty());
+}
+
+fn pressure(tape: &mut Tape, scribble: &mut Scribble) {
+    let ScribbleKind::Shade(Shading { pressure, .. }) = &mut scribble.kind else { return };
+    let (kind, mut parts) = match mem::take(pressure) {
+        PenPressure::Even => (0, Vec::new()),
+        PenPressure::Radius(parts) => (1, parts),
+        PenPressure::Strength(parts) => (2, parts),
+    };
+    let kind = tape.byte(kind);
+    if kind == 0 {
+        return;
+    }
+    tape.list(&mut parts, &1.0, &mut Tape::number);
+    tape.check(kind <= 2 && parts.len() == scribble.points.len());
+    tape.check(parts.iter().all(|part| (0.0..=1.0).contains(part)));
+    *pressure = if kind == 1 { PenPressure::Radius(parts) } else { PenPressure::Strength(parts) };
 }
 
 const BLANK_COLOR_POINT: ColorPoint =

@@ -63,7 +63,7 @@ pub use engine::{Engine, Labels};
 pub use global::Global;
 pub use planar_map::{Gap, MapError, Piece, PlanarMap, Sampling, Step};
 pub use progressive::Progressive;
-pub use scribble::{Scribble, ScribbleKind, Shading};
+pub use scribble::{PenPressure, Scribble, ScribbleKind, Shading};
 pub use settings::{EngineKind, Settings};
 pub use sight::Sight;
 pub use source::SoftSource;

@@ -18,7 +18,7 @@ pub struct Scribble {
 }
 
 /// What a scribble does.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub enum ScribbleKind {
     /// Colours the sides of curves, as the engine sees it.
     #[default]
@@ -28,19 +28,46 @@ pub enum ScribbleKind {
 }
 
 /// How a shading scribble colours its place. Half its width is the radius of its soft brush.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Shading {
     /// How far the colour gets its way, within `0..=1`: not at all, to all the way along the middle of the stroke.
     pub strength: f64,
     /// Whether it goes on beyond the region that it begins in: the first that a length of half its width lies in or, where
     /// it is shorter, the one that most of it lies in.
     pub crosses: bool,
+    /// What a pen made of it along the stroke.
+    pub pressure: PenPressure,
 }
 
 impl Default for Shading {
     /// A clear highlight.
     fn default() -> Self {
-        Self { strength: 0.5, crosses: false }
+        Self { strength: 0.5, crosses: false, pressure: PenPressure::Even }
+    }
+}
+
+/// What varies along a shading scribble, by how hard a pen pressed: the part that is left of it at each point, within
+/// `0..=1`, and evenly more or less between them. At points beyond the end of the list all is left.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub enum PenPressure {
+    /// Nothing.
+    #[default]
+    Even,
+    /// Its radius.
+    Radius(Vec<f64>),
+    /// Its strength.
+    Strength(Vec<f64>),
+}
+
+impl PenPressure {
+    /// The parts that are left of radius and strength at a point of the stroke.
+    pub fn parts(&self, point: usize) -> [f64; 2] {
+        let part = |parts: &[f64]| parts.get(point).copied().unwrap_or(1.0);
+        match self {
+            Self::Even => [1.0, 1.0],
+            Self::Radius(parts) => [part(parts), 1.0],
+            Self::Strength(parts) => [1.0, part(parts)],
+        }
     }
 }
 
@@ -51,8 +78,8 @@ impl Scribble {
     }
 
     /// How it shades, if it does.
-    pub fn shading(&self) -> Option<Shading> {
-        match self.kind {
+    pub fn shading(&self) -> Option<&Shading> {
+        match &self.kind {
             ScribbleKind::Fill => None,
             ScribbleKind::Shade(shading) => Some(shading),
         }

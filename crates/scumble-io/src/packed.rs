@@ -5,9 +5,11 @@
 
 use kurbo::Rect;
 use scumble_core::work::{Unknown, Work, are_too_long, is_page, is_sample_name};
-use scumble_core::{Blend, ColorPoint, EngineKind, Line, Paint, Rgba8, Scribble, ScribbleKind, Srgb8};
+use scumble_core::{
+    Blend, ColorPoint, EngineKind, Line, Paint, PenPressure, Rgba8, Scribble, ScribbleKind, Srgb8,
+};
 
-use crate::work_file;
+use crate::work_file::{self, pressures};
 use coder::Coder;
 use pen::Pen;
 
@@ -80,6 +82,7 @@ pub struct PackedSizes {
 /// The bytes of some work, or `None` where it is too large to be read again.
 pub(crate) fn pack(work: &Work) -> Option<(Vec<u8>, PackedSizes)> {
     let mut work = work.clone();
+    pressures::put_by(&mut work);
     // Once everything is on its lattice, what has become the same is seen to be so.
     let mut coder = Coder::writer();
     walk(&mut coder, &mut work);
@@ -97,6 +100,7 @@ pub(crate) fn unpack(bytes: &[u8]) -> Option<Work> {
     let mut work = Work::blank();
     walk(&mut coder, &mut work);
     coder.finish()?;
+    pressures::take_up(&mut work)?;
     Some(work)
 }
 
@@ -188,13 +192,14 @@ fn ten_to(digits: i64) -> f64 {
 
 fn scribble(c: &mut Coder, scribble: &mut Scribble, seen: &mut Seen, pen: &mut Pen) {
     paint(c, &mut scribble.color, seen);
-    let mut shading = scribble.shading().unwrap_or_default();
+    let mut shading = scribble.shading().cloned().unwrap_or_default();
     if c.flag(kind::SCRIBBLE, &[0], !scribble.is_fill()) {
         unit(c, kind::SCRIBBLE, &[2], &mut shading.strength);
         shading.crosses = c.flag(kind::SCRIBBLE, &[3], shading.crosses);
         if !(0.0..=1.0).contains(&shading.strength) {
             c.fail();
         }
+        shading.pressure = PenPressure::Even;
         scribble.kind = ScribbleKind::Shade(shading);
     }
     let last = (pen.width_du * PER_UNIT) as i64;

@@ -1,12 +1,14 @@
 //! Scribbles as JSON: `{"scribbles":[{"color":"#rrggbb","width":1.5,"points":[[x,y],…]},…]}`, in page units and in
 //! drawing order. The colour `none` is that of a scribble that keeps its place free. With `"kind":"shade"` a scribble
-//! shades, with a `"strength"` from 0 to 1, and with `"crosses":true` beyond the region that it begins in.
+//! shades, with a `"strength"` from 0 to 1, and with `"crosses":true` beyond the region that it begins in. The third number
+//! of a point, if it has one, is how hard a pen pressed there, from 0 to 1: the part that is left of the radius, or with
+//! `"pressure":"strength"` of the strength.
 
 use std::collections::BTreeMap;
 
 use kurbo::{Affine, Point, Rect};
 use scumble_core::drawing::LONGER_SIDE_DU;
-use scumble_core::{Drawing, Paint, Scribble, ScribbleKind, Shading};
+use scumble_core::{Drawing, Paint, PenPressure, Scribble, ScribbleKind, Shading};
 use serde::Deserialize;
 use serde::de::IgnoredAny;
 
@@ -44,9 +46,39 @@ struct ScribbleText {
     strength: Option<f64>,
     #[serde(default)]
     crosses: bool,
-    points: Vec<[f64; 2]>,
+    #[serde(default)]
+    pressure: PressureText,
+    points: Vec<PointText>,
     #[serde(flatten)]
     unknown: BTreeMap<String, IgnoredAny>,
+}
+
+/// What pressure is a part of.
+#[derive(Clone, Copy, Default, Deserialize)]
+#[serde(rename_all = "lowercase")]
+enum PressureText {
+    #[default]
+    Radius,
+    Strength,
+}
+
+/// A point, maybe with pressure.
+#[derive(Clone, Copy, Deserialize)]
+#[serde(untagged, expecting = "points of two or three numbers")]
+enum PointText {
+    Plain([f64; 2]),
+    Pressed([f64; 3]),
+}
+
+impl PointText {
+    fn place(self) -> Point {
+        let (Self::Plain([x, y]) | Self::Pressed([x, y, _])) = self;
+        Point::new(x, y)
+    }
+
+    fn pressure(self) -> f64 {
+        if let Self::Pressed([.., pressure]) = self { pressure.clamp(0.0, 1.0) } else { 1.0 }
+    }
 }
 
 /// Reads the scribbles on a drawing.
@@ -108,7 +140,7 @@ impl Reader {
         let usable_width = (width_du > 0.0 && width_du <= LONGER_SIDE_DU).then_some(width_du);
         let width_du = count_none(usable_width, &mut self.notes.bad_widths)?;
         let points = count_none((!text.points.is_empty()).then_some(text.points), &mut self.notes.no_points)?;
-        let points: Vec<_> = points.into_iter().map(|[x, y]| self.du_from_page * Point::new(x, y)).collect();
+        let points: Vec<_> = points.iter().map(|point| self.du_from_page * point.place()).collect();
         let on_page = self.touches_page(&points, width_du).then_some(points);
         let points = count_none(on_page, &mut self.notes.off_page)?;
         let points = points.into_iter().map(|p| self.within_reach(p)).collect();
@@ -122,7 +154,8 @@ impl Reader {
             None | Some("fill") => Some(ScribbleKind::Fill),
             Some("shade") => {
                 let strength = count_none(strength, &mut self.notes.bad_strengths)?;
-                Some(ScribbleKind::Shade(Shading { strength, crosses: text.crosses }))
+                let pressure = pressure(text);
+                Some(ScribbleKind::Shade(Shading { strength, crosses: text.crosses, pressure }))
             }
             Some(_) => count_none(None, &mut self.notes.bad_kinds),
         }
@@ -140,6 +173,15 @@ impl Reader {
         let nearest = Point::new(p.x.clamp(reach.x0, reach.x1), p.y.clamp(reach.y0, reach.y1));
         self.notes.far_points += usize::from(nearest != p);
         nearest
+    }
+}
+
+fn pressure(text: &ScribbleText) -> PenPressure {
+    let parts: Vec<_> = text.points.iter().map(|point| point.pressure()).collect();
+    match text.pressure {
+        _ if parts.iter().all(|&part| part == 1.0) => PenPressure::Even,
+        PressureText::Radius => PenPressure::Radius(parts),
+        PressureText::Strength => PenPressure::Strength(parts),
     }
 }
 

@@ -14,15 +14,19 @@ use read::Reader;
 
 mod items;
 mod names;
+pub(crate) mod pressures;
 mod read;
 mod write;
 
 /// The version of these files: what is written says the least one that has all its fields. A file of a higher first
 /// number is refused.
-const VERSION: [u32; 2] = [1, 1];
+const VERSION: [u32; 2] = [1, 2];
 
 /// The second number of the first version with a picture under the lines.
 const TRACING_MINOR: u32 = 1;
+
+/// The second number of the first version with the pressure of pens.
+const PRESSURE_MINOR: u32 = 2;
 
 /// What the picture under the lines is called by the document that is read from a file.
 pub const FILE_IMAGE: u32 = 1;

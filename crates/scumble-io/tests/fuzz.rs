@@ -35,7 +35,7 @@ fn seeds(folder: &str, ending: &str) -> Vec<Vec<u8>> {
 }
 
 fn files_of_all_versions() -> Vec<Vec<u8>> {
-    ["tests/fixtures/v1.0", "tests/fixtures/v1.1"]
+    ["tests/fixtures/v1.0", "tests/fixtures/v1.1", "tests/fixtures/v1.2"]
         .iter()
         .flat_map(|folder| seeds(folder, ".scumble"))
         .collect()

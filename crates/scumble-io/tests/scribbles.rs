@@ -1,7 +1,7 @@
 //! What a file of scribbles becomes.
 
 use kurbo::{Point, Rect};
-use scumble_core::{Drawing, Paint, Scribble, ScribbleKind, Shading, Srgb8};
+use scumble_core::{Drawing, Paint, PenPressure, Scribble, ScribbleKind, Shading, Srgb8};
 use scumble_io::{ReadScribbles, ScribbleNotes, ScribblesError, read_scribbles};
 
 /// A page on which one page unit is 16 du.
@@ -51,9 +51,10 @@ fn a_scribble_fills_or_shades() {
     let kinds = |fields: &str| {
         let json =
             format!(r##"{{"scribbles":[{{"color":"#ff0000","width":1,"points":[[20,30]]{fields}}}]}}"##);
-        read(&json).map(|read| read.scribbles[0].kind)
+        read(&json).map(|read| read.scribbles[0].kind.clone())
     };
-    let shade = |strength, crosses| Ok(ScribbleKind::Shade(Shading { strength, crosses }));
+    let shade =
+        |strength, crosses| Ok(ScribbleKind::Shade(Shading { strength, crosses, ..Shading::default() }));
     assert_eq!(kinds(""), Ok(ScribbleKind::Fill));
     assert_eq!(kinds(r#","kind":"fill","strength":7"#), Ok(ScribbleKind::Fill));
     assert_eq!(kinds(r#","kind":"shade","strength":0.8"#), shade(0.8, false));
@@ -72,6 +73,25 @@ fn a_scribble_fills_or_shades() {
 }
 
 #[test]
+fn the_third_number_of_a_point_is_how_hard_a_pen_pressed() {
+    let pressure = |fields: &str, points: &str| {
+        let json = format!(
+            r##"{{"scribbles":[{{"color":"#ff0000","width":1,"kind":"shade"{fields},"points":{points}}}]}}"##
+        );
+        let scribble = read(&json).expect("a scribble").scribbles.remove(0);
+        assert_eq!(scribble.points.len(), 3, "with or without it");
+        scribble.shading().expect("a shade").pressure.clone()
+    };
+    let pressed = "[[20,30,0.25],[21,30],[22,30,7]]";
+    let parts = vec![0.25, 1.0, 1.0];
+    assert_eq!(pressure("", pressed), PenPressure::Radius(parts.clone()));
+    assert_eq!(pressure(r#","pressure":"radius""#, pressed), PenPressure::Radius(parts.clone()));
+    assert_eq!(pressure(r#","pressure":"strength""#, pressed), PenPressure::Strength(parts));
+    assert_eq!(pressure("", "[[20,30,1],[21,30],[22,30]]"), PenPressure::Even);
+    assert_eq!(pressure(r#","pressure":"strength""#, "[[20,30],[21,30],[22,30]]"), PenPressure::Even);
+}
+
+#[test]
 fn no_scribbles_are_no_error() {
     assert_eq!(read(r#"{"scribbles":[]}"#), Ok(ReadScribbles::default()));
 }
@@ -86,7 +106,9 @@ fn what_is_no_scribbles_file_is_refused() {
         "\u{0}",
         r#"{"scribbles":{}}"#,
         r##"{"scribbles":[{"color":"#ff0000","points":[[1,2]]}]}"##,
-        r##"{"scribbles":[{"color":"#ff0000","width":1,"points":[[1,2,3]]}]}"##,
+        r##"{"scribbles":[{"color":"#ff0000","width":1,"points":[[1]]}]}"##,
+        r##"{"scribbles":[{"color":"#ff0000","width":1,"points":[[1,2,0.5,4]]}]}"##,
+        r##"{"scribbles":[{"color":"#ff0000","width":1,"pressure":"hue","points":[[1,2]]}]}"##,
         r##"{"scribbles":[{"color":"#ff0000","width":1e999,"points":[[1,2]]}]}"##,
         r##"{"scribbles":[{"color":"#ff0000","width":1,"points":[[NaN,2]]}]}"##,
     ] {

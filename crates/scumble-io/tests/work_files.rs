@@ -3,7 +3,7 @@
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
 use kurbo::{Point, Rect};
-use scumble_core::{Blend, Document, EngineKind, Paint, Settings, Srgb8, Work};
+use scumble_core::{Blend, Document, EngineKind, Paint, PenPressure, Settings, Srgb8, Work};
 use scumble_io::{FileError, read_file, read_link, write_file, write_link};
 
 /// A file with some members beside what it must have.
@@ -54,6 +54,41 @@ fn settings_and_scribbles_are_read() {
     assert_eq!(work.document.palette, [Srgb8([255, 0, 0]).into(), Paint::Clear]);
     assert_eq!(work.document.scribbles[0].points, [Point::new(1.0, 2.5), Point::new(-300.0, 4.0)]);
     assert_eq!((work.document.color_points[0].curve, work.document.color_points[0].is_left), (3, true));
+}
+
+#[test]
+fn radii_or_strengths_of_a_pen_are_read_and_said_to_be_of_version_1_2() {
+    let shade = |more: &str| {
+        read(&format!(
+            r##", "scribbles": [{{"color": "#ff0000", "width": 2, "kind": "shade", "points": [[1,2],[3,4]]{more}}}]"##
+        ))
+    };
+    let pressure = |work: &Work| work.document.scribbles[0].shading().unwrap().pressure.clone();
+    let (radii, strengths) = (r#", "radii": [0.25,1]"#, r#", "strengths": [0,0.5]"#);
+    assert_eq!(pressure(&shade(radii).unwrap()), PenPressure::Radius(vec![0.25, 1.0]));
+    assert_eq!(pressure(&shade(strengths).unwrap()), PenPressure::Strength(vec![0.0, 0.5]));
+    for more in [radii, strengths] {
+        let text = text(&shade(more).unwrap());
+        assert!(text.contains(r#""version": "1.2""#) && text.contains(&more[2..]), "{text}");
+    }
+    assert!(text(&shade("").unwrap()).contains(r#""version": "1.0""#));
+    for bad in [r#", "radii": [1]"#, r#", "radii": [1,2]"#, r#", "strengths": [0,-0.5]"#, r#", "radii": 7"#] {
+        assert!(matches!(shade(bad), Err(FileError::Damaged { .. })), "{bad}");
+    }
+}
+
+#[test]
+fn a_link_keeps_what_a_pen_made_beside_what_nobody_knows() {
+    let file = r##"{"format": "scumble", "version": "1.2", "canvas": [0, 0, 64, 64], "scribbles": [
+        {"color": "#ff0000", "width": 2, "points": [[1,2]], "mood": 7},
+        {"color": "#ff0000", "width": 2, "kind": "shade", "points": [[1,2]], "radii": [0.25], "mood": 8}]}"##;
+    let work = read_file(file.as_bytes()).unwrap();
+    let linked = read_link(&write_link(&work).unwrap().fragment).unwrap();
+    assert_eq!(text(&linked), text(&work));
+    assert_eq!(linked.unknown, work.unknown);
+    let [plain, pressed] = &*linked.document.scribbles else { panic!() };
+    assert!(plain.is_fill());
+    assert_eq!(pressed.shading().unwrap().pressure, PenPressure::Radius(vec![0.25]));
 }
 
 /// What a later version of the same first number might write.

@@ -3,12 +3,14 @@
 
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
+use std::mem;
+
 use kurbo::{BezPath, Cap, Join, PathEl, Point, Rect, Stroke};
 use proptest::collection::vec;
 use proptest::option;
 use proptest::prelude::*;
 use scumble_core::{
-    Blend, ColorPoint, Curve, Document, Drawing, EngineKind, Fill, Line, Paint, Rgba8, Scribble,
+    Blend, ColorPoint, Curve, Document, Drawing, EngineKind, Fill, Line, Paint, PenPressure, Rgba8, Scribble,
     ScribbleKind, Settings, Shading, Srgb8, Tracing, Work, exact,
 };
 use scumble_io::{FILE_IMAGE, read_file, read_link, write_file, write_link};
@@ -93,14 +95,28 @@ fn drawings() -> impl Strategy<Value = Drawing> {
 
 fn scribbles() -> impl Strategy<Value = Vec<Scribble>> {
     let near = (0.0..1024.0, 0.0..1024.0).prop_map(|(x, y)| Point::new(x, y));
-    let shading = (0.0..=1.0, any::<bool>());
-    let shade = shading.prop_map(|(strength, crosses)| ScribbleKind::Shade(Shading { strength, crosses }));
-    let kinds = prop_oneof![Just(ScribbleKind::Fill), shade];
-    vec((paints(), kinds, 1e-4..99.0, vec(near, 1..9)), 0..6).prop_map(|all| {
+    let shading = (0.0..=1.0, any::<bool>(), pressures());
+    let kinds = option::of(shading);
+    vec((paints(), kinds, 1e-4..99.0, vec((near, 0.0..=1.0), 1..9)), 0..6).prop_map(|all| {
         all.into_iter()
-            .map(|(color, kind, width_du, points)| Scribble { color, kind, width_du, points })
+            .map(|(color, kind, width_du, points)| {
+                let (points, parts): (_, Vec<f64>) = points.into_iter().unzip();
+                let kind = kind.map_or(ScribbleKind::Fill, |(strength, crosses, pressed)| {
+                    ScribbleKind::Shade(Shading { strength, crosses, pressure: pressed(parts) })
+                });
+                Scribble { color, kind, width_du, points }
+            })
             .collect()
     })
+}
+
+/// What a pen makes of the parts at the points of a stroke.
+fn pressures() -> impl Strategy<Value = fn(Vec<f64>) -> PenPressure> {
+    prop_oneof![
+        Just((|_| PenPressure::Even) as fn(Vec<f64>) -> PenPressure),
+        Just(PenPressure::Radius as fn(Vec<f64>) -> PenPressure),
+        Just(PenPressure::Strength as fn(Vec<f64>) -> PenPressure),
+    ]
 }
 
 fn settings() -> impl Strategy<Value = Settings> {
@@ -166,8 +182,16 @@ fn lengths(work: &Work) -> Vec<f64> {
         [stroke.width.max(0.001), stroke.miter_limit, stroke.dash_offset].into_iter().chain(dashes)
     });
     let widths = scribbles.iter().map(|scribble| scribble.width_du.max(0.001));
+    let shadings = scribbles.iter().filter_map(Scribble::shading);
+    let parts = shadings.flat_map(|shading| {
+        let parts = match &shading.pressure {
+            PenPressure::Even => &[][..],
+            PenPressure::Radius(parts) | PenPressure::Strength(parts) => parts,
+        };
+        [shading.strength].into_iter().chain(parts.iter().copied())
+    });
     let places = color_points.iter().map(|point| point.at_du);
-    of_stroke.chain(widths).chain(places).chain([settings.gap_closing]).collect()
+    of_stroke.chain(widths).chain(parts).chain(places).chain([settings.gap_closing]).collect()
 }
 
 /// Everything that is no number: it comes back as it was.
@@ -188,7 +212,10 @@ fn forms(work: &Work) -> String {
     };
     let curves: Vec<_> = drawing.curves.iter().map(|c| (kinds(&c.path), c.line.as_ref().map(line))).collect();
     let fills: Vec<_> = drawing.fills.iter().map(|f| (kinds(&f.path), f.even_odd, f.color)).collect();
-    let strokes: Vec<_> = scribbles.iter().map(|scribble| (scribble.color, scribble.points.len())).collect();
+    let shades = |shading: &Shading| (shading.crosses, mem::discriminant(&shading.pressure));
+    let stroke =
+        |scribble: &Scribble| (scribble.color, scribble.points.len(), scribble.shading().map(shades));
+    let strokes: Vec<_> = scribbles.iter().map(stroke).collect();
     let set: Vec<_> = color_points.iter().map(|p| (p.curve, p.is_left, p.color)).collect();
     let settings = (settings.blend, settings.engine, settings.spread);
     format!("{curves:?} {fills:?} {strokes:?} {set:?} {settings:?} {palette:?} {:?}", work.sample)

@@ -1,7 +1,16 @@
 //! The soft brush of a source: how strong it is at a place.
+//!
+//! Between two points of a stroke radius or strength passes evenly from one to the other, and a brush is as strong as the
+//! strongest of all dabs along it. So a sudden change of pressure is as soft as the end of a stroke, and more points on the
+//! same way change nothing.
 
-use kurbo::{Point, Rect, Vec2};
+use kurbo::{Point, Rect};
 use scumble_core::SoftSource;
+
+pub(crate) use segment::Segment;
+use segment::profile;
+
+mod segment;
 
 /// Segments that share a box.
 const CHUNK: usize = 8;
@@ -10,13 +19,13 @@ const CHUNK: usize = 8;
 /// would keep a shade from flowing all over a region that has no colour.
 const FADE_RADII: f64 = 1.5;
 
-/// A part of a stroke, straight.
+/// A place of a stroke as it is from somewhere.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Segment {
-    start: Point,
-    along: Vec2,
-    /// One over the square of its length; zero where it has none.
-    per_length_sq: f64,
+pub(crate) struct Place {
+    pub(crate) distance_du: f64,
+    pub(crate) radius_du: f64,
+    /// The most that its surroundings give there, in 1/du².
+    pub(crate) strength: f64,
 }
 
 /// A source whose stroke can be asked for distances.
@@ -28,24 +37,33 @@ pub(crate) struct Brush {
     boxes: Vec<Rect>,
     /// The box of all of them.
     bounds: Rect,
-    pub(crate) radius_du: f64,
-    pub(crate) weight: f64,
+    /// The least and the greatest radius along the stroke.
+    pub(crate) radii_du: [f64; 2],
+    weight: f64,
+    /// Whether it is the same all along.
+    is_even: bool,
 }
 
 impl Brush {
     pub(crate) fn new(source: &SoftSource) -> Self {
-        let dab = source.points.iter().take(2 - source.points.len().min(2)).map(|&p| [p, p]);
-        let ends: Vec<_> = source.points.windows(2).map(|w| [w[0], w[1]]).chain(dab).collect();
-        let boxes: Vec<_> = ends.chunks(CHUNK).map(|chunk| bounds(chunk.as_flattened())).collect();
-        let radius_du = source.radius_du;
-        let bounds = bounds(ends.as_flattened());
-        let segments = ends.into_iter().map(Segment::new).collect();
-        Self { segments, boxes, bounds, radius_du, weight: source.weight }
+        let last = source.points.len().saturating_sub(1);
+        let ends = (0..last.max(1)).map(|i| [i, last.min(i + 1)]);
+        let segments: Vec<_> = ends.map(|ends| Segment::new(source, ends)).filter(Segment::shows).collect();
+        let boxes: Vec<_> = segments.chunks(CHUNK).map(bounds).collect();
+        let radii_du = segments.iter().flat_map(|segment| [0.0, 1.0].map(|t| segment.radius_du(t)));
+        Self {
+            boxes,
+            bounds: bounds(&segments),
+            radii_du: radii_du.fold([f64::INFINITY, 0.0], |[least, most], r| [r.min(least), r.max(most)]),
+            weight: source.weight,
+            is_even: source.parts.is_empty(),
+            segments,
+        }
     }
 
     /// What no point within its radius lies outside of.
     pub(crate) fn bounds(&self) -> Rect {
-        self.bounds.inflate(self.radius_du, self.radius_du)
+        self.bounds.inflate(self.radii_du[1], self.radii_du[1])
     }
 
     /// The distance of a point from the stroke, in du, where it is less than so much; that much elsewhere.
@@ -62,63 +80,66 @@ impl Brush {
         least_sq.sqrt()
     }
 
-    /// The segments that are nearest to some point within a distance of a place, and within the radius of it; none
+    /// The segments that are strongest at some point within a distance of a place, and within the radius of it; none
     /// where the brush does not reach.
     pub(crate) fn near(&self, p: Point, spread_du: f64, near: &mut Vec<Segment>) {
         near.clear();
-        let most_du = self.radius_du + spread_du;
+        let most_du = self.radii_du[1] + spread_du;
         let least_du = self.distance_du(p, most_du);
         if least_du >= most_du {
             return;
         }
-        let reach_sq = (least_du + 2.0 * spread_du).min(most_du).powi(2);
+        // The nearest is the strongest where all are the same.
+        let reach_du = if self.is_even { (least_du + 2.0 * spread_du).min(most_du) } else { most_du };
+        self.for_each_within(p, reach_du, &mut |segment| near.push(*segment));
+    }
+
+    fn for_each_within(&self, p: Point, reach_du: f64, each: &mut dyn FnMut(&Segment)) {
+        let reach_sq = reach_du * reach_du;
         for (rect, chunk) in self.boxes.iter().zip(self.segments.chunks(CHUNK)) {
             if distance_sq_to_rect(p, *rect) <= reach_sq {
-                near.extend(chunk.iter().filter(|segment| segment.distance_sq(p) <= reach_sq));
+                chunk.iter().filter(|segment| segment.distance_sq(p) <= reach_sq).for_each(&mut *each);
             }
         }
     }
 
-    /// The factor of `u − c` in the equation at a point to which no other segments are nearest than some of these,
+    /// The places of the stroke that may need the finest mesh at a point, of those within a distance.
+    pub(crate) fn for_each_place(&self, p: Point, most_du: f64, each: &mut dyn FnMut(Place)) {
+        let distance_du = self.distance_du(p, most_du);
+        if distance_du >= most_du {
+            return;
+        }
+        if self.is_even {
+            let radius_du = self.radii_du[1];
+            let strength = profile(self.weight, radius_du, distance_du * distance_du);
+            return each(Place { distance_du, radius_du, strength });
+        }
+        self.for_each_within(p, most_du, &mut |segment| {
+            let (to, strength) = (p - segment.start, segment.strength(p, self.weight));
+            for t in [segment.nearest(to).clamp(0.0, 1.0), 0.0, 1.0] {
+                let distance_du = segment.distance_sq_at(to, t).sqrt();
+                each(Place { distance_du, radius_du: segment.radius_du(t), strength });
+            }
+        });
+    }
+
+    /// The factor of `u − c` in the equation at a point at which no other segments are stronger than some of these,
     /// in 1/du².
     pub(crate) fn strength(&self, p: Point, near: &[Segment]) -> f64 {
-        let least_sq = near.iter().map(|segment| segment.distance_sq(p)).fold(f64::INFINITY, f64::min);
-        self.strength_at(least_sq)
-    }
-
-    /// The same at a distance from the stroke of which this is the square.
-    pub(crate) fn strength_at(&self, distance_sq: f64) -> f64 {
-        let radius_sq = self.radius_du * self.radius_du;
-        let inside = (1.0 - distance_sq / radius_sq).max(0.0);
-        self.weight / radius_sq * inside * inside
-    }
-}
-
-impl Segment {
-    fn new([start, end]: [Point; 2]) -> Self {
-        let along = end - start;
-        let length_sq = along.hypot2();
-        let per_length_sq = Some(length_sq.recip()).filter(|x| x.is_finite()).unwrap_or(0.0);
-        Self { start, along, per_length_sq }
-    }
-
-    fn distance_sq(&self, p: Point) -> f64 {
-        let to = p - self.start;
-        let t = (to.dot(self.along) * self.per_length_sq).clamp(0.0, 1.0);
-        (to - self.along * t).hypot2()
+        near.iter().map(|segment| segment.strength(p, self.weight)).fold(0.0, f64::max)
     }
 }
 
 /// The pull of the paper on a region that has no colour but is shaded, in 1/du²: a source of clear colour that is
 /// everywhere, and so weak that it shows beyond the others alone.
 pub(crate) fn fade_strength<'a>(brushes: impl Iterator<Item = &'a Brush>) -> f64 {
-    let reach_du = FADE_RADII * brushes.map(|brush| brush.radius_du).fold(0.0, f64::max);
+    let reach_du = FADE_RADII * brushes.map(|brush| brush.radii_du[1]).fold(0.0, f64::max);
     (reach_du * reach_du).recip()
 }
 
-fn bounds(points: &[Point]) -> Rect {
-    let first = points.first().copied().unwrap_or_default();
-    points.iter().fold(Rect::from_points(first, first), |bounds, p| bounds.union_pt(*p))
+fn bounds(segments: &[Segment]) -> Rect {
+    let boxes = segments.iter().map(|segment| Rect::from_points(segment.start, segment.end()));
+    boxes.reduce(|a, b| a.union(b)).unwrap_or_default()
 }
 
 fn distance_sq_to_rect(p: Point, rect: Rect) -> f64 {
@@ -132,8 +153,27 @@ mod tests {
     use super::*;
 
     fn brush(points: &[(f64, f64)]) -> Brush {
+        varied(points, &[])
+    }
+
+    fn varied(points: &[(f64, f64)], parts: &[[f64; 2]]) -> Brush {
         let points = points.iter().map(|&p| p.into()).collect();
-        Brush::new(&SoftSource { points, radius_du: 10.0, weight: 8.0, color: [1.0; 4], crosses: false })
+        let parts = parts.to_vec();
+        Brush::new(&SoftSource {
+            points,
+            radius_du: 10.0,
+            weight: 8.0,
+            color: [1.0; 4],
+            crosses: false,
+            parts,
+        })
+    }
+
+    /// At a place of which much around is looked at.
+    fn strength(brush: &Brush, p: Point) -> f64 {
+        let mut near = Vec::new();
+        brush.near(p, 3.0, &mut near);
+        brush.strength(p, &near)
     }
 
     #[test]
@@ -141,13 +181,8 @@ mod tests {
         for (points, place) in [(vec![(5.0, 5.0)], (5.0, 5.0)), (vec![(0.0, 0.0), (40.0, 0.0)], (20.0, 0.0))]
         {
             let brush = brush(&points);
-            let strength = |away: f64| {
-                let p = Point::new(place.0, place.1 + away);
-                let mut near = Vec::new();
-                brush.near(p, 3.0, &mut near);
-                brush.strength(p, &near)
-            };
-            assert_eq!([0.0, 5.0, 10.0, 11.0].map(strength), [0.08, 0.08 * 0.5625, 0.0, 0.0]);
+            let away = |du: f64| strength(&brush, Point::new(place.0, place.1 + du));
+            assert_eq!([0.0, 5.0, 10.0, 11.0].map(away), [0.08, 0.08 * 0.5625, 0.0, 0.0]);
         }
     }
 
@@ -161,5 +196,29 @@ mod tests {
             assert_eq!(brush.distance_du(p, 1e9), all.sqrt());
             assert_eq!(brush.distance_du(p, 7.0), all.sqrt().min(7.0));
         }
+    }
+
+    #[test]
+    fn more_points_on_the_way_and_the_way_back_are_the_same_brush() {
+        for [start, middle, end] in
+            [[[0.1, 1.0], [0.4, 1.0], [1.0, 1.0]], [[1.0, 0.0], [1.0, 1.0 / 3.0], [1.0, 1.0]]]
+        {
+            let rising = varied(&[(0.0, 0.0), (60.0, 0.0)], &[start, end]);
+            let falling = varied(&[(60.0, 0.0), (20.0, 0.0), (0.0, 0.0)], &[end, middle, start]);
+            for p in (0..100).map(|i| Point::new(f64::from(i) - 20.0, f64::from(i * 37 % 21) - 10.0)) {
+                assert!((strength(&rising, p) - strength(&falling, p)).abs() < 1e-9);
+            }
+        }
+    }
+
+    #[test]
+    fn without_strength_nothing_is_there() {
+        let way = [(0.0, 0.0), (30.0, 0.0), (90.0, 0.0), (120.0, 0.0)];
+        let brush = varied(&way, &[[1.0, 1.0], [1.0, 0.0], [1.0, 0.0], [1.0, 1.0]]);
+        assert!(strength(&brush, Point::new(10.0, 0.0)) > 0.0);
+        assert_eq!(strength(&brush, Point::new(60.0, 0.0)), 0.0);
+        let mut places = 0;
+        brush.for_each_place(Point::new(60.0, 0.0), 15.0, &mut |_| places += 1);
+        assert_eq!(places, 0, "nothing that needs a finer mesh");
     }
 }

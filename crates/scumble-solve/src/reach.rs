@@ -127,7 +127,7 @@ fn meets(brush: &Brush, corners: [Point; 3]) -> bool {
     let [a, b, c] = corners;
     let middle = ((a.to_vec2() + b.to_vec2() + c.to_vec2()) / 3.0).to_point();
     let spread_du = corners.into_iter().map(|corner| corner.distance(middle)).fold(0.0, f64::max);
-    let reach_du = brush.radius_du + spread_du;
+    let reach_du = brush.radii_du[1] + spread_du;
     brush.bounds().overlaps(Rect::from_points(a, b).union_pt(c))
         && brush.distance_du(middle, reach_du) < reach_du
 }

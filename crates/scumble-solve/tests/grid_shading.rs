@@ -1,7 +1,7 @@
 //! Shading scribbles on pixels, beside the mesh solver's.
 
 use kurbo::{Affine, BezPath, Circle, Line, Point, Rect, Shape};
-use scumble_core::{Boundary, Curve, Document, Drawing, Scribble, ScribbleKind, Shading, Srgb8};
+use scumble_core::{Boundary, Curve, Document, Drawing, PenPressure, Scribble, ScribbleKind, Shading, Srgb8};
 use scumble_solve::grid::{Constraints, GridPicture, GridSolver};
 use scumble_solve::{Picture, Pixmap, Scene, View, paint, paint_grid};
 
@@ -32,7 +32,7 @@ fn fill(color: Srgb8, (x, y): (f64, f64)) -> Scribble {
 }
 
 fn shade(strength: f64, crosses: bool, width_du: f64, points: &[(f64, f64)]) -> Scribble {
-    scribble(RED, ScribbleKind::Shade(Shading { strength, crosses }), width_du, points)
+    scribble(RED, ScribbleKind::Shade(Shading { strength, crosses, ..Shading::default() }), width_du, points)
 }
 
 fn on_mesh(picture: &mut Picture, document: &Document, boundary: &Boundary, view: &View) -> Pixmap {
@@ -97,6 +97,17 @@ fn strokes_within_coloured_shapes_are_those_of_the_mesh() {
         assert_near("stroke", &with(shade(strength, false, width_du, &BENT)), size_px, NEAR);
         assert_near("dab", &with(shade(strength, false, width_du, &BENT[..1])), size_px, NEAR);
         assert_near("crossing", &with(shade(strength, true, width_du, &BENT)), size_px, NEAR);
+    }
+}
+
+#[test]
+fn strokes_of_a_pen_that_presses_more_or_less_are_those_of_the_mesh() {
+    let parts = vec![0.2, 1.0, 0.6, 0.1];
+    for pressure in [PenPressure::Radius(parts.clone()), PenPressure::Strength(parts)] {
+        let kind = ScribbleKind::Shade(Shading { strength: 0.9, crosses: true, pressure });
+        let scribbles =
+            vec![fill(YELLOW, (260.0, 400.0)), fill(BLUE, (500.0, 400.0)), scribble(RED, kind, 80.0, &BENT)];
+        assert_near("pressed", &scribbles, 512, NEAR);
     }
 }
 

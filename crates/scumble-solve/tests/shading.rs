@@ -2,7 +2,9 @@
 
 use kurbo::{Affine, BezPath, Circle, Point, Rect, Shape, Vec2};
 use proptest::prelude::*;
-use scumble_core::{Blend, Curve, Document, Drawing, Paint, Scribble, ScribbleKind, Shading, Srgb8};
+use scumble_core::{
+    Blend, Curve, Document, Drawing, Paint, PenPressure, Scribble, ScribbleKind, Shading, Srgb8,
+};
 use scumble_solve::{Field, FieldTriangle, Picture, Pixmap, Scene, View, paint};
 
 const YELLOW: Srgb8 = Srgb8([255, 230, 0]);
@@ -26,13 +28,19 @@ fn fills() -> Vec<Scribble> {
 }
 
 fn shade(color: Srgb8, strength: f64, width_du: f64, points: &[(f64, f64)]) -> Scribble {
-    let kind = ScribbleKind::Shade(Shading { strength, crosses: false });
+    let kind = ScribbleKind::Shade(Shading { strength, ..Shading::default() });
     Scribble {
         color: color.into(),
         kind,
         width_du,
         points: points.iter().copied().map(Point::from).collect(),
     }
+}
+
+/// A shade with what a pen made of it.
+fn pressed(shade: Scribble, strength: f64, pressure: &PenPressure) -> Scribble {
+    let kind = Shading { strength, pressure: pressure.clone(), ..Shading::default() };
+    Scribble { kind: ScribbleKind::Shade(kind), ..shade }
 }
 
 fn field(document: &Document) -> Field {
@@ -96,13 +104,43 @@ fn without_strength_the_picture_is_as_without_the_stroke() {
 }
 
 #[test]
+fn along_a_stroke_a_pen_changes_how_wide_or_how_strong_it_is() {
+    let way = [(300.0, 380.0), (300.0, 620.0)];
+    let colors = |pressure: &PenPressure| {
+        let stroke = pressed(shade(BLUE, 1.0, 60.0, &way), 1.0, pressure);
+        let pixels = pixels(&field(&document(vec![fill(YELLOW, (280.0, 500.0)), stroke])));
+        [(300.0, 385.0), (330.0, 385.0), (300.0, 610.0), (330.0, 610.0)].map(|at| color_at(&pixels, at)[2])
+    };
+    let rising = vec![0.2, 1.0];
+    let even = colors(&PenPressure::Even);
+    let wide = colors(&PenPressure::Radius(rising.clone()));
+    assert!(wide[0] > 250 && wide[1] + 15 < even[1], "thin at first: {wide:?} {even:?}");
+    assert!(wide[2] > 250 && even[3].abs_diff(wide[3]) < 10, "as wide as it can be: {wide:?} {even:?}");
+    let strong = colors(&PenPressure::Strength(rising));
+    assert!(strong[0] + 40 < even[0] && strong[2] > 250, "{strong:?} {even:?}");
+}
+
+#[test]
+fn where_a_pen_leaves_no_strength_there_is_none_and_where_it_leaves_all_it_is_a_mouse() {
+    let with = |pressure: &PenPressure| {
+        let way = [(300.0, 400.0), (320.0, 600.0)];
+        let scribbles = [fills(), vec![pressed(shade(BLUE, 0.8, 60.0, &way), 0.8, pressure)]].concat();
+        field(&document(scribbles))
+    };
+    assert_eq!(with(&PenPressure::Strength(vec![0.0, 0.0])), field(&document(fills())));
+    for all in [PenPressure::Radius(vec![1.0, 1.0]), PenPressure::Strength(vec![1.0, 1.0])] {
+        assert_eq!(with(&all), with(&PenPressure::Even));
+    }
+}
+
+#[test]
 fn a_stroke_stays_in_the_region_that_it_begins_in_unless_it_crosses() {
     let way = [(300.0, 500.0), (510.0, 500.0)];
     let differs = |crosses: bool, at: (f64, f64)| {
         let mut scribbles = fills();
         let without = pixels(&field(&document(scribbles.clone())));
         let mut stroke = shade(Srgb8([0, 255, 0]), 0.8, 40.0, &way);
-        stroke.kind = ScribbleKind::Shade(Shading { strength: 0.8, crosses });
+        stroke.kind = ScribbleKind::Shade(Shading { strength: 0.8, crosses, ..Shading::default() });
         scribbles.push(stroke);
         let with = pixels(&field(&document(scribbles)));
         difference(color_at(&with, at), color_at(&without, at)) > 8
@@ -173,20 +211,24 @@ fn a_stroke_from_off_the_page_stays_where_it_comes_in() {
 
 #[test]
 fn a_small_move_makes_a_small_difference() {
-    let at = |way: &[(f64, f64)], width_du: f64, away_du: f64| {
+    let at = |way: &[(f64, f64)], width_du: f64, pressure: &PenPressure, away_du: f64| {
         let way: Vec<_> = way.iter().map(|&(x, y)| (x + away_du, y + 0.6 * away_du)).collect();
-        let scribbles =
-            vec![fill(Srgb8([255; 3]), (280.0, 500.0)), shade(Srgb8([0; 3]), 1.0, width_du, &way)];
-        pixels(&field(&document(scribbles)))
+        let stroke = pressed(shade(Srgb8([0; 3]), 1.0, width_du, &way), 1.0, pressure);
+        pixels(&field(&document(vec![fill(Srgb8([255; 3]), (280.0, 500.0)), stroke])))
     };
-    for (way, width_du) in [
-        (&[(300.0, 450.0), (330.0, 520.0), (290.0, 600.0)][..], 48.0),
-        (&[(310.0, 500.0)], 20.0),
-        (&[(250.0, 400.0), (400.0, 330.0)], 90.0),
+    let parts = vec![0.25, 1.0, 0.5];
+    let bent = &[(300.0, 450.0), (330.0, 520.0), (290.0, 600.0)][..];
+    for (way, width_du, pressure) in [
+        (bent, 48.0, PenPressure::Even),
+        (&[(310.0, 500.0)], 20.0, PenPressure::Even),
+        (&[(250.0, 400.0), (400.0, 330.0)], 90.0, PenPressure::Even),
+        (bent, 64.0, PenPressure::Radius(parts.clone())),
+        (bent, 64.0, PenPressure::Strength(parts)),
     ] {
         for step in 0..8 {
             let start_du = 0.7 * f64::from(step);
-            let moved = largest_difference(&at(way, width_du, start_du), &at(way, width_du, start_du + 0.01));
+            let at = |away_du: f64| at(way, width_du, &pressure, away_du);
+            let moved = largest_difference(&at(start_du), &at(start_du + 0.01));
             assert!(moved <= 1, "{moved} levels, {width_du} {start_du}");
         }
     }
@@ -212,12 +254,21 @@ fn a_move_that_leaves_the_number_of_triangles_moves_their_corners() {
 
 fn any_shade() -> impl Strategy<Value = Scribble> {
     let points = prop::collection::vec((150.0..900.0_f64, 250.0..750.0_f64), 1..4);
-    (any::<[u8; 3]>(), 0.05..=1.0_f64, 6.0..150.0_f64, points, any::<bool>()).prop_map(
-        |(rgb, strength, width_du, points, crosses)| Scribble {
-            kind: ScribbleKind::Shade(Shading { strength, crosses }),
+    (any::<[u8; 3]>(), 0.05..=1.0_f64, 6.0..150.0_f64, points, any::<bool>(), any_pressure()).prop_map(
+        |(rgb, strength, width_du, points, crosses, pressure)| Scribble {
+            kind: ScribbleKind::Shade(Shading { strength, crosses, pressure }),
             ..shade(Srgb8(rgb), strength, width_du, &points)
         },
     )
+}
+
+fn any_pressure() -> impl Strategy<Value = PenPressure> {
+    let parts = || prop::collection::vec(0.0..=1.0_f64, 1..4);
+    prop_oneof![
+        Just(PenPressure::Even),
+        parts().prop_map(PenPressure::Radius),
+        parts().prop_map(PenPressure::Strength),
+    ]
 }
 
 proptest! {

@@ -23,7 +23,14 @@ fn solve(map: &PlanarMap, sources: &[SoftSource]) -> Field {
 }
 
 fn source(points: &[Point], radius_du: f64, weight: f64) -> SoftSource {
-    SoftSource { points: points.to_vec(), radius_du, weight, color: [0.0, 0.0, 0.0, 1.0], crosses: false }
+    SoftSource {
+        points: points.to_vec(),
+        radius_du,
+        weight,
+        color: [0.0, 0.0, 0.0, 1.0],
+        crosses: false,
+        parts: Vec::new(),
+    }
 }
 
 /// The value where a source lies between two white ends, from the middle outwards: around a dab (two dimensions) or

@@ -162,8 +162,8 @@ fn js_from_effect(effect: Effect) -> (&'static str, JsValue) {
 fn js_from_mode(mode: Mode) -> JsValue {
     object(&[
         ("kind", kind_name(mode.kind).into()),
-        ("strength", mode.shading.strength.into()),
-        ("crosses", mode.shading.crosses.into()),
+        ("strength", mode.strength.into()),
+        ("crosses", mode.crosses.into()),
         ("pressure", pressure_name(mode.pressure).into()),
         ("largest", mode.sizes_du()[1].into()),
     ])

@@ -1,6 +1,6 @@
 //! What the pen draws with: the kind, colour and size of the next scribble.
 
-use scumble_core::{Paint, ScribbleKind, Shading, Srgb8, Tone};
+use scumble_core::{Paint, PenPressure, ScribbleKind, Shading, Srgb8, Tone};
 
 /// Smallest and largest width of a scribble that fills, and of one that shades, in du.
 const SIZES_DU: [[f64; 2]; 2] = [[2.0, 96.0], [2.0, 256.0]];
@@ -9,7 +9,10 @@ const SIZES_DU: [[f64; 2]; 2] = [[2.0, 96.0], [2.0, 256.0]];
 const STEP: f64 = 1.25;
 
 /// The lightest touch of a pen still gives so much of the brush's size.
-const LEAST_PRESSED: f64 = 0.1;
+const LEAST_RADIUS: f64 = 0.1;
+
+/// Steps of pressure: as fine as can be seen, and short in links.
+const PRESSURE_STEPS: f64 = 100.0;
 
 /// What a scribble does.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -21,7 +24,7 @@ pub enum Kind {
     Shade,
 }
 
-/// What the pressure of a pen gives a scribble that shades.
+/// What the pressure of a pen gives a scribble that shades, along the stroke.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Pressure {
     /// Its radius, up to that of the brush.
@@ -29,6 +32,8 @@ pub enum Pressure {
     Radius,
     /// Its strength, up to the one that is set.
     Strength,
+    /// Nothing.
+    Off,
 }
 
 /// What a scribble is drawn in.
@@ -47,14 +52,23 @@ impl From<Srgb8> for Ink {
 }
 
 /// How the next scribble colours.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Mode {
     /// What it does.
     pub kind: Kind,
-    /// How it shades, if it does.
-    pub shading: Shading,
+    /// How far its colour gets its way where it shades, in `0..=1`.
+    pub strength: f64,
+    /// Whether it shades beyond the region that it begins in.
+    pub crosses: bool,
     /// What the pressure of a pen gives it then.
     pub pressure: Pressure,
+}
+
+impl Default for Mode {
+    fn default() -> Self {
+        let Shading { strength, crosses, .. } = Shading::default();
+        Self { kind: Kind::default(), strength, crosses, pressure: Pressure::default() }
+    }
 }
 
 impl Mode {
@@ -87,8 +101,8 @@ impl ModeChange {
                 mode.kind = if mode.kind == Kind::Fill { Kind::Shade } else { Kind::Fill };
             }
             Self::Strength(strength) if strength.is_nan() => {}
-            Self::Strength(strength) => mode.shading.strength = strength.clamp(0.0, 1.0),
-            Self::Crosses(crosses) => mode.shading.crosses = crosses,
+            Self::Strength(strength) => mode.strength = strength.clamp(0.0, 1.0),
+            Self::Crosses(crosses) => mode.crosses = crosses,
             Self::Pressure(pressure) => mode.pressure = pressure,
         }
     }
@@ -163,18 +177,25 @@ impl Brush {
         self.set_size((self.size_du() / STEP).min(self.size_du() - 1.0));
     }
 
-    /// Width in du and kind of a scribble by a pen that has pressed so hard at most, in `0..=1`.
-    pub(crate) fn pressed(&self, pressed: f64) -> (f64, ScribbleKind) {
-        let Mode { kind, shading, pressure } = self.mode;
-        match (kind, pressure) {
-            (Kind::Fill, _) => (self.size_du(), ScribbleKind::Fill),
-            (Kind::Shade, Pressure::Radius) => {
-                (self.size_du() * pressed.max(LEAST_PRESSED), ScribbleKind::Shade(shading))
-            }
-            (Kind::Shade, Pressure::Strength) => {
-                let strength = shading.strength * pressed;
-                (self.size_du(), ScribbleKind::Shade(Shading { strength, ..shading }))
-            }
+    /// What a scribble is by a pen that has pressed so hard at each of its points.
+    pub(crate) fn pressed(&self, pressures: &[f32]) -> ScribbleKind {
+        let Mode { kind, strength, crosses, pressure } = self.mode;
+        if kind == Kind::Fill {
+            return ScribbleKind::Fill;
         }
+        let parts = |least: f64| pressures.iter().map(|&pressure| part(pressure).max(least)).collect();
+        let is_even = pressures.iter().all(|&pressure| part(pressure) == 1.0);
+        let pressure = match pressure {
+            Pressure::Radius if !is_even => PenPressure::Radius(parts(LEAST_RADIUS)),
+            Pressure::Strength if !is_even => PenPressure::Strength(parts(0.0)),
+            _ => PenPressure::Even,
+        };
+        ScribbleKind::Shade(Shading { strength, crosses, pressure })
     }
+}
+
+/// Pressure in whole steps, within `0..=1`; 1 for what is no number.
+fn part(pressure: f32) -> f64 {
+    let steps = f64::from(pressure) * PRESSURE_STEPS;
+    if steps.is_nan() { 1.0 } else { steps.round().clamp(0.0, PRESSURE_STEPS) / PRESSURE_STEPS }
 }

@@ -33,7 +33,14 @@ fn constraints(width_px: u32, height_px: u32) -> Constraints {
     let drawing = Drawing { curves, ..Drawing::new(Rect::new(0.0, 0.0, 1024.0, 1024.0)) };
     let map = PlanarMap::build(&drawing, &Sampling::default()).expect("a map");
     let stroke = [(250.0, 300.0), (700.0, 650.0)].map(Point::from).to_vec();
-    let source = SoftSource { points: stroke, radius_du: 60.0, weight: 20.0, color: [0.5; 4], crosses: true };
+    let source = SoftSource {
+        points: stroke,
+        radius_du: 60.0,
+        weight: 20.0,
+        color: [0.5; 4],
+        crosses: true,
+        parts: Vec::new(),
+    };
     let boundary = Boundary { sources: vec![source], ..boundary(&map) };
     let view = View { px_from_du: Affine::scale(f64::from(width_px) / 1024.0), width_px, height_px };
     Constraints::new(&map, &boundary, &view)

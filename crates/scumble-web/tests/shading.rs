@@ -2,7 +2,7 @@
 
 mod page;
 
-use scumble_core::{Paint, Scribble, ScribbleKind, Shading, Srgb8, Tone};
+use scumble_core::{Paint, PenPressure, Scribble, ScribbleKind, Shading, Srgb8, Tone};
 use scumble_web::brush::{Ink, Kind, Mode, ModeChange, Pressure};
 use scumble_web::command::{Command, Phase, Tool};
 use scumble_web::effect::Effect;
@@ -171,7 +171,7 @@ fn samples(pressures: &[f32]) -> Vec<f32> {
 }
 
 #[test]
-fn the_greatest_pressure_of_a_stroke_is_its_radius_or_its_strength() {
+fn the_pressure_at_each_point_is_a_part_of_the_radius_or_of_the_strength() {
     let press = |pressure: Pressure, pressures: &[f32]| {
         let mut page = page();
         set(&mut page, ModeChange::Strength(0.5));
@@ -179,14 +179,31 @@ fn the_greatest_pressure_of_a_stroke_is_its_radius_or_its_strength() {
         page.session.pointer(Phase::Down, &samples(&pressures[..1]));
         page.session.pointer(Phase::Move, &samples(&pressures[1..]));
         page.session.pointer(Phase::Up, &samples(&[0.0]));
-        let ScribbleKind::Shade(Shading { strength, .. }) = last(&page).kind else { panic!("a shade") };
-        (last(&page).width_du, strength)
+        let scribble = last(&page);
+        let shading = scribble.shading().expect("a shade");
+        assert_eq!((scribble.width_du, shading.strength), (64.0, 0.5), "as they are set");
+        assert_eq!(scribble.points.len(), pressures.len() + 1);
+        shading.pressure.clone()
     };
-    assert_eq!(press(Pressure::Radius, &[0.25, 0.75, 0.5]), (48.0, 0.5));
-    assert_eq!(press(Pressure::Strength, &[0.25, 0.75, 0.5]), (64.0, 0.375));
-    assert_eq!(press(Pressure::Strength, &[f32::NAN, 9.0]), (64.0, 0.5));
-    let (width_du, _) = press(Pressure::Radius, &[0.0, 0.0]);
-    assert!(width_du > 0.0);
+    let rising = [0.25, 0.75, 0.504];
+    let parts = vec![0.25, 0.75, 0.5, 0.5];
+    assert_eq!(press(Pressure::Radius, &rising), PenPressure::Radius(parts.clone()));
+    assert_eq!(press(Pressure::Strength, &rising), PenPressure::Strength(parts));
+    assert_eq!(press(Pressure::Off, &rising), PenPressure::Even);
+    let lightest = [press(Pressure::Radius, &[0.0, -1.0]), press(Pressure::Strength, &[0.0, -1.0])];
+    assert_eq!(lightest, [PenPressure::Radius(vec![0.1; 3]), PenPressure::Strength(vec![0.0; 3])]);
+    for pressure in [Pressure::Radius, Pressure::Strength] {
+        assert_eq!(press(pressure, &[f32::NAN, 9.0, 1.0]), PenPressure::Even, "as of a mouse");
+    }
+}
+
+#[test]
+fn samples_that_lie_nowhere_take_their_pressure_along() {
+    let mut page = page();
+    page.session.pointer(Phase::Down, &samples(&[0.2]));
+    page.session.pointer(Phase::Move, &[f32::NAN, 0.0, 0.9, 520.0, 400.0, 0.4]);
+    let shading = last(&page).shading().expect("a shade");
+    assert_eq!(shading.pressure, PenPressure::Radius(vec![0.2, 0.4]));
 }
 
 #[test]
@@ -197,10 +214,11 @@ fn a_stroke_ends_as_it_began_whatever_is_set_meanwhile() {
         set(&mut page, ModeChange::OtherKind);
         page.session.command(Command::BrushLarger);
         page.pen(Phase::Move, CORNER);
-        (last(&page).width_du, last(&page).kind)
+        (last(&page).width_du, last(&page).kind.clone())
     });
     assert_eq!(before, after);
-    assert_eq!(before, (64.0, ScribbleKind::Shade(Shading { strength: 1.0, crosses: false })));
+    let shading = Shading { strength: 1.0, ..Shading::default() };
+    assert_eq!(before, (64.0, ScribbleKind::Shade(shading)));
 }
 
 #[test]
@@ -208,7 +226,7 @@ fn pressure_changes_nothing_about_a_scribble_that_fills() {
     let mut page = Page::open(SQUARE);
     page.session.pointer(Phase::Down, &samples(&[0.1]));
     page.session.pointer(Phase::Up, &[]);
-    assert_eq!((last(&page).width_du, last(&page).kind), (16.0, ScribbleKind::Fill));
+    assert_eq!((last(&page).width_du, &last(&page).kind), (16.0, &ScribbleKind::Fill));
 }
 
 #[test]
@@ -217,7 +235,8 @@ fn strengths_of_any_kind_stay_within_their_range() {
     for (given, kept) in [(7.0, 1.0), (-1.0, 0.0), (f64::NAN, 0.0), (f64::INFINITY, 1.0)] {
         set(&mut page, ModeChange::Strength(given));
         page.stroke(BLUE, &[MIDDLE]);
-        assert_eq!(last(&page).kind, ScribbleKind::Shade(Shading { strength: kept, crosses: false }));
+        let shading = Shading { strength: kept, ..Shading::default() };
+        assert_eq!(last(&page).kind, ScribbleKind::Shade(shading));
     }
 }
 

@@ -44,7 +44,7 @@ impl ShadeTimes {
         for scribble in scribbles {
             let mut shade = Scribble {
                 color: COLORS[0].into(),
-                kind: ScribbleKind::Shade(Shading { strength: STRENGTH, crosses: false }),
+                kind: ScribbleKind::Shade(Shading { strength: STRENGTH, ..Shading::default() }),
                 width_du,
                 points: scribble.points.clone(),
             };

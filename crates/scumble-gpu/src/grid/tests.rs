@@ -33,7 +33,14 @@ fn constraints(width_px: u32, height_px: u32) -> Constraints {
     let circles = circles.map(|(x, y, radius)| Circle::new((x, y), radius).to_path(1e-3));
     let map = map(circles.into_iter().chain([barrier]));
     let stroke = [(250.0, 300.0), (700.0, 650.0)].map(Point::from).to_vec();
-    let source = SoftSource { points: stroke, radius_du: 60.0, weight: 20.0, color: [0.5; 4], crosses: true };
+    let source = SoftSource {
+        points: stroke,
+        radius_du: 60.0,
+        weight: 20.0,
+        color: [0.5; 4],
+        crosses: true,
+        parts: Vec::new(),
+    };
     let colors = boundary(&map, &[[0.2, 0.9], [0.7, 0.4], [0.1, 1.0]]);
     let boundary = Boundary { sources: vec![source], ..colors };
     Constraints::new(&map, &boundary, &view(width_px, height_px))

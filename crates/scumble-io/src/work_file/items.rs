@@ -5,6 +5,7 @@ use scumble_core::work::{Item, MAX_CURVES, Unknown, Work};
 use scumble_core::{ColorPoint, Curve, Fill, Line, Paint, Rgba8, Scribble, ScribbleKind, Shading, Srgb8};
 
 use super::names::{CAPS, JOINS, KINDS, RULES, SIDES, plain_stroke};
+use super::pressures;
 use crate::json::{Fault, Json, Member};
 
 /// What is expected behind as many curves as there may be.
@@ -137,10 +138,16 @@ fn scribble(json: &mut Json, mut keeper: Keeper) -> Result<Scribble, Fault> {
             "strength" => shading.strength = strength(json)?,
             "crosses" => shading.crosses = json.boolean()?,
             "points" => json.items(&mut |json| json.numbers().map(|[x, y]| points.push(Point::new(x, y))))?,
-            _ => keeper.keep(json, &member)?,
+            name => match pressures::read(name, json)? {
+                Some(pressure) => shading.pressure = pressure,
+                None => keeper.keep(json, &member)?,
+            },
         }
         Ok(())
     })?;
+    if !pressures::is_whole(&shading.pressure, points.len()) {
+        return json.fault("as many radii or strengths as points in the scribble before this");
+    }
     let kind = if is_shade { ScribbleKind::Shade(shading) } else { ScribbleKind::Fill };
     match (color, width_du) {
         (Some(color), Some(width_du)) if !points.is_empty() => Ok(Scribble { color, kind, width_du, points }),

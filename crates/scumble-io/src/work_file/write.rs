@@ -7,7 +7,8 @@ use scumble_core::{
 };
 
 use super::names::{BLENDS, CAPS, ENGINES, JOINS, KINDS, RULES, SIDES, name, plain_stroke};
-use super::{PAGE_PER_UNIT, PER_UNIT, TRACING_MINOR, VERSION};
+use super::pressures::{self, has_pressures};
+use super::{PAGE_PER_UNIT, PER_UNIT, PRESSURE_MINOR, TRACING_MINOR, VERSION};
 use crate::base64;
 use crate::json::{push_number, push_string};
 
@@ -15,9 +16,14 @@ use crate::json::{push_number, push_string};
 pub(super) fn written(work: &Work, image: &[u8]) -> String {
     let mut text = String::from("{\n\"format\": \"scumble\",\n\"version\": \"");
     let tracing = work.document.tracing.filter(|_| !image.is_empty());
-    let minor = work.unknown.minor.max(if tracing.is_some() { TRACING_MINOR } else { 0 });
+    let Document { drawing, settings, scribbles, .. } = &work.document;
+    let minors = [
+        work.unknown.minor,
+        if tracing.is_some() { TRACING_MINOR } else { 0 },
+        if has_pressures(scribbles) { PRESSURE_MINOR } else { 0 },
+    ];
+    let minor = minors.into_iter().fold(0, u32::max);
     text.extend([&VERSION[0].to_string(), ".", &minor.to_string(), "\""]);
-    let Document { drawing, settings, .. } = &work.document;
     if let Some(name) = &work.sample {
         text.push_str(",\n\"sample\": ");
         push_string(&mut text, name);
@@ -133,10 +139,10 @@ fn push_scribble(text: &mut String, scribble: &Scribble) {
     text.push_str("{\"color\": ");
     push_paint(text, scribble.color);
     push_length(text, "width", scribble.width_du.max(1.0 / PER_UNIT as f64));
-    if let Some(Shading { strength, crosses }) = scribble.shading() {
+    if let Some(Shading { strength, crosses, .. }) = scribble.shading() {
         text.extend([", \"kind\": \"", name(&KINDS, true), "\", \"strength\": "]);
-        push_number(text, strength, PER_UNIT);
-        text.extend([", \"crosses\": ", if crosses { "true" } else { "false" }]);
+        push_number(text, *strength, PER_UNIT);
+        text.extend([", \"crosses\": ", if *crosses { "true" } else { "false" }]);
     }
     text.push_str(", \"points\": [");
     for (i, point) in scribble.points.iter().enumerate() {
@@ -144,6 +150,9 @@ fn push_scribble(text: &mut String, scribble: &Scribble) {
         push_numbers(text, &[point.x, point.y]);
     }
     text.push(']');
+    if let Some(field) = pressures::field(scribble) {
+        text.extend([", ", &field]);
+    }
 }
 
 fn push_color_point(text: &mut String, point: &ColorPoint) {
@@ -172,7 +181,7 @@ fn push_length(text: &mut String, name: &str, length: f64) {
     push_number(text, length, PER_UNIT);
 }
 
-fn push_numbers(text: &mut String, numbers: &[f64]) {
+pub(super) fn push_numbers(text: &mut String, numbers: &[f64]) {
     text.push('[');
     for (i, number) in numbers.iter().enumerate() {
         text.push_str(if i > 0 { "," } else { "" });

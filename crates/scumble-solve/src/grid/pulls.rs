@@ -5,7 +5,7 @@ use scumble_core::SoftSource;
 
 use super::regions::{PixelRegions, Span};
 use super::wall::centers_from_du;
-use crate::brush::{self, Brush};
+use crate::brush::{self, Brush, Segment};
 use crate::reach::{self, Reach};
 use crate::scene::View;
 
@@ -87,10 +87,12 @@ impl Canvas {
     /// Adds what a source does to pixels.
     fn shade(&mut self, shade: &Shade, spans: &[Span]) {
         let bounds = self.centers_from_du.transform_rect_bbox(shade.brush.bounds()).inflate(0.5, 0.5);
+        let mut near = Vec::new();
         let columns = bounds.x0.ceil() as i64..bounds.x1.floor() as i64 + 1;
         for span in spans.iter().filter(|span| bounds.y0 <= span.row as f64 && span.row as f64 <= bounds.y1) {
             for column in span.columns.start.max(columns.start)..span.columns.end.min(columns.end) {
-                let strength = self.strength(&shade.brush, Point::new(column as f64, span.row as f64));
+                let center = Point::new(column as f64, span.row as f64);
+                let strength = self.strength(&shade.brush, center, &mut near);
                 if strength > 0.0 {
                     self.pull([column, span.row], strength, shade.color);
                 }
@@ -112,13 +114,16 @@ impl Canvas {
     }
 
     /// How strong a brush is in a pixel, in 1/du²: the mean over places in it, if one does not do.
-    fn strength(&self, brush: &Brush, center: Point) -> f64 {
-        let samples = (LEAST_RADIUS_PX * self.du_per_px / brush.radius_du).ceil().clamp(1.0, MOST_SAMPLES);
+    fn strength(&self, brush: &Brush, center: Point, near: &mut Vec<Segment>) -> f64 {
+        brush.near(self.du_from_centers * center, self.du_per_px, near);
+        if near.is_empty() {
+            return 0.0;
+        }
+        let samples = (LEAST_RADIUS_PX * self.du_per_px / brush.radii_du[0]).ceil().clamp(1.0, MOST_SAMPLES);
         let offset = |i: u32| (f64::from(i) + 0.5) / samples - 0.5;
         let places = (0..samples as u32).flat_map(|i| (0..samples as u32).map(move |j| [i, j]));
         let strength = |[i, j]: [u32; 2]| {
-            let p = self.du_from_centers * (center + Vec2::new(offset(i), offset(j)));
-            brush.strength_at(brush.distance_du(p, brush.radius_du).powi(2))
+            brush.strength(self.du_from_centers * (center + Vec2::new(offset(i), offset(j))), near)
         };
         places.map(strength).sum::<f64>() / (samples * samples)
     }

@@ -12,7 +12,7 @@ use crate::brush::Brush;
 /// Triangles of the finest mesh of a region beyond those of the region itself: more detail than that is left out.
 const MAX_FINER: usize = 60_000;
 
-/// Longest edge under a stroke, in radii.
+/// Longest edge under a stroke, in radii where it is.
 const LONGEST_EDGE: f64 = 0.55;
 
 /// Where the rim is, in radii: the source is all but nothing beyond.
@@ -79,18 +79,25 @@ impl Cells {
         let [a, b, c] = corners.map(Point::to_vec2);
         let longest_du =
             [a - b, b - c, c - a].map(|edge| edge.hypot2()).into_iter().fold(0.0, f64::max).sqrt();
-        let [longest_du, most_du] = [longest_du / coarsening, LONGEST_EDGE * brush.radius_du];
-        // Beyond this distance from the stroke the edge is short enough.
-        let far_du = RIM * brush.radius_du + ((longest_du - most_du) / GROWTH).max(0.0);
-        let distance_du = brush.distance_du(((a + b + c) / 3.0).to_point(), far_du);
-        distance_du < far_du
-            && (longest_du > most_du || longest_du > self.side_edge_du(i, brush, distance_du))
+        let longest_du = longest_du / coarsening;
+        let middle = ((a + b + c) / 3.0).to_point();
+        // Beyond this distance from where the stroke has a radius the edge is short enough for it.
+        let far_du =
+            |radius_du: f64| RIM * radius_du + ((longest_du - LONGEST_EDGE * radius_du) / GROWTH).max(0.0);
+        let (mut is_too_long, mut strength) = (false, 0.0);
+        brush.for_each_place(middle, far_du(brush.radii_du[1]), &mut |place| {
+            if place.distance_du < far_du(place.radius_du) {
+                is_too_long |= longest_du > LONGEST_EDGE * place.radius_du;
+                strength = place.strength.max(strength);
+            }
+        });
+        is_too_long || longest_du > self.side_edge_du(i, strength)
     }
 
-    /// Longest edge for the sake of the sides, under a stroke at a distance from its middle.
-    fn side_edge_du(&self, i: usize, brush: &Brush, distance_du: f64) -> f64 {
+    /// Longest edge for the sake of the sides, where a stroke has some strength in the middle of a triangle.
+    fn side_edge_du(&self, i: usize, strength: f64) -> f64 {
         let side_du = self.cells[i].corners.map(|corner| self.side_du[corner as usize]);
         let side_du = side_du.into_iter().fold(f64::INFINITY, f64::min);
-        SIDE_EDGE / brush.strength_at(distance_du * distance_du).sqrt() + SIDE_GROWTH * side_du
+        SIDE_EDGE / strength.sqrt() + SIDE_GROWTH * side_du
     }
 }

@@ -240,10 +240,10 @@ fn colors_of_part(colors: [BlendColor; 3], part: [f64; 2]) -> [BlendColor; 3] {
 /// Whether sources differ in nothing but their colours.
 fn are_recolored(before: &[SoftSource], after: &[SoftSource]) -> bool {
     before.len() == after.len()
-        && before.iter().zip(after).all(|(before, after)| {
-            let key = |source: &SoftSource| (source.radius_du, source.weight, source.crosses);
-            key(before) == key(after) && before.points == after.points
-        })
+        && before
+            .iter()
+            .zip(after)
+            .all(|(before, after)| *before == SoftSource { color: before.color, ..after.clone() })
 }
 
 fn coloring(mut colors: impl Iterator<Item = BlendColor>) -> Coloring {

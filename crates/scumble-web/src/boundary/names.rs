@@ -31,13 +31,16 @@ pub(super) fn kind_name(kind: Kind) -> &'static str {
 }
 
 pub(super) fn pressure_from_name(name: &str) -> Option<Pressure> {
-    [Pressure::Radius, Pressure::Strength].into_iter().find(|pressure| pressure_name(*pressure) == name)
+    [Pressure::Radius, Pressure::Strength, Pressure::Off]
+        .into_iter()
+        .find(|pressure| pressure_name(*pressure) == name)
 }
 
 pub(super) fn pressure_name(pressure: Pressure) -> &'static str {
     match pressure {
         Pressure::Radius => "radius",
         Pressure::Strength => "strength",
+        Pressure::Off => "off",
     }
 }
 

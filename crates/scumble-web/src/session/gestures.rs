@@ -15,21 +15,27 @@ const ERASER_REACH_CSS: f64 = 5.0;
 const CLICK_CSS: f64 = 4.0;
 
 /// What a stroke is drawn with, from its beginning to its end.
-#[derive(Clone, Copy, Debug, Default)]
+#[derive(Clone, Debug, Default)]
 pub(super) struct Stroke {
     brush: Brush,
-    /// The greatest pressure so far, in `0..=1`.
-    pressed: f64,
+    /// The pressure at each of its points.
+    pressures: Vec<f32>,
 }
 
 impl Stroke {
-    fn press(&mut self, samples: &[f32]) {
-        let pressures = samples.chunks_exact(3).map(|sample| f64::from(sample[2]));
-        self.pressed = pressures.fold(self.pressed, f64::max).min(1.0);
+    fn begin(&mut self, brush: Brush) {
+        self.brush = brush;
+        self.pressures.clear();
     }
 
-    fn width_and_kind(&self) -> (f64, ScribbleKind) {
-        self.brush.pressed(self.pressed)
+    fn press(&mut self, phase: Phase, pressures: impl Iterator<Item = f32>) {
+        // A pen that is lifted reports no pressure where it was.
+        let last = self.pressures.last().copied().filter(|_| phase == Phase::Up);
+        self.pressures.extend(pressures.map(|pressure| last.unwrap_or(pressure)));
+    }
+
+    fn kind(&self) -> ScribbleKind {
+        self.brush.pressed(&self.pressures)
     }
 }
 
@@ -54,14 +60,13 @@ pub(super) struct Eraser {
 impl Session {
     /// Takes one batch of pointer samples: x and y in CSS pixels from the canvas' corner, and pressure, in turn.
     ///
-    /// Samples that are not finite are left out. Pressure is within `0..=1`, and 1 for what has none. A scribble has
-    /// one width and one strength: the greatest pressure counts.
+    /// Samples that lie nowhere are left out. Pressure is within `0..=1`, and 1 for what has none.
     pub fn pointer(&mut self, phase: Phase, samples: &[f32]) {
-        let points = self.points_du(samples);
+        let (points, pressures): (Vec<_>, Vec<_>) = self.samples_du(samples).unzip();
         if phase == Phase::Down {
-            self.stroke = Stroke { brush: self.brush, pressed: 0.0 };
+            self.stroke.begin(self.brush);
         }
-        self.stroke.press(samples);
+        self.stroke.press(phase, pressures.into_iter());
         match (phase, self.tool) {
             (Phase::Down, Tool::Scribble) => self.begin_scribble(&points),
             (Phase::Down, Tool::Erase) | (Phase::Erase, _) => self.begin_erasing(&points),
@@ -73,10 +78,13 @@ impl Session {
         }
     }
 
-    fn points_du(&self, samples: &[f32]) -> Vec<Point> {
+    /// Points in du, each with its pressure.
+    fn samples_du(&self, samples: &[f32]) -> impl Iterator<Item = (Point, f32)> {
         let du_from_css = self.viewport.css_from_du().inverse();
-        let points = samples.chunks_exact(3).map(|sample| Point::new(sample[0].into(), sample[1].into()));
-        points.map(|point| du_from_css * point).filter(|point| point.is_finite()).collect()
+        let samples = samples.chunks_exact(3);
+        let samples = samples
+            .map(move |sample| (du_from_css * Point::new(sample[0].into(), sample[1].into()), sample[2]));
+        samples.filter(|(point, _)| point.is_finite())
     }
 
     fn carry_on(&mut self, points: &[Point]) {
@@ -125,15 +133,14 @@ impl Session {
             Ink::Paint(color) => color,
             Ink::Tone(tone) => Paint::Color(tone.step(self.color_under(first))),
         };
-        let (width_du, kind) = self.stroke.width_and_kind();
+        let (width_du, kind) = (self.stroke.brush.size_du(), self.stroke.kind());
         self.sheet.editor.begin_scribble(Scribble { color, kind, width_du, points: points.to_vec() });
         self.scribbles_changed();
     }
 
     fn extend_scribble(&mut self, points: &[Point]) {
-        let (width_du, kind) = self.stroke.width_and_kind();
         self.sheet.editor.extend_scribble(points);
-        self.sheet.editor.press_scribble(width_du, kind);
+        self.sheet.editor.press_scribble(self.stroke.kind());
     }
 
     fn end_scribble(&mut self, points: &[Point]) {
