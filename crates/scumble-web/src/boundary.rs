@@ -16,9 +16,9 @@ use crate::solver::SolverState;
 mod names;
 
 use names::{
-    blend_from_name, blend_name, edit_name, engine_from_name, engine_name, ink_from_name, kind_from_name,
-    kind_name, pressure_from_name, pressure_name, solver_from_name, solver_name, source_name, tone_name,
-    tool_from_name, tool_name,
+    blend_from_name, blend_name, edit_name, engine_from_name, engine_name, erasing_name, ink_from_name,
+    kind_from_name, kind_name, pressure_from_name, pressure_name, solver_from_name, solver_name, source_name,
+    tone_name, tool_from_name, tool_name,
 };
 
 /// The command of a name, or `None` where there is none of it that takes these arguments.
@@ -47,14 +47,15 @@ pub(crate) fn command_from_js(name: &str, args: &JsValue) -> Option<Command> {
         "forward" => Command::Arrange(Arranging::Forward),
         "backward" => Command::Arrange(Arranging::Backward),
         "duplicate" => Command::Arrange(Arranging::Duplicate),
-        "delete" => Command::Arrange(Arranging::Delete),
+        "delete-selected" => Command::Arrange(Arranging::Delete),
         "hide" => Command::Arrange(Arranging::Hide),
         "arrow" => {
             let [x, y, far] = numbers(args)?;
             Command::Arrow(Vec2::new(x, y), far > 0.0)
         }
         "finger" => Command::Finger(args.as_bool()?),
-        "erase-parts" => Command::EraseParts(args.as_bool()?),
+        "erasing" => Command::EraseParts(args.as_string()? == erasing_name(true)),
+        "other-erasing" => Command::OtherErasing,
         "undo" => Command::Undo,
         "redo" => Command::Redo,
         "blend" => Command::Set(Setting::Blend(blend_from_name(&args.as_string()?)?)),
@@ -147,7 +148,7 @@ fn js_from_effect(effect: Effect) -> (&'static str, JsValue) {
         Effect::Color(Ink::Tone(tone)) => ("color", tone_name(tone).into()),
         Effect::BrushSize(size_du) => ("brush-size", size_du.into()),
         Effect::Selection(state) => ("selection", js_from_selection(state)),
-        Effect::EraseParts(parts) => ("erase-parts", parts.into()),
+        Effect::EraseParts(parts) => ("erasing", erasing_name(parts).into()),
         Effect::Lines(shown) => ("lines", shown.into()),
         Effect::Scribbles(shown) => ("scribbles", shown.into()),
         Effect::Tracing(state) => ("tracing", js_from_tracing(state)),
@@ -166,6 +167,7 @@ fn js_from_effect(effect: Effect) -> (&'static str, JsValue) {
             "scribbles-erased",
             object(&[("erased", (erased as f64).into()), ("count", (count as f64).into())]),
         ),
+        Effect::EraserTurned { parts } => ("eraser-turned", object(&[("parts", parts.into())])),
         Effect::ScribblesRubbed { count } => {
             ("scribbles-rubbed", object(&[("count", (count as f64).into())]))
         }

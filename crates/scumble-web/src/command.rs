@@ -151,6 +151,8 @@ pub enum Command {
     Finger(bool),
     /// Whether the eraser takes the parts of scribbles that it touches, not all of them.
     EraseParts(bool),
+    /// The eraser, taking what it did not take.
+    OtherErasing,
     /// Take the last gesture back.
     Undo,
     /// Do it again.

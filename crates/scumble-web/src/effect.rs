@@ -63,6 +63,11 @@ pub enum Effect {
         /// How many are left.
         count: usize,
     },
+    /// The eraser is to take something else.
+    EraserTurned {
+        /// Whether that is parts of scribbles.
+        parts: bool,
+    },
     /// The eraser took parts of scribbles.
     ScribblesRubbed {
         /// How many scribbles there are then.
@@ -134,8 +139,10 @@ pub struct SelectionState {
 /// What can be done with what is selected, or come of it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Edit {
-    /// It is elsewhere, or larger, or smaller.
+    /// It is elsewhere.
     Moved,
+    /// It is larger or smaller.
+    Resized,
     /// It has another colour.
     Recolored,
     /// There is more of it.

@@ -14,7 +14,7 @@ const RIM_PX: f64 = 1.5;
 const RIM_OPACITIES: [u8; 2] = [128, 80];
 
 /// What is selected has a rim this wide, in device pixels, of this colour.
-pub(crate) const MARK_PX: f64 = 2.5;
+pub(crate) const MARK_PX: f64 = 3.0;
 pub(crate) const MARK: Srgb8 = Srgb8([0x4c, 0x4c, 0xd0]);
 
 /// A scribble that shades is drawn this wide, in du: its colours are to be seen.

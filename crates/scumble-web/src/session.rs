@@ -179,6 +179,7 @@ impl Session {
             Command::Arrow(direction, is_far) => self.arrow(direction, is_far),
             Command::Finger(is_finger) => self.is_finger = is_finger,
             Command::EraseParts(parts) => self.erases_parts = parts,
+            Command::OtherErasing => self.turn_eraser(),
             Command::Undo => self.undo(),
             Command::Redo => self.redo(),
             Command::Set(setting) => self.set(setting),
@@ -322,6 +323,12 @@ impl Session {
             self.select(Selection::default());
         }
         self.tool = tool;
+    }
+
+    fn turn_eraser(&mut self) {
+        self.set_tool(Tool::Erase);
+        self.erases_parts = !self.erases_parts;
+        self.tell(Effect::EraserTurned { parts: self.erases_parts });
     }
 
     /// Who picks a colour or a kind wants to scribble with it.

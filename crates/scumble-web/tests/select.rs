@@ -214,6 +214,7 @@ fn a_corner_resizes_in_proportion_and_leaves_the_other_one() {
     let [a, b] = scribbles(&page)[0].points[..] else { panic!("two points") };
     assert!((a - Point::new(300.0, 300.0)).hypot() < 1e-3, "{a}");
     assert!((b - Point::new(500.0, 400.0)).hypot() < 1e-3, "{b}");
+    assert_eq!(told(&mut page), Some(Effect::Edited { edit: Edit::Resized, scribbles: 1, lines: 0 }));
     assert_as_if_opened(&mut page);
 }
 

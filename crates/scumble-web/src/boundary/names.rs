@@ -26,6 +26,7 @@ pub(super) fn tool_name(tool: Tool) -> &'static str {
 pub(super) fn edit_name(edit: Edit) -> &'static str {
     match edit {
         Edit::Moved => "moved",
+        Edit::Resized => "resized",
         Edit::Recolored => "recoloured",
         Edit::Duplicated => "duplicated",
         Edit::Forward => "forward",
@@ -36,6 +37,10 @@ pub(super) fn edit_name(edit: Edit) -> &'static str {
         Edit::Hidden => "hidden",
         Edit::Shown => "shown",
     }
+}
+
+pub(super) fn erasing_name(takes_parts: bool) -> &'static str {
+    if takes_parts { "parts" } else { "whole" }
 }
 
 pub(super) fn kind_from_name(name: &str) -> Option<Kind> {

@@ -2,7 +2,7 @@
 
 use kurbo::{Affine, Vec2};
 use scumble_core::work::are_too_long;
-use scumble_core::{Curve, Document, Paint, Scribble};
+use scumble_core::{Curve, Paint, Scribble};
 
 use super::Session;
 use crate::brush::{Ink, within_sizes};
@@ -44,12 +44,12 @@ impl Session {
         }
     }
 
-    pub(super) fn end_placing(&mut self) {
+    pub(super) fn end_placing(&mut self, edit: Edit) {
         let before = self.sheet.editor.revision();
         self.sheet.editor.commit();
         self.things_changed();
         if self.sheet.editor.revision() != before {
-            self.tell_edited(Edit::Moved);
+            self.tell_edited(edit);
         }
     }
 
@@ -142,19 +142,17 @@ impl Session {
 
     /// Copies lie over everything, and are what is selected then.
     fn duplicate(&mut self) {
-        let Document { scribbles, .. } = self.document();
-        let count = scribbles.len();
-        let copies: Vec<Scribble> =
-            self.selected_scribbles().into_iter().map(|i| scribbles[i].clone()).collect();
-        if are_too_long(&[scribbles.as_slice(), &copies].concat()) {
-            return self.tell(Effect::Failed("the scribbles are too long in all; erase some of them".into()));
-        }
+        let (count, selected) = (self.document().scribbles.len(), self.selected_scribbles());
         self.sheet.editor.begin();
-        for copy in copies {
+        for i in selected {
+            let copy = self.document().scribbles[i].clone();
             self.sheet.editor.insert_scribble(usize::MAX, copy);
         }
         let ids = self.sheet.editor.scribble_ids().get(count..).unwrap_or_default().to_vec();
-        if !ids.is_empty() {
+        if are_too_long(&self.document().scribbles) {
+            self.sheet.editor.abort();
+            self.tell(Effect::Failed("the scribbles are too long in all; erase some of them".into()));
+        } else if !ids.is_empty() {
             self.select(Selection::of(ids));
             let beside_du = BESIDE_CSS / self.viewport.zoom();
             self.transform_selected(Affine::translate((beside_du, beside_du)));

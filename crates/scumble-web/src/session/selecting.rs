@@ -7,12 +7,15 @@ use scumble_core::{Curve, Document, Fill, Scribble};
 use super::Session;
 use super::gestures::{CLICK_CSS, Held};
 use crate::command::{Selecting, Tool};
-use crate::effect::{Effect, SelectionState};
+use crate::effect::{Edit, Effect, SelectionState};
 use crate::layers::drawn_width_du;
 use crate::selection::{HANDLES, Handle, Selection};
 
 /// So far beside a thing or a handle it may be pressed, in CSS pixels: with a mouse or a pen, and with a finger.
 const REACHES_CSS: [[f64; 2]; 2] = [[4.0, 12.0], [12.0, 22.0]];
+
+/// The frame keeps this distance from what it is around, in CSS pixels.
+const RIM_CSS: f64 = 4.0;
 
 /// A frame has handles if its longer side is so long, in CSS pixels, and those of a side if that is.
 const LEAST_FRAME_CSS: f64 = 24.0;
@@ -93,7 +96,8 @@ impl Session {
 
     pub(super) fn end_selecting(&mut self, grip: &Grip) {
         if self.sheet.editor.is_changing() {
-            return self.end_placing();
+            let is_handle = matches!(grip.hold, Hold::Handle(_));
+            return self.end_placing(if is_handle { Edit::Resized } else { Edit::Moved });
         }
         match grip.hold {
             _ if grip.is_dragged => self.select_lines_in_marquee(grip),
@@ -186,9 +190,11 @@ impl Session {
 
     /// The frame around what is selected as it is drawn, in du.
     fn frame_du(&self) -> Option<Rect> {
-        let scribbles =
-            self.selected_scribbles().into_iter().map(|i| drawn_width_du(&self.document().scribbles[i]));
-        let rim_du = 0.5 * scribbles.fold(0.0, f64::max) + 4.0 / self.viewport.zoom();
+        let Document { drawing, scribbles, .. } = self.document();
+        let scribbles = self.selected_scribbles().into_iter().map(|i| drawn_width_du(&scribbles[i]));
+        let lines = self.selected_curves().into_iter().filter_map(|i| drawing.curves[i].line.as_ref());
+        let widest_du = scribbles.chain(lines.map(|line| line.stroke.width)).fold(0.0, f64::max);
+        let rim_du = 0.5 * widest_du + RIM_CSS / self.viewport.zoom();
         self.selected_bounds().map(|bounds| bounds.inflate(rim_du, rim_du))
     }
 
