@@ -196,7 +196,7 @@ impl Editor {
         match self.in_hand.take() {
             None => {}
             Some(Gesture::Scribble) => {
-                drop(self.apply(Change::RemoveScribble(self.document.scribbles.len() - 1)))
+                drop(self.apply(Change::RemoveScribble(self.document.scribbles.len() - 1)));
             }
             Some(Gesture::Changes(back)) => drop(self.apply_all(back)),
         }

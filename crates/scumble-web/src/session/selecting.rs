@@ -1,18 +1,16 @@
 //! What the pen does with the tool that selects: a click chooses, a drag moves what is chosen, resizes it by a handle of
 //! its frame, or chooses all that lies in a rectangle.
 
-use kurbo::{Affine, Line, ParamCurveNearest, Point, Rect, Shape};
-use scumble_core::{Curve, Document, Fill, Scribble};
+use kurbo::{Affine, Point, Rect, Shape};
+use scumble_core::{Curve, Document};
 
 use super::Session;
 use super::gestures::{CLICK_CSS, Held};
+use super::pointing::{Hold, is_line, is_touched};
 use crate::command::{Selecting, Tool};
 use crate::effect::{Edit, Effect, SelectionState};
 use crate::layers::drawn_width_du;
-use crate::selection::{HANDLES, Handle, Selection};
-
-/// So far beside a thing or a handle it may be pressed, in CSS pixels: with a mouse or a pen, and with a finger.
-const REACHES_CSS: [[f64; 2]; 2] = [[4.0, 12.0], [12.0, 22.0]];
+use crate::selection::{HANDLES, Handle, Selection, way_to_page};
 
 /// The frame keeps this distance from what it is around, in CSS pixels.
 const RIM_CSS: f64 = 4.0;
@@ -20,6 +18,9 @@ const RIM_CSS: f64 = 4.0;
 /// A frame has handles if its longer side is so long, in CSS pixels, and those of a side if that is.
 const LEAST_FRAME_CSS: f64 = 24.0;
 const LEAST_SIDE_CSS: f64 = 64.0;
+
+/// What is chosen by a key is brought so far into sight, in CSS pixels.
+const MARGIN_CSS: f64 = 48.0;
 
 /// What the pen has hold of.
 #[derive(Debug)]
@@ -32,17 +33,6 @@ pub(super) struct Grip {
     /// Whether it adds to what was selected.
     adds: bool,
     before: Selection,
-}
-
-#[derive(Clone, Copy, Debug, PartialEq)]
-enum Hold {
-    /// A scribble or a curve, by its number.
-    Thing(u32),
-    Handle(Handle),
-    /// The inside of the frame.
-    Frame,
-    /// Nothing.
-    Page,
 }
 
 impl Session {
@@ -132,21 +122,40 @@ impl Session {
         }
         let was_empty = self.selection.is_empty() && selection.is_empty();
         self.select(selection);
+        if matches!(selecting, Selecting::Next | Selecting::Previous) {
+            self.reveal();
+        }
         if !was_empty || selecting != Selecting::None {
             self.tell_selected();
         }
     }
 
-    /// What comes so many after what is selected: scribbles from the uppermost down, then curves likewise.
+    /// What comes next, one way or the other: scribbles from the uppermost down, then lines likewise.
     fn neighbour(&self, step: isize) -> Vec<u32> {
         let (editor, Document { drawing, .. }) = (&self.sheet.editor, self.document());
-        let curves = drawing.curves.iter().zip(editor.curve_ids()).rev();
-        let curves = curves.filter(|(curve, _)| is_line(curve, &drawing.fills)).map(|(_, id)| id);
-        let all: Vec<u32> = editor.scribble_ids().iter().rev().chain(curves).copied().collect();
+        let [scribbles, curves] = [editor.scribble_ids(), editor.curve_ids()];
+        let all: Vec<u32> = scribbles.iter().rev().chain(curves.iter().rev()).copied().collect();
         let count = all.len() as isize;
-        let now = all.iter().position(|id| self.selection.has(*id));
-        let next = now.map_or(step.min(0), |now| now as isize + step);
-        if count == 0 { all } else { vec![all[next.rem_euclid(count) as usize]] }
+        let now = all.iter().position(|id| self.selection.has(*id)).map(|now| now as isize);
+        let before = now.unwrap_or(if step > 0 { -1 } else { 0 });
+        let places = (1..=count).map(|i| (before + i * step).rem_euclid(count) as usize);
+        let is_one = |place: &usize| {
+            let from_end = all.len() - 1 - *place;
+            *place < scribbles.len() || is_line(&drawing.curves[from_end], &drawing.fills)
+        };
+        let mut found = places.filter(is_one);
+        found.next().map(|place| all[place]).into_iter().collect()
+    }
+
+    /// Moves the view so that the middle of what is selected is in sight.
+    fn reveal(&mut self) {
+        let canvas = self.viewport.canvas_css();
+        let margin_css = MARGIN_CSS.min(0.25 * canvas.size().min_side());
+        if let Some(frame) = self.selection_state().frame_css {
+            let middle = Rect::from_points(frame.center(), frame.center());
+            self.viewport.pan(way_to_page(middle, canvas.inflate(-margin_css, -margin_css)));
+            self.stale.view = true;
+        }
     }
 
     pub(super) fn select(&mut self, selection: Selection) {
@@ -189,7 +198,7 @@ impl Session {
     }
 
     /// The frame around what is selected as it is drawn, in du.
-    fn frame_du(&self) -> Option<Rect> {
+    pub(super) fn frame_du(&self) -> Option<Rect> {
         let Document { drawing, scribbles, .. } = self.document();
         let scribbles = self.selected_scribbles().into_iter().map(|i| drawn_width_du(&scribbles[i]));
         let lines = self.selected_curves().into_iter().filter_map(|i| drawing.curves[i].line.as_ref());
@@ -214,7 +223,7 @@ impl Session {
     }
 
     /// The handles that the frame has: those of corners, then those of sides.
-    fn handles(&self) -> &'static [Handle] {
+    pub(super) fn handles(&self) -> &'static [Handle] {
         let is_stretchy = self.selected_bounds().is_some_and(|bounds| bounds.width() + bounds.height() > 0.0);
         let are_lines = self.selected_scribbles().is_empty();
         let size_css = self.frame_du().unwrap_or_default().size() * self.viewport.zoom();
@@ -236,75 +245,6 @@ impl Session {
             _ => false,
         };
         (is_free && grip.is_dragged).then(|| Rect::from_points(grip.from, grip.to))
-    }
-
-    fn hold_at(&self, place: Point, adds: bool) -> Hold {
-        let handle = if adds { None } else { self.handle_at(place) };
-        let thing = || self.scribble_at(place, adds).or_else(|| self.line_at(place, adds));
-        if let Some(handle) = handle {
-            Hold::Handle(handle)
-        } else if let Some(id) = thing() {
-            Hold::Thing(id)
-        } else if !adds && self.frame_du().is_some_and(|frame| frame.contains(place)) {
-            Hold::Frame
-        } else {
-            Hold::Page
-        }
-    }
-
-    fn handle_at(&self, place: Point) -> Option<Handle> {
-        let frame = self.frame_du()?;
-        let reach_du = REACHES_CSS[usize::from(self.is_finger)][1] / self.viewport.zoom();
-        // Within a small frame there must be room left to take hold of what it is around.
-        let inside_du = reach_du.min(0.25 * frame.size().min_side());
-        let reach_du = if frame.contains(place) { inside_du } else { reach_du };
-        let is_near = |handle: &&Handle| {
-            let way = handle.on(frame) - place;
-            way.x.abs().max(way.y.abs()) <= reach_du
-        };
-        self.handles().iter().find(is_near).copied()
-    }
-
-    fn reach_du(&self) -> f64 {
-        REACHES_CSS[usize::from(self.is_finger)][0] / self.viewport.zoom()
-    }
-
-    /// The uppermost scribble at a place. Who adds to lines means no scribble.
-    fn scribble_at(&self, place: Point, adds: bool) -> Option<u32> {
-        if !self.scribbles_shown || (adds && !self.selected_curves().is_empty()) {
-            return None;
-        }
-        let mut all = self.document().scribbles.iter().zip(self.sheet.editor.scribble_ids()).rev();
-        let is_there = |scribble: &Scribble| {
-            let rest_du = self.reach_du() + 0.5 * (drawn_width_du(scribble) - scribble.width_du);
-            scribble.is_touched(Line::new(place, place), rest_du)
-        };
-        all.find(|(scribble, _)| is_there(scribble)).map(|(_, id)| *id)
-    }
-
-    /// The uppermost line at a place. Who adds to scribbles means no line.
-    fn line_at(&self, place: Point, adds: bool) -> Option<u32> {
-        if !self.lines_shown || (adds && !self.selected_scribbles().is_empty()) {
-            return None;
-        }
-        let Document { drawing, .. } = self.document();
-        let is_there = |&i: &usize| {
-            let curve = &drawing.curves[i];
-            let half_du = curve.line.as_ref().map_or(0.0, |line| 0.5 * line.stroke.width);
-            self.is_near(i, place, half_du + self.reach_du()) && is_line(curve, &drawing.fills)
-        };
-        let there = (0..drawing.curves.len()).rev().find(is_there);
-        there.and_then(|i| self.sheet.editor.curve_ids().get(i).copied())
-    }
-
-    /// Whether a curve comes within a distance of a place.
-    fn is_near(&self, curve: usize, place: Point, most_du: f64) -> bool {
-        let map = self.sheet.picture.map();
-        let points = map.triangulation().points();
-        map.steps(curve).iter().any(|step| {
-            let [a, b] = map.ends(step.left).map(|node| points[node as usize]);
-            Line::new(a, b).nearest(place, 0.0).distance_sq <= most_du * most_du
-        })
     }
 
     fn select_in_marquee(&mut self) {
@@ -331,20 +271,4 @@ impl Session {
         let within: Vec<u32> = curves.filter(|(curve, _)| is_in(curve)).map(|(_, id)| *id).collect();
         self.select(self.selection.with(within));
     }
-}
-
-/// Whether a curve can be selected: it is drawn as a line, and is not the outline of solid ink, which would stay behind.
-fn is_line(curve: &Curve, fills: &[Fill]) -> bool {
-    let way = curve.path.elements();
-    let is_outlined = |fill: &Fill| fill.path.elements().windows(way.len().max(1)).any(|part| part == way);
-    curve.line.is_some() && !fills.iter().any(is_outlined)
-}
-
-fn is_touched(scribble: &Scribble, marquee: Rect) -> bool {
-    let [a, c] = [marquee.origin(), Point::new(marquee.x1, marquee.y1)];
-    let [b, d] = [Point::new(c.x, a.y), Point::new(a.x, c.y)];
-    let edges = [(a, b), (b, c), (c, d), (d, a)].map(|(from, to)| Line::new(from, to));
-    let rest_du = 0.5 * (drawn_width_du(scribble) - scribble.width_du);
-    scribble.points.first().is_some_and(|first| marquee.contains(*first))
-        || edges.into_iter().any(|edge| scribble.is_touched(edge, rest_du))
 }
