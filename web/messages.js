@@ -133,7 +133,7 @@ const english = {
   "guide": "Wheel or Space-drag moves, Ctrl+wheel zooms, ? shows all shortcuts",
   "help": "Help",
   "guide-1": "Pick a colour and scribble inside a shape: the colour fills it. Nothing need be neat. Shade adds soft light and shadow where you draw.",
-  "guide-2": "Where a colour goes wrong, scribble there in the right one, or erase what led astray. Gap closing, in Settings, is for lines with gaps.",
+  "guide-2": "Where a colour goes wrong, scribble there in the right one, or erase what led astray, or move it (Select). Gap closing, in Settings, is for lines with gaps.",
   "guide-3": "The wheel or two fingers move the picture; Ctrl and the wheel, or a pinch, zoom. Undo takes back anything. Your work is kept in this browser; Export makes the picture.",
   "single-keys": "Shortcuts of a single key",
   "hold-pick": "Pick colour, while held",

@@ -90,7 +90,8 @@ impl Session {
             return self.end_placing(if is_handle { Edit::Resized } else { Edit::Moved });
         }
         match grip.hold {
-            _ if grip.is_dragged => self.select_lines_in_marquee(grip),
+            _ if self.is_marquee(grip) => self.select_lines_in_marquee(grip),
+            _ if grip.is_dragged => {}
             Hold::Thing(id) if !grip.adds => self.select(Selection::of(vec![id])),
             Hold::Frame | Hold::Page if !grip.adds => self.select(Selection::default()),
             _ => {}
@@ -239,12 +240,17 @@ impl Session {
     /// The rectangle that is being drawn to select what lies in it, in du.
     fn marquee(&self) -> Option<Rect> {
         let Some(Held::Grip(grip)) = &self.held else { return None };
+        self.is_marquee(grip).then(|| Rect::from_points(grip.from, grip.to))
+    }
+
+    /// Whether it is a drag that began on nothing, or on a line that was not selected.
+    fn is_marquee(&self, grip: &Grip) -> bool {
         let is_free = match grip.hold {
             Hold::Page => true,
             Hold::Thing(id) => !grip.before.has(id) && !self.sheet.editor.scribble_ids().contains(&id),
-            _ => false,
+            Hold::Handle(_) | Hold::Frame => false,
         };
-        (is_free && grip.is_dragged).then(|| Rect::from_points(grip.from, grip.to))
+        is_free && grip.is_dragged
     }
 
     fn select_in_marquee(&mut self) {
