@@ -30,6 +30,7 @@ export const followed = {
 /** What each tool has. @type {Record<string, () => string>} */
 const CURSORS = {
   scribble: brush,
+  select: () => "default",
   erase: () => ring(ERASER_PX, "black"),
   pick: dropper,
   hand: () => "grab",

@@ -19,7 +19,7 @@
  * @property {() => Uint8Array} field
  * @property {() => void} free
  *
- * @typedef {"down" | "erase" | "pick" | "move" | "up" | "cancel"} Phase
+ * @typedef {"down" | "add" | "erase" | "pick" | "move" | "up" | "cancel"} Phase
  * @typedef {(value: any) => void} Handler
  * @typedef {"webgpu" | "webgl" | "cpu"} Renderer
  */

@@ -9,6 +9,8 @@ export const SHORTCUTS = {
   tools: {
     "tool-scribble": ["B"],
     "tool-erase": ["E"],
+    "other-erasing": ["Shift+E"],
+    "tool-select": ["V"],
     "tool-pick": ["I"],
     // Pointers look at it themselves.
     "hold-pick": ["Alt"],
@@ -19,6 +21,15 @@ export const SHORTCUTS = {
     "brush-larger": ["]"],
     drop: ["Escape"],
   },
+  selection: {
+    "select-next": ["N"],
+    "select-previous": ["Shift+N"],
+    "select-all": ["Ctrl+A"],
+    "delete-selected": ["Delete", "Backspace"],
+    duplicate: ["Ctrl+D"],
+    forward: ["Ctrl+]"],
+    backward: ["Ctrl+["],
+  },
   colour: {
     "swatch-": ["1", "2", "3", "4", "5", "6", "7", "8", "9"],
     "swatch-0": ["0"],
@@ -27,7 +38,8 @@ export const SHORTCUTS = {
   "group-history": { undo: ["Ctrl+Z"], redo: ["Ctrl+Shift+Z", "Ctrl+Y"] },
   "group-file": { open: ["Ctrl+O"], save: ["Ctrl+S"], export: ["Ctrl+Shift+E"], help: ["?"] },
   "group-view": {
-    "pan-": ["ArrowLeft", "ArrowRight", "ArrowUp", "ArrowDown"],
+    "arrow-": ["ArrowLeft", "ArrowRight", "ArrowUp", "ArrowDown"],
+    "far-": ["Shift+ArrowLeft", "Shift+ArrowRight", "Shift+ArrowUp", "Shift+ArrowDown"],
     "zoom-in": ["Ctrl+=", "Ctrl++"],
     "zoom-out": ["Ctrl+-"],
     "zoom-reset": ["Ctrl+0"],
@@ -110,7 +122,8 @@ export function listen(act, holdSpace) {
     if (event.defaultPrevented || event.altKey || document.querySelector("dialog[open]")) return;
     const chord = chordOf(event);
     const action = isOn(chord) && ACTIONS.get(chord);
-    if (!action || (usesKey(event.target, event.key) && !event.ctrlKey && !event.metaKey)) return;
+    const isCommand = (event.ctrlKey || event.metaKey) && event.key.toLowerCase() !== "a";
+    if (!action || (usesKey(event.target, event.key) && !isCommand)) return;
     // Escape also closes what has come down from a button.
     if (event.key !== "Escape") event.preventDefault();
     if (action === "hold-hand") holdSpace(true);
@@ -118,6 +131,8 @@ export function listen(act, holdSpace) {
   });
   window.addEventListener("keyup", (event) => {
     if (event.key === " ") holdSpace(false);
+    // A key that is held is one gesture.
+    if (event.key.startsWith("Arrow")) act("settle");
   });
 }
 

@@ -17,6 +17,7 @@ import { Pointers } from "./pointer.js";
 import { Recent } from "./recent.js";
 import { Samples } from "./samples.js";
 import { copyLink, isLink, sendLink, showLink } from "./share.js";
+import { showSelection } from "./selection.js";
 import { putAside } from "./storage.js";
 import { areLinesShown, connect, done, failed, pickColor, shown, showName, showUnkept, swatch, tell, toggle, warn } from "./toolbar.js";
 import { Tracing } from "./tracing.js";
@@ -24,8 +25,11 @@ import { Tracing } from "./tracing.js";
 /** What the address may ask for. */
 const SOLVERS = ["automatic", "mesh", "gpu"];
 
-/** An arrow key moves the view by this much, in CSS pixels. */
-const STEP_PX = 48;
+/** What is said of when it is done. */
+const DOINGS = ["scribble-added", "scribbles-erased", "scribbles-rubbed", "scribble-dropped", "eraser-turned", "selected", "edited"];
+
+/** Where the arrow keys go. @type {Record<string, [number, number]>} */
+const ARROWS = { Left: [-1, 0], Right: [1, 0], Up: [0, -1], Down: [0, 1] };
 
 const stage = /** @type {HTMLElement} */ (document.getElementById("stage"));
 
@@ -46,6 +50,7 @@ const handlers = {
   color: both(shown.color, followed.color),
   "brush-size": both(shown["brush-size"], followed["brush-size"]),
   zoom: both(shown.zoom, followed.zoom),
+  selection: showSelection,
   view: (matrix) => {
     tracing.look(matrix);
     // The affine map from drawing units to CSS pixels of the canvas, for those who look at the canvas from outside.
@@ -63,7 +68,7 @@ const handlers = {
   }),
   opened: ({ notes }) => done(say(notes === "" ? "opened" : "opened-in-part", { name: drawings.shown.name, notes })),
   ...Object.fromEntries(
-    ["scribble-added", "scribbles-erased", "scribble-dropped", "picked", "undone", "redone"].map((key) => [
+    [...DOINGS, "picked", "undone", "redone"].map((key) => [
       key,
       (values) => done(say(key, values)),
     ]),
@@ -178,19 +183,19 @@ const actions = {
   dismiss: () => warn(""),
   "dismiss-unkept": () => showUnkept(""),
   help: showHelp,
-  drop: () => pointers.cancel(),
-  "pan-ArrowLeft": () => engine.command("pan", [STEP_PX, 0]),
-  "pan-ArrowRight": () => engine.command("pan", [-STEP_PX, 0]),
-  "pan-ArrowUp": () => engine.command("pan", [0, STEP_PX]),
-  "pan-ArrowDown": () => engine.command("pan", [0, -STEP_PX]),
+  drop: () => {
+    // Escape closes what is open, and does no more.
+    if (!pointers.cancel() && !document.querySelector(":popover-open")) engine.command("select-none");
+  },
 };
 
 /** @param {string} action */
 function act(action) {
-  const [, kind, which] = /^(swatch|tool|show)-(.+)$/.exec(action) ?? [];
+  const [, kind, which] = /^(swatch|tool|show|arrow-Arrow|far-Shift\+Arrow)-?(.+)$/.exec(action) ?? [];
   if (kind === "swatch") engine.command("color", swatch(Number(which)));
   else if (kind === "tool") engine.command("tool", which);
   else if (kind === "show") toggle(which);
+  else if (kind) engine.command("arrow", [...ARROWS[which], Number(kind !== "arrow-Arrow")]);
   else if (actions[action]) actions[action]();
   else engine.command(action);
 }

@@ -91,6 +91,24 @@ const english = {
   "tools": "Tools",
   "tool-scribble": "Scribble",
   "tool-erase": "Erase",
+  "erasing": "What the eraser takes",
+  "erasing-whole": "Whole scribbles",
+  "erasing-whole-short": "Whole",
+  "erasing-parts": "Parts",
+  "other-erasing": "Erase whole scribbles or parts",
+  "tool-select": "Select",
+  "selection": "Selection",
+  "select-next": "Select the next one down",
+  "select-previous": "Select the next one up",
+  "select-all": "Select all scribbles",
+  "select-none": "Deselect",
+  "delete-selected": "Delete",
+  "duplicate": "Duplicate",
+  "forward": "Bring forward",
+  "backward": "Send backward",
+  "hide": "Hide",
+  "unhide": "Show again",
+  "things": things,
   "tool-pick": "Pick colour",
   "tool-hand": "Hand",
   "kind": "What a scribble does",
@@ -112,11 +130,11 @@ const english = {
   "brush-size": "Brush size",
   "canvas": "Canvas",
   "canvas-instructions":
-    "Draw with the pointer to scribble a colour, to shade, or to erase scribbles. The arrow keys move the picture; Escape drops what the pointer has done since it came down.",
+    "Draw with the pointer to scribble a colour, to shade, or to erase scribbles. N selects one scribble after the other. The arrow keys move what is selected, or the picture; Escape drops what the pointer has done since it came down, or deselects.",
   "guide": "Wheel or Space-drag moves, Ctrl+wheel zooms, ? shows all shortcuts",
   "help": "Help",
   "guide-1": "Pick a colour and scribble inside a shape: the colour fills it. Nothing need be neat. Shade adds soft light and shadow where you draw.",
-  "guide-2": "Where a colour goes wrong, scribble there in the right one, or erase what led astray. Gap closing, in Settings, is for lines with gaps.",
+  "guide-2": "Where a colour goes wrong, scribble there in the right one, or erase what led astray, or move it (Select). Gap closing, in Settings, is for lines with gaps.",
   "guide-3": "The wheel or two fingers move the picture; Ctrl and the wheel, or a pinch, zoom. Undo takes back anything. Your work is kept in this browser; Export makes the picture.",
   "single-keys": "Shortcuts of a single key",
   "hold-pick": "Pick colour, while held",
@@ -124,11 +142,12 @@ const english = {
   "other-kind": "Fill or shade",
   "brush-smaller": "Smaller brush",
   "brush-larger": "Larger brush",
-  "drop": "Drop the stroke",
+  "drop": "Drop the stroke, or deselect",
   "swatch-": "Swatch",
   "swatch-0": "No colour",
   "swap-colors": "The colour before",
-  "pan-": "Move the picture",
+  "arrow-": "Move what is selected, or the picture",
+  "far-": "… ten times as far",
   "zoom-reset": "Zoom to 100%",
   "dismiss": "Dismiss",
   "close": "Close",
@@ -167,6 +186,11 @@ const english = {
   "scribble-added": ({ count }) => `Scribble added, ${count} in the drawing`,
   "scribbles-erased": ({ erased, count }) =>
     `${erased === 1 ? "Scribble" : `${erased} scribbles`} erased, ${count} in the drawing`,
+  "scribbles-rubbed": ({ count }) => `Part of a scribble erased, ${count} in the drawing`,
+  "eraser-turned": ({ parts }) => `The eraser takes ${parts ? "parts of scribbles" : "whole scribbles"}`,
+  "selected": ({ scribbles, lines, place, total }) =>
+    scribbles === 1 ? `Scribble ${place} of ${total} selected` : `${things({ scribbles, lines })} selected`,
+  "edited": ({ edit, ...values }) => EDITED[edit](things(values)),
   "picked": ({ color }) => `Picked ${color === "none" ? "no colour" : color}`,
   "scribble-dropped": "Scribble dropped",
   "undone": "Undone",
@@ -192,6 +216,28 @@ const english = {
   "error-stopped": "Scumble has run into a fault and stopped. Load the page again to go on.",
   "error-renderer": "The graphics device was lost and could not be had again. Load the page again to go on.",
 };
+
+/** What became of what was selected. @type {Record<string, (things: string) => string>} */
+const EDITED = {
+  resized: (things) => `${things} resized`,
+  moved: (things) => `${things} moved`,
+  recoloured: (things) => `${things} recoloured`,
+  duplicated: (things) => `${things} duplicated`,
+  forward: (things) => `${things} brought forward`,
+  backward: (things) => `${things} sent backward`,
+  foremost: () => "Nothing lies in front",
+  hindmost: () => "Nothing lies behind",
+  deleted: (things) => `${things} deleted`,
+  hidden: (things) => `${things} hidden; colours part there as before`,
+  shown: (things) => `${things} shown again`,
+};
+
+/** @param {{scribbles?: number, lines?: number}} counts */
+function things({ scribbles = 0, lines = 0 }) {
+  const of = (/** @type {number} */ count, /** @type {string} */ noun) => `${count} ${noun}${count === 1 ? "" : "s"}`;
+  if (scribbles > 0) return of(scribbles, "scribble");
+  return lines > 0 ? of(lines, "line") : "Nothing";
+}
 
 /** @param {number} number */
 function figure(number) {

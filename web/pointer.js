@@ -27,6 +27,7 @@ export class Pointers {
   /** @type {Place} Where the hand was last. */
   #last = { x: 0, y: 0 };
   #space = false;
+  #isFinger = false;
 
   /**
    * @param {HTMLElement} stage the element around the canvas
@@ -47,11 +48,19 @@ export class Pointers {
     window.addEventListener("blur", () => this.holdSpace(false));
   }
 
-  /** Drops what the pen has done since it came down. */
+  /** Drops what the pen has done since it came down, and tells whether it was. */
   cancel() {
-    if (this.#pen === null) return;
+    if (this.#pen === null) return false;
     this.#pen = null;
     this.#engine.pointer("cancel", new Float32Array());
+    return true;
+  }
+
+  /** Fingers are given more room. @param {boolean} isFinger */
+  #tellFinger(isFinger) {
+    if (isFinger === this.#isFinger) return;
+    this.#isFinger = isFinger;
+    this.#engine.command("finger", isFinger);
   }
 
   /**
@@ -65,12 +74,14 @@ export class Pointers {
 
   /** @param {PointerEvent} event */
   #down(event) {
-    if (!(event.target instanceof HTMLCanvasElement)) return;
-    event.target.focus();
+    const target = /** @type {Element} */ (event.target).closest("canvas, #frame");
+    if (!target) return;
+    this.#stage.querySelector("canvas")?.focus();
     event.preventDefault();
     // A press beside a panel closes that, and no more.
     if (document.querySelector(":popover-open")) return;
     this.#stage.setPointerCapture(event.pointerId);
+    this.#tellFinger(event.pointerType === "touch");
     if (event.pointerType === "touch") this.#fingers.set(event.pointerId, this.#place(event));
     if (this.#fingers.size > 1) this.#startPinch();
     else if (event.button === 1 || (event.button === 0 && this.#space)) this.#startDrag(event);
@@ -103,7 +114,7 @@ export class Pointers {
 
   /** @param {PointerEvent} event */
   #startStroke(event) {
-    const main = event.altKey ? "pick" : "down";
+    const main = event.altKey ? "pick" : event.shiftKey ? "add" : "down";
     const phase = event.button === 0 ? main : event.button === ERASER_BUTTON ? "erase" : null;
     if (phase === null) return;
     this.#pen = event.pointerId;

@@ -47,7 +47,7 @@ const settingOf = (/** @type {string} */ setting) =>
 
 /**
  * @param {(action: string) => void} act for a button
- * @param {(command: string, args: unknown) => void} set for a value
+ * @param {(command: string, args?: unknown) => void} set for a value
  */
 export function connect(act, set) {
   shown.palette([]);
@@ -76,7 +76,8 @@ export function connect(act, set) {
   connectSlider(settingOf("strength"), set);
   connectSlider(settingOf("tracing-opacity"), set);
   input("brush-size").addEventListener("input", () => set("brush-size", input("brush-size").valueAsNumber));
-  input("picker").addEventListener("input", () => set("color", input("picker").value));
+  input("picker").addEventListener("input", () => set("color-sought", input("picker").value));
+  for (const sought of [input("brush-size"), input("picker")]) settled(sought, set);
 }
 
 /**
@@ -87,6 +88,14 @@ export function connect(act, set) {
  */
 function connectSlider(slider, set) {
   slider.addEventListener("input", () => set(slider.dataset.setting ?? "", slider.valueAsNumber / 100));
+  settled(slider, set);
+}
+
+/**
+ * @param {HTMLInputElement} slider
+ * @param {(command: string, args?: unknown) => void} set
+ */
+function settled(slider, set) {
   for (const kind of ["change", "pointerup", "blur"]) slider.addEventListener(kind, () => set("settle"));
 }
 
@@ -175,6 +184,11 @@ export const shown = {
   /** @param {string} name */
   tool(name) {
     check("tool", name);
+    control("erasing").hidden = name !== "erase";
+  },
+  /** @param {string} name what the eraser takes */
+  erasing(name) {
+    check("erasing", name);
   },
   /** @param {{kind: string, strength: number, crosses: boolean, pressure: string, largest: number}} mode */
   mode({ kind, strength, crosses, pressure, largest }) {

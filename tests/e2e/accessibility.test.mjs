@@ -16,6 +16,9 @@ const STATES = {
   "a drawing": async () => {},
   shading: (editor) => editor.tab.click("radio", "Shade"),
   settings: (editor) => editor.click("Settings"),
+  erasing: (editor) => editor.tab.click("radio", "Erase"),
+  "a selection": (editor) => selected(editor, 1),
+  "a selected line": (editor) => selected(editor, 3),
   samples: (editor) => opened(editor, "Samples", "samples"),
   "recent drawings": (editor) => opened(editor, "Recent drawings", "recent"),
   export: (editor) => opened(editor, "Export", "export"),
@@ -43,6 +46,17 @@ const NARROW = {
 async function opened(editor, button, dialog) {
   await editor.click(button);
   await editor.tab.waitFor(`document.getElementById("${dialog}").open`);
+}
+
+/**
+ * Scribbles, and selects what comes so many after nothing.
+ * @param {Editor} editor
+ * @param {number} count
+ */
+async function selected(editor, count) {
+  await editor.tab.press("b");
+  await editor.scribble([[30, 30], [60, 60]], 200);
+  for (let i = 0; i < count; i++) await editor.until("selected", () => editor.tab.press("n"));
 }
 
 /** @param {Editor} editor @returns {Promise<string[]>} what is serious or critical, and where */

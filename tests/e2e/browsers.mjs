@@ -50,6 +50,7 @@ const VIEWPORT = { width: 1200, height: 800 };
  * @property {(role: string, name: string) => Promise<void>} click a control by its role and accessible name
  * @property {(list: string, option: string) => Promise<unknown>} choose an option, by its value, of a list, by its name
  * @property {{move(x: number, y: number): Promise<void>, down(): Promise<void>, up(): Promise<void>}} mouse
+ * @property {(points: [number, number][]) => Promise<void>} swipe a finger goes down, through places of the window, and up
  * @property {(x_px: number, y_px: number) => Promise<void>} wheel
  * @property {(key: string) => Promise<void>} press
  * @property {(key: string, act: () => Promise<void>) => Promise<void>} hold a key down during an act
@@ -113,6 +114,14 @@ async function chromiumTab(page) {
     click: (role, name) => page.getByRole(/** @type {any} */ (role), { name, exact: true }).click(),
     choose: (list, option) => page.getByRole("combobox", { name: list, exact: true }).selectOption(option),
     mouse: page.mouse,
+    swipe: async ([first, ...rest]) => {
+      const devtools = await page.context().newCDPSession(page);
+      const send = (/** @type {"touchStart" | "touchMove" | "touchEnd"} */ type, /** @type {[number, number][]} */ places) =>
+        devtools.send("Input.dispatchTouchEvent", { type, touchPoints: places.map(([x, y]) => ({ x, y })) });
+      await send("touchStart", [first]);
+      for (const place of rest) await send("touchMove", [place]);
+      await send("touchEnd", []);
+    },
     wheel: (x_px, y_px) => page.mouse.wheel(x_px, y_px),
     press: (key) => page.keyboard.press(key),
     hold: async (key, act) => {
@@ -202,6 +211,11 @@ function puppeteerTab(page) {
     click: (role, name) => page.locator(`::-p-aria([role="${role}"][name="${name}"])`).click(),
     choose: async (list, option) => (await page.$(`::-p-aria([role="combobox"][name="${list}"])`))?.select(option),
     mouse: page.mouse,
+    swipe: async ([first, ...rest]) => {
+      await page.touchscreen.touchStart(...first);
+      for (const place of rest) await page.touchscreen.touchMove(...place);
+      await page.touchscreen.touchEnd();
+    },
     wheel: (x_px, y_px) => page.mouse.wheel({ deltaX: x_px, deltaY: y_px }),
     press: (key) => page.keyboard.press(/** @type {any} */ (key)),
     hold: async (key, act) => {

@@ -21,6 +21,11 @@ const SEEN = `JSON.stringify({
   files: window.files,
 })`;
 
+const DROP = "Drop the stroke, or deselect";
+
+/** What is done with what is selected. */
+const ARRANGINGS = ["Delete", "Duplicate", "Bring forward", "Send backward"];
+
 /** Keys by the signs that Help has for them. @type {Record<string, string>} */
 const KEYS = { "←": "ArrowLeft", "→": "ArrowRight", "↑": "ArrowUp", "↓": "ArrowDown", Space: " " };
 
@@ -87,7 +92,7 @@ for (const browser of /** @type {const} */ (["chromium", "firefox"])) {
         for (let i = 0; i < 2; i++) await editor.scribble(ON_PAPER, ROOMS);
         await editor.until("Undone", () => editor.click("Undo"));
       }
-      const tool = action === "Erase" ? "hand" : action === "Drop the stroke" ? "scribble" : "erase";
+      const tool = action === "Erase" ? "hand" : action === DROP ? "scribble" : "erase";
       await editor.tab.evaluate(`
         for (const selector of ['[data-action="fit"]', '[data-action="zoom-in"]']) document.querySelector(selector).click();
         for (const [id, value] of [["picker", "#123456"], ["brush-size", "40"]]) {
@@ -98,6 +103,11 @@ for (const browser of /** @type {const} */ (["chromium", "firefox"])) {
         document.querySelector('[value="${tool}"]').click();
         document.getElementById("canvas").focus();
         document.getElementById("status").textContent = "";`);
+      if (ARRANGINGS.includes(action)) {
+        await editor.tab.click("radio", "Scribble");
+        await editor.scribble(ON_PAPER, ROOMS);
+        await editor.until("selected", () => editor.tab.press("n"));
+      }
     };
 
     test("each shortcut that it lists does something", async () => {
@@ -116,7 +126,7 @@ for (const browser of /** @type {const} */ (["chromium", "firefox"])) {
           await prepare(editor, action);
           const way = await editor.place(ON_PAPER, ROOMS);
           const { x, y } = await editor.box();
-          if (action === "Drop the stroke") {
+          if (action === DROP) {
             await editor.tab.mouse.move(x + way[0][0], y + way[0][1]);
             await editor.tab.mouse.down();
           }

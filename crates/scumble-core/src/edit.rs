@@ -7,11 +7,14 @@ use kurbo::Point;
 
 use crate::color::Paint;
 use crate::color_points::ColorPoint;
-use crate::drawing::Drawing;
+use crate::drawing::{Curve, Drawing};
 use crate::scribble::{Scribble, ScribbleKind};
 use crate::settings::Settings;
 use crate::sort;
 use crate::tracing::Tracing;
+use change::{Change, Ids, apply};
+
+mod change;
 
 /// The source of a picture, from which everything else is derived, and what is at hand: the palette, a picture to trace.
 #[derive(Clone, Debug)]
@@ -44,18 +47,6 @@ impl Document {
     }
 }
 
-/// A change of a document; applying it gives the change that takes it back.
-#[derive(Clone, Debug)]
-enum Change {
-    InsertScribble(usize, Scribble),
-    RemoveScribble(usize),
-    RecolorScribble(usize, Paint),
-    MoveScribble { from: usize, to: usize },
-    SetSettings(Settings),
-    SetPalette(Vec<Paint>),
-    SetTracing(Option<Tracing>),
-}
-
 /// A gesture that has been begun and not yet ended.
 #[derive(Clone, Debug)]
 enum Gesture {
@@ -69,6 +60,7 @@ enum Gesture {
 #[derive(Clone, Debug)]
 pub struct Editor {
     document: Document,
+    ids: Ids,
     in_hand: Option<Gesture>,
     /// What takes each gesture back.
     undo: Vec<Step>,
@@ -76,6 +68,7 @@ pub struct Editor {
     redo: Vec<Step>,
     revision: u32,
     last_revision: u32,
+    lines_revision: u32,
 }
 
 /// Changes, to be applied from the last to the first, and the revision that they lead to.
@@ -88,7 +81,16 @@ struct Step {
 impl Editor {
     /// Opens a document, with nothing to undo.
     pub fn new(document: Document) -> Self {
-        Self { document, in_hand: None, undo: Vec::new(), redo: Vec::new(), revision: 0, last_revision: 0 }
+        Self {
+            ids: Ids::of(&document),
+            document,
+            in_hand: None,
+            undo: Vec::new(),
+            redo: Vec::new(),
+            revision: 0,
+            last_revision: 0,
+            lines_revision: 0,
+        }
     }
 
     /// Tells the states of the document between gestures apart: 0 as it was opened, and the same again where undo has
@@ -97,15 +99,41 @@ impl Editor {
         self.revision
     }
 
+    /// Changes whenever the lines do, in a gesture and between gestures.
+    pub fn lines_revision(&self) -> u32 {
+        self.lines_revision
+    }
+
+    /// Whether the lines may be other ones than those that were opened.
+    pub fn has_other_lines(&self) -> bool {
+        let in_hand = match &self.in_hand {
+            Some(Gesture::Changes(back)) => back.as_slice(),
+            _ => &[],
+        };
+        self.undo.iter().flat_map(|step| &step.changes).chain(in_hand).any(Change::is_of_lines)
+    }
+
     /// The document with what the gesture in hand has made of it; a scribble in hand is its last.
     pub fn document(&self) -> &Document {
         &self.document
+    }
+
+    /// For each scribble of the document a number that stays its own, whatever becomes of it, through undo and redo.
+    pub fn scribble_ids(&self) -> &[u32] {
+        &self.ids.scribbles
+    }
+
+    /// The same for its curves; no scribble has the number of a curve.
+    pub fn curve_ids(&self) -> &[u32] {
+        &self.ids.curves
     }
 
     /// Begins a scribble; a gesture that is still in hand is committed first.
     pub fn begin_scribble(&mut self, scribble: Scribble) {
         self.commit();
         self.in_hand = Some(Gesture::Scribble);
+        let id = self.ids.fresh();
+        self.ids.scribbles.push(id);
         self.document.scribbles.push(scribble);
     }
 
@@ -134,6 +162,15 @@ impl Editor {
         self.in_hand = Some(Gesture::Changes(Vec::new()));
     }
 
+    /// Takes back what the gesture in hand has done so far, and goes on with it: for one that follows the pen, where it
+    /// is alone decides.
+    pub fn restart(&mut self) {
+        if self.is_changing() {
+            self.abort();
+            self.begin();
+        }
+    }
+
     /// Whether a gesture of any changes is in hand.
     pub fn is_changing(&self) -> bool {
         matches!(self.in_hand, Some(Gesture::Changes(_)))
@@ -148,7 +185,7 @@ impl Editor {
             }
             Some(Gesture::Changes(mut back)) => {
                 // A slider that was dragged to and fro has changed nothing in the end.
-                back.retain(|change| !self.is_so(change));
+                back.retain(|change| !change.is_so(&self.document));
                 self.keep(back);
             }
         }
@@ -158,7 +195,9 @@ impl Editor {
     pub fn abort(&mut self) {
         match self.in_hand.take() {
             None => {}
-            Some(Gesture::Scribble) => drop(self.document.scribbles.pop()),
+            Some(Gesture::Scribble) => {
+                drop(self.apply(Change::RemoveScribble(self.document.scribbles.len() - 1)));
+            }
             Some(Gesture::Changes(back)) => drop(self.apply_all(back)),
         }
     }
@@ -210,6 +249,40 @@ impl Editor {
         }
     }
 
+    /// Puts a scribble into the order, at an index, after which those behind it come; at the end where that is none.
+    pub fn insert_scribble(&mut self, index: usize, scribble: Scribble) {
+        self.commit_scribble();
+        let id = self.ids.fresh();
+        self.change(Change::InsertScribble(index.min(self.document.scribbles.len()), id, scribble));
+    }
+
+    /// Puts another scribble in the place of one, which takes over its number; nothing happens where there is none of this
+    /// index, or it is the same.
+    pub fn replace_scribble(&mut self, index: usize, scribble: Scribble) {
+        self.commit_scribble();
+        if self.document.scribbles.get(index).is_some_and(|before| *before != scribble) {
+            self.change(Change::ReplaceScribble(index, scribble));
+        }
+    }
+
+    /// Puts another curve in the place of one, as [`Editor::replace_scribble`] does. Colours set by hand stay where they
+    /// are along it.
+    pub fn replace_curve(&mut self, index: usize, curve: Curve) {
+        self.commit_scribble();
+        if self.document.drawing.curves.get(index).is_some_and(|before| *before != curve) {
+            self.change(Change::ReplaceCurve(index, curve));
+        }
+    }
+
+    /// Takes a curve away, with the colours that were set by hand along it; nothing happens where there is none of this
+    /// index.
+    pub fn remove_curve(&mut self, index: usize) {
+        self.commit_scribble();
+        if index < self.document.drawing.curves.len() {
+            self.change(Change::RemoveCurve(index));
+        }
+    }
+
     /// Takes a scribble out of the order and puts it back in at an index, after which those behind it come; nothing
     /// happens where either index is that of no scribble.
     pub fn move_scribble(&mut self, from: usize, to: usize) {
@@ -258,7 +331,7 @@ impl Editor {
         match &self.in_hand {
             None => false,
             Some(Gesture::Scribble) => true,
-            Some(Gesture::Changes(back)) => back.iter().any(|change| !self.is_so(change)),
+            Some(Gesture::Changes(back)) => back.iter().any(|change| !change.is_so(&self.document)),
         }
     }
 
@@ -278,7 +351,7 @@ impl Editor {
     fn done(&mut self, mut back: Vec<Change>) {
         let Some(Gesture::Changes(before)) = &mut self.in_hand else { return self.keep(back) };
         // What the gesture began with is there already.
-        back.retain(|change| !before.iter().any(|before| are_of_one_slider(before, change)));
+        back.retain(|change| !before.iter().any(|before| before.is_of_slider_of(change)));
         before.append(&mut back);
     }
 
@@ -297,45 +370,13 @@ impl Editor {
         Step { changes: self.apply_all(changes), to: std::mem::replace(&mut self.revision, to) }
     }
 
-    /// Whether a change of what has sliders would change nothing.
-    fn is_so(&self, change: &Change) -> bool {
-        match change {
-            Change::SetSettings(settings) => *settings == self.document.settings,
-            Change::SetTracing(tracing) => *tracing == self.document.tracing,
-            _ => false,
-        }
-    }
-
     /// Applies changes from the last to the first; returns those that take them back, to be applied likewise.
     fn apply_all(&mut self, changes: Vec<Change>) -> Vec<Change> {
         changes.into_iter().rev().map(|change| self.apply(change)).collect()
     }
 
     fn apply(&mut self, change: Change) -> Change {
-        let Document { scribbles, settings, palette, tracing, .. } = &mut self.document;
-        match change {
-            Change::InsertScribble(index, scribble) => {
-                scribbles.insert(index, scribble);
-                Change::RemoveScribble(index)
-            }
-            Change::RemoveScribble(index) => Change::InsertScribble(index, scribbles.remove(index)),
-            Change::RecolorScribble(index, color) => {
-                Change::RecolorScribble(index, std::mem::replace(&mut scribbles[index].color, color))
-            }
-            Change::MoveScribble { from, to } => {
-                let scribble = scribbles.remove(from);
-                scribbles.insert(to, scribble);
-                Change::MoveScribble { from: to, to: from }
-            }
-            Change::SetSettings(after) => Change::SetSettings(std::mem::replace(settings, after)),
-            Change::SetPalette(after) => Change::SetPalette(std::mem::replace(palette, after)),
-            Change::SetTracing(after) => Change::SetTracing(std::mem::replace(tracing, after)),
-        }
+        self.lines_revision += u32::from(change.is_of_lines());
+        apply(&mut self.document, &mut self.ids, change)
     }
-}
-
-/// Whether two changes are of the same slider, so that the first one takes back what the second one does, too.
-fn are_of_one_slider(a: &Change, b: &Change) -> bool {
-    use Change::{SetSettings, SetTracing};
-    matches!((a, b), (SetSettings(_), SetSettings(_)) | (SetTracing(_), SetTracing(_)))
 }

@@ -5,6 +5,7 @@
 //! | colours and blend spaces | [`color`] |
 //! | a line drawing in drawing units | [`drawing`] |
 //! | a stroke of colour | [`scribble`] |
+//! | a scribble of which a part is rubbed out | `rub` |
 //! | shading scribbles as soft sources | [`source`] |
 //! | colours for highlights and shadows | [`tone`] |
 //! | the document, gestures, undo | [`edit`] |
@@ -39,6 +40,7 @@ pub mod global;
 pub mod measured_path;
 pub mod planar_map;
 pub mod progressive;
+mod rub;
 mod sample;
 pub mod scribble;
 mod sets;

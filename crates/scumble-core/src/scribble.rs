@@ -71,6 +71,34 @@ impl PenPressure {
     }
 }
 
+impl ScribbleKind {
+    /// That of a stroke through these places of one of this kind: the numbers of its points, or where between two of them.
+    pub(crate) fn through(&self, places: &[f64]) -> Self {
+        match self {
+            Self::Fill => Self::Fill,
+            Self::Shade(shading) => {
+                Self::Shade(Shading { pressure: shading.pressure.through(places), ..*shading })
+            }
+        }
+    }
+}
+
+impl PenPressure {
+    fn through(&self, places: &[f64]) -> Self {
+        let at = |parts: &[f64], place: f64| {
+            let [from, to] =
+                [place.floor(), place.ceil()].map(|point| parts.get(point as usize).copied().unwrap_or(1.0));
+            from + place.fract() * (to - from)
+        };
+        let along = |parts: &[f64]| places.iter().map(|&place| at(parts, place)).collect();
+        match self {
+            Self::Even => Self::Even,
+            Self::Radius(parts) => Self::Radius(along(parts)),
+            Self::Strength(parts) => Self::Strength(along(parts)),
+        }
+    }
+}
+
 impl Scribble {
     /// Whether it colours the sides of curves.
     pub fn is_fill(&self) -> bool {

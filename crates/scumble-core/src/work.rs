@@ -122,6 +122,11 @@ impl Unknown {
         }
     }
 
+    /// Drops the fields of all items of a kind.
+    pub fn forget(&mut self, item: Item) {
+        self.fields[item as usize].clear();
+    }
+
     fn follow(&mut self, before: &[Scribble], after: &[Scribble]) {
         let fields = std::mem::take(&mut self.fields[Item::Scribble as usize]);
         for (index, scribble) in after.iter().enumerate() {

@@ -1,23 +1,44 @@
 //! Gestures are transactions, and undo goes back by whole gestures.
 
-use kurbo::{Point, Rect};
+use kurbo::{BezPath, Point, Rect};
 use proptest::prelude::*;
 use scumble_core::{
-    Blend, Document, Drawing, Editor, EngineKind, Paint, Scribble, ScribbleKind, Settings, Shading, Srgb8,
-    Tracing,
+    Blend, ColorPoint, Curve, Document, Drawing, Editor, EngineKind, Paint, Scribble, ScribbleKind, Settings,
+    Shading, Srgb8, Tracing,
 };
 
 fn editor() -> Editor {
     Editor::new(Document::new(Drawing::new(Rect::new(0.0, 0.0, 72.0, 72.0))))
 }
 
-fn begin(editor: &mut Editor, shade: u8) {
-    editor.begin_scribble(Scribble {
+fn scribble(shade: u8) -> Scribble {
+    Scribble {
         color: Srgb8([shade; 3]).into(),
         kind: ScribbleKind::Fill,
         width_du: 5.0,
         points: vec![Point::ZERO],
-    });
+    }
+}
+
+fn begin(editor: &mut Editor, shade: u8) {
+    editor.begin_scribble(scribble(shade));
+}
+
+fn curve(width: u8) -> Curve {
+    let mut path = BezPath::new();
+    path.move_to((0.0, 0.0));
+    path.line_to((10.0, 10.0 * f64::from(width)));
+    Curve { path, line: None }
+}
+
+/// Three curves, with colours set by hand at each.
+fn editor_with_lines() -> Editor {
+    let mut document = editor().document().clone();
+    document.drawing.curves = [1, 2, 3].map(curve).to_vec();
+    document.color_points = [2, 0, 1, 2]
+        .map(|curve| ColorPoint { curve, is_left: true, at_du: f64::from(curve), color: Paint::Clear })
+        .to_vec();
+    Editor::new(document)
 }
 
 fn shades(editor: &Editor) -> Vec<u8> {
@@ -224,6 +245,60 @@ fn a_gesture_takes_its_changes_back_together() {
     assert!(editor.can_redo());
 }
 
+#[test]
+fn scribbles_keep_their_numbers_wherever_they_come_to_lie() {
+    let mut editor = editor_with(3);
+    let [a, b, c] = *editor.scribble_ids() else { panic!("three scribbles") };
+    editor.move_scribble(0, 2);
+    editor.replace_scribble(0, scribble(9));
+    assert_eq!(editor.scribble_ids(), [b, c, a]);
+    editor.insert_scribble(1, scribble(7));
+    assert_eq!(shades(&editor), [9, 7, 2, 0]);
+    assert!(![a, b, c].contains(&editor.scribble_ids()[1]));
+    editor.erase_scribbles(&[0, 1]);
+    assert_eq!(editor.scribble_ids(), [c, a]);
+    while editor.undo() {}
+    editor.redo();
+    assert_eq!(editor.scribble_ids(), [a]);
+}
+
+#[test]
+fn a_gesture_that_restarts_forgets_what_it_did_and_goes_on() {
+    let mut editor = editor_with(2);
+    editor.begin();
+    for shade in [5, 6, 7] {
+        editor.restart();
+        editor.replace_scribble(0, scribble(shade));
+    }
+    editor.commit();
+    assert_eq!(shades(&editor), [7, 1]);
+    editor.undo();
+    assert_eq!(shades(&editor), [0, 1]);
+    editor.begin();
+    editor.replace_scribble(0, scribble(5));
+    editor.restart();
+    editor.commit();
+    assert_eq!(shades(&editor), [0, 1]);
+    assert!(editor.can_redo(), "nothing was done");
+}
+
+#[test]
+fn a_curve_that_is_removed_takes_its_colours_with_it() {
+    let mut editor = editor_with_lines();
+    let revision = editor.lines_revision();
+    editor.remove_curve(1);
+    let at = |editor: &Editor| {
+        editor.document().color_points.iter().map(|p| (p.curve, p.at_du)).collect::<Vec<_>>()
+    };
+    assert_eq!(at(&editor), [(1, 2.0), (0, 0.0), (1, 2.0)]);
+    assert_eq!(editor.document().drawing.curves, [1, 3].map(curve));
+    assert!(editor.has_other_lines() && editor.lines_revision() != revision);
+    editor.undo();
+    assert_eq!(at(&editor), [(2, 2.0), (0, 0.0), (1, 1.0), (2, 2.0)]);
+    assert_eq!(editor.document().drawing.curves, [1, 2, 3].map(curve));
+    assert!(!editor.has_other_lines());
+}
+
 /// What a person may do, with indices that may be those of no scribble.
 #[derive(Clone, Debug)]
 enum Act {
@@ -231,6 +306,11 @@ enum Act {
     Erase(Vec<usize>),
     Recolor(usize, u8),
     Move(usize, usize),
+    Insert(usize, u8),
+    Replace(usize, u8),
+    ReplaceCurve(usize, u8),
+    RemoveCurve(usize),
+    Restart,
     Set(Settings),
     Begin,
     Commit,
@@ -257,6 +337,11 @@ fn act() -> impl Strategy<Value = Act> {
         2 => prop::collection::vec(0..8_usize, 0..4).prop_map(Act::Erase),
         2 => (0..8_usize, 0..4_u8).prop_map(|(index, shade)| Act::Recolor(index, shade)),
         2 => (0..8_usize, 0..8_usize).prop_map(|(from, to)| Act::Move(from, to)),
+        2 => (0..8_usize, 0..4_u8).prop_map(|(index, shade)| Act::Insert(index, shade)),
+        2 => (0..8_usize, 0..4_u8).prop_map(|(index, shade)| Act::Replace(index, shade)),
+        2 => (0..4_usize, 0..4_u8).prop_map(|(index, width)| Act::ReplaceCurve(index, width)),
+        2 => (0..4_usize).prop_map(Act::RemoveCurve),
+        1 => Just(Act::Restart),
         2 => settings().prop_map(Act::Set),
         1 => Just(Act::Begin),
         1 => Just(Act::Commit),
@@ -272,6 +357,11 @@ fn perform(editor: &mut Editor, act: &Act) {
         Act::Erase(indices) => assert!(editor.erase_scribbles(indices) <= indices.len()),
         Act::Recolor(index, shade) => editor.recolor_scribble(*index, Srgb8([*shade; 3]).into()),
         Act::Move(from, to) => editor.move_scribble(*from, *to),
+        Act::Insert(index, shade) => editor.insert_scribble(*index, scribble(*shade)),
+        Act::Replace(index, shade) => editor.replace_scribble(*index, scribble(*shade)),
+        Act::ReplaceCurve(index, width) => editor.replace_curve(*index, curve(*width)),
+        Act::RemoveCurve(index) => editor.remove_curve(*index),
+        Act::Restart => editor.restart(),
         Act::Set(settings) => editor.set_settings(*settings),
         Act::Begin => editor.begin(),
         Act::Commit => editor.commit(),
@@ -281,8 +371,14 @@ fn perform(editor: &mut Editor, act: &Act) {
     }
 }
 
-fn source(editor: &Editor) -> (Vec<Scribble>, Settings) {
-    (editor.document().scribbles.clone(), editor.document().settings)
+/// All that a gesture may have changed, and the numbers by which it is known.
+type Source = (Vec<Scribble>, Vec<Curve>, Vec<ColorPoint>, Settings, Vec<u32>, Vec<u32>);
+
+fn source(editor: &Editor) -> Source {
+    let Document { drawing, scribbles, color_points, settings, .. } = editor.document().clone();
+    let ids = [editor.scribble_ids(), editor.curve_ids()].map(<[u32]>::to_vec);
+    let [scribble_ids, curve_ids] = ids;
+    (scribbles, drawing.curves, color_points, settings, scribble_ids, curve_ids)
 }
 
 #[test]
@@ -307,7 +403,7 @@ fn undo_comes_back_to_a_revision_and_another_gesture_never_does() {
 proptest! {
     #[test]
     fn undo_goes_back_to_the_start_and_redo_to_the_end(acts in prop::collection::vec(act(), 0..40)) {
-        let mut editor = editor();
+        let mut editor = editor_with_lines();
         let start = source(&editor);
         for act in &acts {
             perform(&mut editor, act);
@@ -317,10 +413,13 @@ proptest! {
         let end = source(&editor);
         let mut ways = vec![end.clone()];
         while editor.undo() {
+            prop_assert_eq!(editor.scribble_ids().len(), editor.document().scribbles.len());
+            prop_assert_eq!(editor.curve_ids().len(), editor.document().drawing.curves.len());
             ways.push(source(&editor));
         }
         prop_assert_eq!(ways.pop(), Some(start));
         prop_assert!(!editor.can_undo());
+        prop_assert!(!editor.has_other_lines());
         while editor.redo() {
             if let Some(before) = ways.pop() {
                 prop_assert_eq!(source(&editor), before);

@@ -63,7 +63,7 @@ impl App {
         Ok(Self { shared: Rc::new(RefCell::new(shared)) })
     }
 
-    /// Takes pointer samples (see [`Session::pointer`]) of a phase: "down", "erase", "pick", "move", "up"
+    /// Takes pointer samples (see [`Session::pointer`]) of a phase: "down", "add", "erase", "pick", "move", "up"
     /// or "cancel".
     ///
     /// # Errors

@@ -3,22 +3,22 @@
 //! Effects go out as a flat list, name and value in turn; `web/main.js` has a handler for each name.
 
 use js_sys::{Array, Float64Array, Object, Reflect, Uint8Array};
-use kurbo::{Point, Vec2};
+use kurbo::{Point, Rect, Vec2};
 use scumble_core::{Paint, Settings, Srgb8};
 use scumble_solve::Pixmap;
 use wasm_bindgen::{JsCast, JsValue};
 
 use crate::brush::{Ink, Mode, ModeChange};
-use crate::command::{Command, Setting, ViewChange};
-use crate::effect::{Effect, SheetState, TracingState};
+use crate::command::{Arranging, Command, Selecting, Setting, ViewChange};
+use crate::effect::{Effect, SelectionState, SheetState, TracingState};
 use crate::solver::SolverState;
 
 mod names;
 
 use names::{
-    blend_from_name, blend_name, engine_from_name, engine_name, ink_from_name, kind_from_name, kind_name,
-    pressure_from_name, pressure_name, solver_from_name, solver_name, source_name, tone_name, tool_from_name,
-    tool_name,
+    blend_from_name, blend_name, edit_name, engine_from_name, engine_name, erasing_name, ink_from_name,
+    kind_from_name, kind_name, pressure_from_name, pressure_name, solver_from_name, solver_name, source_name,
+    tone_name, tool_from_name, tool_name,
 };
 
 /// The command of a name, or `None` where there is none of it that takes these arguments.
@@ -30,6 +30,7 @@ pub(crate) fn command_from_js(name: &str, args: &JsValue) -> Option<Command> {
         },
         "tool" => Command::Tool(tool_from_name(&args.as_string()?)?),
         "color" => Command::Color(ink_from_name(&args.as_string()?)?),
+        "color-sought" => Command::ColorSought(ink_from_name(&args.as_string()?)?),
         "swap-colors" => Command::SwapColors,
         "kind" => Command::Mode(ModeChange::Kind(kind_from_name(&args.as_string()?)?)),
         "other-kind" => Command::Mode(ModeChange::OtherKind),
@@ -39,6 +40,22 @@ pub(crate) fn command_from_js(name: &str, args: &JsValue) -> Option<Command> {
         "brush-size" => Command::BrushSize(args.as_f64()?),
         "brush-larger" => Command::BrushLarger,
         "brush-smaller" => Command::BrushSmaller,
+        "select-all" => Command::Select(Selecting::All),
+        "select-none" => Command::Select(Selecting::None),
+        "select-next" => Command::Select(Selecting::Next),
+        "select-previous" => Command::Select(Selecting::Previous),
+        "forward" => Command::Arrange(Arranging::Forward),
+        "backward" => Command::Arrange(Arranging::Backward),
+        "duplicate" => Command::Arrange(Arranging::Duplicate),
+        "delete-selected" => Command::Arrange(Arranging::Delete),
+        "hide" => Command::Arrange(Arranging::Hide),
+        "arrow" => {
+            let [x, y, far] = numbers(args)?;
+            Command::Arrow(Vec2::new(x, y), far > 0.0)
+        }
+        "finger" => Command::Finger(args.as_bool()?),
+        "erasing" => Command::EraseParts(args.as_string()? == erasing_name(true)),
+        "other-erasing" => Command::OtherErasing,
         "undo" => Command::Undo,
         "redo" => Command::Redo,
         "blend" => Command::Set(Setting::Blend(blend_from_name(&args.as_string()?)?)),
@@ -131,6 +148,8 @@ fn js_from_effect(effect: Effect) -> (&'static str, JsValue) {
         Effect::Color(Ink::Paint(color)) => ("color", color.to_string().into()),
         Effect::Color(Ink::Tone(tone)) => ("color", tone_name(tone).into()),
         Effect::BrushSize(size_du) => ("brush-size", size_du.into()),
+        Effect::Selection(state) => ("selection", js_from_selection(state)),
+        Effect::EraseParts(parts) => ("erasing", erasing_name(parts).into()),
         Effect::Lines(shown) => ("lines", shown.into()),
         Effect::Scribbles(shown) => ("scribbles", shown.into()),
         Effect::Tracing(state) => ("tracing", js_from_tracing(state)),
@@ -148,6 +167,27 @@ fn js_from_effect(effect: Effect) -> (&'static str, JsValue) {
         Effect::ScribblesErased { erased, count } => (
             "scribbles-erased",
             object(&[("erased", (erased as f64).into()), ("count", (count as f64).into())]),
+        ),
+        Effect::EraserTurned { parts } => ("eraser-turned", object(&[("parts", parts.into())])),
+        Effect::ScribblesRubbed { count } => {
+            ("scribbles-rubbed", object(&[("count", (count as f64).into())]))
+        }
+        Effect::Selected { scribbles, lines, place, total } => (
+            "selected",
+            object(&[
+                ("scribbles", (scribbles as f64).into()),
+                ("lines", (lines as f64).into()),
+                ("place", (place as f64).into()),
+                ("total", (total as f64).into()),
+            ]),
+        ),
+        Effect::Edited { edit, scribbles, lines } => (
+            "edited",
+            object(&[
+                ("edit", edit_name(edit).into()),
+                ("scribbles", (scribbles as f64).into()),
+                ("lines", (lines as f64).into()),
+            ]),
         ),
         Effect::Picked(color) => ("picked", object(&[("color", color.to_string().into())])),
         Effect::ScribbleDropped => ("scribble-dropped", object(&[])),
@@ -167,6 +207,24 @@ fn js_from_mode(mode: Mode) -> JsValue {
         ("pressure", pressure_name(mode.pressure).into()),
         ("largest", mode.sizes_du()[1].into()),
     ])
+}
+
+fn js_from_selection(state: SelectionState) -> JsValue {
+    object(&[
+        ("scribbles", (state.scribbles as f64).into()),
+        ("lines", (state.lines as f64).into()),
+        ("hidden", state.are_hidden.into()),
+        ("frame", js_from_rect(state.frame_css)),
+        ("handles", (state.handles as f64).into()),
+        ("marquee", js_from_rect(state.marquee_css)),
+    ])
+}
+
+/// Left, top, width, height; `undefined` where there is none.
+fn js_from_rect(rect: Option<Rect>) -> JsValue {
+    rect.map_or(JsValue::UNDEFINED, |rect| {
+        Float64Array::from(&[rect.x0, rect.y0, rect.width(), rect.height()][..]).into()
+    })
 }
 
 fn js_from_tracing(TracingState { tracing, page }: TracingState) -> JsValue {

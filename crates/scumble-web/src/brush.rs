@@ -108,6 +108,12 @@ impl ModeChange {
     }
 }
 
+/// The width nearest to one that a scribble of a kind can be given, in du.
+pub(crate) fn within_sizes(width_du: f64, kind: &ScribbleKind) -> f64 {
+    let [least, most] = SIZES_DU[usize::from(*kind != ScribbleKind::Fill)];
+    width_du.round().clamp(least, most)
+}
+
 /// What the pen draws with.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Brush {
@@ -152,14 +158,23 @@ impl Brush {
         }
     }
 
-    /// Back to the colour before.
-    pub(crate) fn swap_colors(&mut self) {
-        let before = if matches!(self.ink(), Ink::Tone(_)) { self.color } else { self.previous_color };
-        self.set_ink(Ink::Paint(before));
+    /// That before the one of the moment.
+    pub(crate) fn color_before(&self) -> Paint {
+        if matches!(self.ink(), Ink::Tone(_)) { self.color } else { self.previous_color }
     }
 
     pub(crate) fn size_du(&self) -> f64 {
         self.sizes_du[self.mode.kind as usize]
+    }
+
+    /// A step wider.
+    pub(crate) fn wider(size_du: f64) -> f64 {
+        (size_du * STEP).max(size_du + 1.0)
+    }
+
+    /// A step narrower.
+    pub(crate) fn narrower(size_du: f64) -> f64 {
+        (size_du / STEP).min(size_du - 1.0)
     }
 
     pub(crate) fn set_size(&mut self, size_du: f64) {
@@ -167,14 +182,6 @@ impl Brush {
             let [least, most] = self.mode.sizes_du();
             self.sizes_du[self.mode.kind as usize] = size_du.round().clamp(least, most);
         }
-    }
-
-    pub(crate) fn grow(&mut self) {
-        self.set_size((self.size_du() * STEP).max(self.size_du() + 1.0));
-    }
-
-    pub(crate) fn shrink(&mut self) {
-        self.set_size((self.size_du() / STEP).min(self.size_du() - 1.0));
     }
 
     /// What a scribble is by a pen that has pressed so hard at each of its points.

@@ -12,6 +12,8 @@ use crate::view::Viewport;
 pub enum Phase {
     /// It begins, with the tool of the moment.
     Down,
+    /// It begins, and adds to what is selected, where the tool does that.
+    Add,
     /// It begins, with the eraser at the other end of the pen.
     Erase,
     /// It begins, with the tool that picks a colour.
@@ -29,6 +31,7 @@ impl Phase {
     pub fn from_name(name: &str) -> Option<Self> {
         match name {
             "down" => Some(Self::Down),
+            "add" => Some(Self::Add),
             "erase" => Some(Self::Erase),
             "pick" => Some(Self::Pick),
             "move" => Some(Self::Move),
@@ -45,8 +48,10 @@ pub enum Tool {
     /// It draws scribbles.
     #[default]
     Scribble,
-    /// It takes scribbles away that it touches.
+    /// It takes scribbles away that it touches, or what it touches of them.
     Erase,
+    /// It chooses scribbles and lines, and moves and resizes what it has chosen.
+    Select,
     /// It takes the colour that it is lifted from for the next scribbles.
     Pick,
     /// It moves the view.
@@ -82,6 +87,34 @@ impl Setting {
     }
 }
 
+/// What is to be selected.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Selecting {
+    /// All scribbles.
+    All,
+    /// Nothing.
+    None,
+    /// What lies under what is selected, or the uppermost scribble.
+    Next,
+    /// What lies over it, or the undermost thing.
+    Previous,
+}
+
+/// What is to be done with what is selected.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Arranging {
+    /// Scribbles go past the next one in the order.
+    Forward,
+    /// They go past the one before.
+    Backward,
+    /// There are two of each scribble.
+    Duplicate,
+    /// Take it away.
+    Delete,
+    /// Show no lines, or show them again.
+    Hide,
+}
+
 /// One wish of the page.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Command {
@@ -96,16 +129,30 @@ pub enum Command {
     Tool(Tool),
     /// The colour of the next scribbles, or none, or a step from what they are drawn on.
     Color(Ink),
+    /// The same while a colour is sought: its changes are one gesture until [`Command::Settle`].
+    ColorSought(Ink),
     /// Back to the colour before.
     SwapColors,
     /// How the next scribbles colour.
     Mode(ModeChange),
-    /// The width of the next scribbles, in du.
+    /// The width of the next scribbles, or of those that are selected, in du. It has a slider, as [`Command::TracingOpacity`].
     BrushSize(f64),
     /// A step wider.
     BrushLarger,
     /// A step narrower.
     BrushSmaller,
+    /// Select something.
+    Select(Selecting),
+    /// Do something with what is selected.
+    Arrange(Arranging),
+    /// An arrow key of a direction: move what is selected, or the view, and whether far.
+    Arrow(Vec2, bool),
+    /// Whether what presses is as broad as a finger.
+    Finger(bool),
+    /// Whether the eraser takes the parts of scribbles that it touches, not all of them.
+    EraseParts(bool),
+    /// The eraser, taking what it did not take.
+    OtherErasing,
     /// Take the last gesture back.
     Undo,
     /// Do it again.

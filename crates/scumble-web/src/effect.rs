@@ -1,6 +1,6 @@
 //! What the page must know, as a short list after each call: what of its state has changed, and what happened.
 
-use kurbo::{Affine, Size};
+use kurbo::{Affine, Rect, Size};
 use scumble_core::{Paint, Settings, Tracing};
 
 use crate::brush::{Ink, Mode};
@@ -30,6 +30,10 @@ pub enum Effect {
     Color(Ink),
     /// The width of the next scribble, in du.
     BrushSize(f64),
+    /// What is selected.
+    Selection(SelectionState),
+    /// Whether the eraser takes parts of scribbles.
+    EraseParts(bool),
     /// Whether lines are shown.
     Lines(bool),
     /// Whether scribbles are shown.
@@ -61,6 +65,36 @@ pub enum Effect {
         /// How many are left.
         count: usize,
     },
+    /// The eraser is to take something else.
+    EraserTurned {
+        /// Whether that is parts of scribbles.
+        parts: bool,
+    },
+    /// The eraser took parts of scribbles.
+    ScribblesRubbed {
+        /// How many scribbles there are then.
+        count: usize,
+    },
+    /// Something was selected, or nothing.
+    Selected {
+        /// How many scribbles.
+        scribbles: usize,
+        /// How many lines.
+        lines: usize,
+        /// The place of the first scribble in the order, counted from 1; 0 where there is none.
+        place: usize,
+        /// How many scribbles there are in all.
+        total: usize,
+    },
+    /// Something was done with what was selected.
+    Edited {
+        /// What.
+        edit: Edit,
+        /// To how many scribbles.
+        scribbles: usize,
+        /// To how many lines.
+        lines: usize,
+    },
     /// A colour was taken from the picture.
     Picked(Paint),
     /// A scribble was abandoned.
@@ -87,6 +121,50 @@ pub struct SheetState {
     pub revision: u32,
 }
 
+/// What is selected, and how that is shown.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct SelectionState {
+    /// How many scribbles.
+    pub scribbles: usize,
+    /// How many lines.
+    pub lines: usize,
+    /// Whether all these lines are hidden.
+    pub are_hidden: bool,
+    /// The frame around it, in CSS pixels of the canvas.
+    pub frame_css: Option<Rect>,
+    /// How many handles that has: at no, at all 4 corners, or at its 4 sides, too.
+    pub handles: usize,
+    /// The rectangle in which things are being selected, likewise.
+    pub marquee_css: Option<Rect>,
+}
+
+/// What can be done with what is selected, or come of it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Edit {
+    /// It is elsewhere.
+    Moved,
+    /// It is larger or smaller.
+    Resized,
+    /// It has another colour.
+    Recolored,
+    /// There is more of it.
+    Duplicated,
+    /// It lies one further up.
+    Forward,
+    /// It lies one further down.
+    Backward,
+    /// Nothing lies over it.
+    Foremost,
+    /// Nothing lies under it.
+    Hindmost,
+    /// It is no more.
+    Deleted,
+    /// It is not drawn.
+    Hidden,
+    /// It is drawn again.
+    Shown,
+}
+
 /// The picture under the lines of the drawing that is shown, and the page into which it is fitted.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TracingState {
@@ -108,6 +186,8 @@ pub(crate) struct State {
     pub(crate) mode: Option<Mode>,
     pub(crate) color: Option<Ink>,
     pub(crate) brush_du: Option<f64>,
+    pub(crate) selection: Option<SelectionState>,
+    pub(crate) erase_parts: Option<bool>,
     pub(crate) lines: Option<bool>,
     pub(crate) scribbles: Option<bool>,
     pub(crate) result: Option<bool>,
@@ -131,6 +211,8 @@ impl State {
             news(self.mode, known.mode, Effect::Mode),
             news(self.color, known.color, Effect::Color),
             news(self.brush_du, known.brush_du, Effect::BrushSize),
+            news(self.selection, known.selection, Effect::Selection),
+            news(self.erase_parts, known.erase_parts, Effect::EraseParts),
             news(self.lines, known.lines, Effect::Lines),
             news(self.scribbles, known.scribbles, Effect::Scribbles),
             news(self.result, known.result, Effect::Result),

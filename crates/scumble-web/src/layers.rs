@@ -13,6 +13,10 @@ const RIM_PX: f64 = 1.5;
 /// Opacity of the rim, where it is light and where it is dark.
 const RIM_OPACITIES: [u8; 2] = [128, 80];
 
+/// What is selected has a rim this wide, in device pixels, of this colour.
+pub(crate) const MARK_PX: f64 = 3.0;
+pub(crate) const MARK: Srgb8 = Srgb8([0x4c, 0x4c, 0xd0]);
+
 /// A scribble that shades is drawn this wide, in du: its colours are to be seen.
 const SPINE_DU: f64 = 4.0;
 
@@ -29,6 +33,8 @@ pub struct Layers {
     shapes: Vec<Shape>,
     /// What the first shapes are of: a long scribbling draws only what is new.
     scribbles: Vec<Scribble>,
+    /// Which of them are marked as selected.
+    are_selected: Vec<bool>,
     tolerance_du: f64,
 }
 
@@ -58,12 +64,19 @@ impl Layers {
         self.tolerance_du == tolerance_du(px_per_du)
     }
 
-    pub(crate) fn set_scribbles(&mut self, scribbles: &[Scribble]) {
-        let kept = self.scribbles.iter().zip(scribbles).take_while(|(old, new)| old == new).count();
+    pub(crate) fn set_scribbles(&mut self, scribbles: &[Scribble], are_selected: Vec<bool>) {
+        let mark = |i: usize| are_selected.get(i) == Some(&true);
+        let is_kept = |i: &usize| {
+            self.scribbles.get(*i) == Some(&scribbles[*i])
+                && self.are_selected.get(*i) == are_selected.get(*i)
+        };
+        let kept = (0..scribbles.len()).take_while(is_kept).count();
         let fresh = scribbles.get(kept..).unwrap_or_default();
-        let shapes = fresh.iter().flat_map(|scribble| shapes(scribble, self.tolerance_du));
+        let shapes =
+            (kept..).zip(fresh).flat_map(|(i, scribble)| shapes(scribble, mark(i), self.tolerance_du));
         self.shapes.splice(EACH * kept..EACH * self.scribbles.len(), shapes);
         self.scribbles.splice(kept.., fresh.iter().cloned());
+        self.are_selected = are_selected;
     }
 
     pub(crate) fn clear_ink(&mut self) {
@@ -94,17 +107,18 @@ pub(crate) fn drawn_width_du(scribble: &Scribble) -> f64 {
     if scribble.is_fill() { scribble.width_du } else { SPINE_DU.min(scribble.width_du) }
 }
 
-fn shapes(scribble: &Scribble, tolerance_du: f64) -> [Shape; EACH] {
+fn shapes(scribble: &Scribble, is_selected: bool, tolerance_du: f64) -> [Shape; EACH] {
     let width_du = drawn_width_du(scribble);
     let drawn = Scribble { width_du, ..scribble.clone() };
-    let rim_du = RIM_PX * tolerance_du / TOLERANCE_PX;
     let is_pale = is_pale(scribble.color);
-    let color = Srgb8([if is_pale { 0 } else { 255 }; 3]).into();
-    let rim = Scribble { width_du: width_du + 2.0 * rim_du, color, ..drawn.clone() };
-    [
-        scribble_shape(&rim, RIM_OPACITIES[usize::from(is_pale)], tolerance_du),
-        scribble_shape(&drawn, 255, tolerance_du),
-    ]
+    let (rim_px, color, opacity) = if is_selected {
+        (MARK_PX, MARK, 255)
+    } else {
+        (RIM_PX, Srgb8([if is_pale { 0 } else { 255 }; 3]), RIM_OPACITIES[usize::from(is_pale)])
+    };
+    let rim_du = rim_px * tolerance_du / TOLERANCE_PX;
+    let rim = Scribble { width_du: width_du + 2.0 * rim_du, color: color.into(), ..drawn.clone() };
+    [scribble_shape(&rim, opacity, tolerance_du), scribble_shape(&drawn, 255, tolerance_du)]
 }
 
 /// Whether a dark rim is seen better around a colour than a light one.

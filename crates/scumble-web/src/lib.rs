@@ -7,6 +7,7 @@
 //! | what the pen draws with | [`brush`] |
 //! | what the page can ask for | [`command`] |
 //! | what the page must know | [`effect`] |
+//! | what is selected, and its frame | `selection` |
 //! | which solver makes the picture | [`solver`] |
 //! | pan, zoom, fit | [`view`] |
 //! | scribbles, ink and desk over the picture | [`layers`] |
@@ -21,6 +22,7 @@ pub mod command;
 pub mod effect;
 pub mod layers;
 pub mod painting;
+mod selection;
 pub mod session;
 pub mod solver;
 pub mod view;

@@ -11,19 +11,24 @@ use scumble_core::{Boundary, Document, Drawing, MapError, Paint, Srgb8, Tracing,
 use scumble_solve::grid::GridProblem;
 use scumble_solve::{Field, Pixmap, View};
 
-use crate::brush::Brush;
+use crate::brush::{Brush, Ink};
 use crate::command::{Command, Setting, Tool};
 use crate::effect::{Effect, State, TracingState};
 use crate::layers::Layers;
 use crate::painting::{Changed, Export, PAPER, Painter, Painting};
+use crate::selection::Selection;
 use crate::solver::{Grids, Solver, SolverState, Source};
 use crate::view::Viewport;
 
+mod arranging;
 mod coloring;
 mod gestures;
 mod ink;
 mod picker;
+mod pointing;
+mod selecting;
 mod sheet;
+mod tools;
 
 use gestures::{Held, Stroke};
 use sheet::Sheet;
@@ -52,6 +57,11 @@ pub struct Session {
     tool: Tool,
     /// What the pen is down as, where it draws no scribble.
     held: Option<Held>,
+    /// Whether it is as broad as a finger.
+    is_finger: bool,
+    selection: Selection,
+    /// Whether the eraser takes parts of scribbles.
+    erases_parts: bool,
     brush: Brush,
     stroke: Stroke,
     lines_shown: bool,
@@ -109,6 +119,9 @@ impl Session {
             layers: Layers::default(),
             tool: Tool::default(),
             held: None,
+            is_finger: false,
+            selection: Selection::default(),
+            erases_parts: false,
             brush: Brush::default(),
             stroke: Stroke::default(),
             lines_shown: true,
@@ -134,7 +147,7 @@ impl Session {
 
     /// The exact bytes of the work: the document, and what was opened with it.
     pub fn work(&self) -> Vec<u8> {
-        exact::write(&self.sheet.kept.edited(self.document().clone()))
+        exact::write(&self.sheet.work())
     }
 
     /// Takes du to CSS pixels of the canvas.
@@ -155,13 +168,20 @@ impl Session {
     pub fn command(&mut self, command: Command) {
         match command {
             Command::Open { work, notes } => self.open(&work, notes),
-            Command::Tool(tool) => self.tool = tool,
-            Command::Color(ink) => self.change_brush(|brush| brush.set_ink(ink)),
-            Command::SwapColors => self.change_brush(Brush::swap_colors),
+            Command::Tool(tool) => self.set_tool(tool),
+            Command::Color(ink) => self.take_ink(ink, false),
+            Command::ColorSought(ink) => self.take_ink(ink, true),
+            Command::SwapColors => self.take_ink(Ink::Paint(self.brush.color_before()), false),
             Command::Mode(change) => self.change_brush(|brush| change.apply(&mut brush.mode)),
-            Command::BrushSize(size_du) => self.brush.set_size(size_du),
-            Command::BrushLarger => self.brush.grow(),
-            Command::BrushSmaller => self.brush.shrink(),
+            Command::BrushSize(size_du) => self.set_size(true, |_| size_du),
+            Command::BrushLarger => self.set_size(false, Brush::wider),
+            Command::BrushSmaller => self.set_size(false, Brush::narrower),
+            Command::Select(selecting) => self.choose(selecting),
+            Command::Arrange(arranging) => self.arrange(arranging),
+            Command::Arrow(direction, is_far) => self.arrow(direction, is_far),
+            Command::Finger(is_finger) => self.is_finger = is_finger,
+            Command::EraseParts(parts) => self.erases_parts = parts,
+            Command::OtherErasing => self.turn_eraser(),
             Command::Undo => self.undo(),
             Command::Redo => self.redo(),
             Command::Set(setting) => self.set(setting),
@@ -296,15 +316,14 @@ impl Session {
         }
     }
 
-    /// Who picks a colour or a kind wants to scribble with it.
-    fn change_brush(&mut self, change: impl FnOnce(&mut Brush)) {
-        self.tool = Tool::Scribble;
-        change(&mut self.brush);
-    }
-
     fn scribbles_changed(&mut self) {
         self.stale.colors();
         self.stale.scribbles = true;
+    }
+
+    fn things_changed(&mut self) {
+        self.scribbles_changed();
+        self.stale.lines |= self.sheet.has_stale_map();
     }
 
     fn px_per_du(&self) -> f64 {
@@ -320,8 +339,10 @@ impl Session {
             view: Some(self.viewport.css_from_du()),
             tool: Some(self.tool),
             mode: Some(self.brush.mode),
-            color: Some(self.brush.ink()),
-            brush_du: Some(self.brush.size_du()),
+            color: Some(self.ink_shown()),
+            brush_du: Some(self.size_shown_du()),
+            selection: Some(self.selection_state()),
+            erase_parts: Some(self.erases_parts),
             lines: Some(self.lines_shown),
             scribbles: Some(self.scribbles_shown),
             result: Some(self.result_shown),

@@ -137,6 +137,11 @@ impl Viewport {
         Affine::translate(origin_px.round()) * Affine::scale(px_per_du)
     }
 
+    /// The canvas in CSS pixels.
+    pub(crate) fn canvas_css(&self) -> Rect {
+        self.size_css().to_rect()
+    }
+
     fn size_css(&self) -> Size {
         Size::new(f64::from(self.width_px), f64::from(self.height_px)) / self.px_per_css
     }

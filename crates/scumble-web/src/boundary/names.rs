@@ -4,19 +4,43 @@ use scumble_core::{Blend, EngineKind, Tone};
 
 use crate::brush::{Ink, Kind, Pressure};
 use crate::command::Tool;
+use crate::effect::Edit;
 use crate::solver::{Solver, Source};
 
 pub(super) fn tool_from_name(name: &str) -> Option<Tool> {
-    [Tool::Scribble, Tool::Erase, Tool::Pick, Tool::Hand].into_iter().find(|tool| tool_name(*tool) == name)
+    [Tool::Scribble, Tool::Erase, Tool::Select, Tool::Pick, Tool::Hand]
+        .into_iter()
+        .find(|tool| tool_name(*tool) == name)
 }
 
 pub(super) fn tool_name(tool: Tool) -> &'static str {
     match tool {
         Tool::Scribble => "scribble",
         Tool::Erase => "erase",
+        Tool::Select => "select",
         Tool::Pick => "pick",
         Tool::Hand => "hand",
     }
+}
+
+pub(super) fn edit_name(edit: Edit) -> &'static str {
+    match edit {
+        Edit::Moved => "moved",
+        Edit::Resized => "resized",
+        Edit::Recolored => "recoloured",
+        Edit::Duplicated => "duplicated",
+        Edit::Forward => "forward",
+        Edit::Backward => "backward",
+        Edit::Foremost => "foremost",
+        Edit::Hindmost => "hindmost",
+        Edit::Deleted => "deleted",
+        Edit::Hidden => "hidden",
+        Edit::Shown => "shown",
+    }
+}
+
+pub(super) fn erasing_name(takes_parts: bool) -> &'static str {
+    if takes_parts { "parts" } else { "whole" }
 }
 
 pub(super) fn kind_from_name(name: &str) -> Option<Kind> {

@@ -47,6 +47,7 @@ impl Session {
     }
 
     fn refresh_boundary(&mut self) {
+        self.refresh_map();
         if take(&mut self.stale.boundary) {
             let Document { scribbles, color_points, settings, .. } = self.sheet.editor.document();
             self.boundary = self.sheet.picture.color(scribbles, color_points, settings);

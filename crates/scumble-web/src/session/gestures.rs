@@ -4,15 +4,17 @@ use kurbo::{Line, Point, Rect};
 use scumble_core::{Paint, Scribble, ScribbleKind};
 
 use super::Session;
+use super::selecting::Grip;
 use crate::brush::{Brush, Ink};
 use crate::command::{Phase, Tool};
 use crate::effect::Effect;
+use crate::layers::drawn_width_du;
 
 /// The eraser reaches this far, in CSS pixels.
 const ERASER_REACH_CSS: f64 = 5.0;
 
 /// A pen that stays this close to where it came down has clicked, not dragged, in CSS pixels.
-const CLICK_CSS: f64 = 4.0;
+pub(super) const CLICK_CSS: f64 = 4.0;
 
 /// What a stroke is drawn with, from its beginning to its end.
 #[derive(Clone, Debug, Default)]
@@ -43,6 +45,7 @@ impl Stroke {
 #[derive(Debug)]
 pub(super) enum Held {
     Eraser(Eraser),
+    Grip(Grip),
     Picker,
     /// A hand on a place in du, which follows the pen.
     Hand(Point),
@@ -55,6 +58,8 @@ pub(super) struct Eraser {
     last: Point,
     /// How many scribbles it has erased.
     erased: usize,
+    /// Whether it has taken parts of others.
+    has_rubbed: bool,
 }
 
 impl Session {
@@ -63,15 +68,16 @@ impl Session {
     /// Samples that lie nowhere are left out. Pressure is within `0..=1`, and 1 for what has none.
     pub fn pointer(&mut self, phase: Phase, samples: &[f32]) {
         let (points, pressures): (Vec<_>, Vec<_>) = self.samples_du(samples).unzip();
-        if phase == Phase::Down {
+        if matches!(phase, Phase::Down | Phase::Add) {
             self.stroke.begin(self.brush);
         }
         self.stroke.press(phase, pressures.into_iter());
         match (phase, self.tool) {
-            (Phase::Down, Tool::Scribble) => self.begin_scribble(&points),
-            (Phase::Down, Tool::Erase) | (Phase::Erase, _) => self.begin_erasing(&points),
-            (Phase::Down, Tool::Pick) | (Phase::Pick, _) => self.held = Some(Held::Picker),
-            (Phase::Down, Tool::Hand) => self.held = points.first().copied().map(Held::Hand),
+            (Phase::Down | Phase::Add, Tool::Scribble) => self.begin_scribble(&points),
+            (Phase::Down | Phase::Add, Tool::Select) => self.begin_selecting(&points, phase == Phase::Add),
+            (Phase::Down | Phase::Add, Tool::Erase) | (Phase::Erase, _) => self.begin_erasing(&points),
+            (Phase::Down | Phase::Add, Tool::Pick) | (Phase::Pick, _) => self.held = Some(Held::Picker),
+            (Phase::Down | Phase::Add, Tool::Hand) => self.held = points.first().copied().map(Held::Hand),
             (Phase::Move, _) => self.carry_on(&points),
             (Phase::Up, _) => self.end(&points),
             (Phase::Cancel, _) => self.drop_gesture(),
@@ -93,6 +99,8 @@ impl Session {
             self.scribbles_changed();
         } else if let Some(Held::Hand(place)) = self.held {
             self.drag(place, points);
+        } else if let Some(Held::Grip(_)) = self.held {
+            self.follow_grip(points);
         } else {
             self.erase_along(points);
         }
@@ -113,17 +121,23 @@ impl Session {
         self.carry_on(points);
         match (self.held.take(), points.last()) {
             (Some(Held::Eraser(eraser)), _) => self.end_erasing(&eraser),
+            (Some(Held::Grip(grip)), _) => self.end_selecting(&grip),
             (Some(Held::Picker), Some(&place)) => self.pick(place),
             _ => {}
         }
     }
 
-    fn drop_gesture(&mut self) {
+    pub(super) fn drop_gesture(&mut self) {
         if self.sheet.editor.is_scribbling() {
-            self.drop_scribble();
-        } else if let Some(Held::Eraser(_)) = self.held.take() {
-            self.sheet.editor.abort();
-            self.scribbles_changed();
+            return self.drop_scribble();
+        }
+        match self.held.take() {
+            Some(Held::Eraser(_)) => {
+                self.sheet.editor.abort();
+                self.scribbles_changed();
+            }
+            Some(Held::Grip(grip)) => self.drop_grip(grip),
+            _ => {}
         }
     }
 
@@ -170,9 +184,10 @@ impl Session {
     fn begin_erasing(&mut self, points: &[Point]) {
         let Some(&last) = points.first() else { return };
         self.sheet.editor.begin();
-        self.held = Some(Held::Eraser(Eraser { last, erased: 0 }));
-        let uppermost = self.touched(Line::new(last, last)).pop();
-        self.erase(uppermost.as_slice());
+        self.held = Some(Held::Eraser(Eraser { last, erased: 0, has_rubbed: false }));
+        let place = Line::new(last, last);
+        let uppermost = self.touched(place).pop();
+        self.erase(uppermost.as_slice(), place);
     }
 
     fn erase_along(&mut self, points: &[Point]) {
@@ -182,30 +197,67 @@ impl Session {
             if (way.p1 - way.p0).hypot() * self.viewport.zoom() >= CLICK_CSS {
                 eraser.last = point;
                 let touched = self.touched(way);
-                self.erase(&touched);
+                self.erase(&touched, way);
             }
         }
     }
 
-    fn end_erasing(&mut self, &Eraser { erased, .. }: &Eraser) {
+    fn end_erasing(&mut self, &Eraser { erased, has_rubbed, .. }: &Eraser) {
         self.sheet.editor.commit();
-        if erased > 0 {
-            self.tell(Effect::ScribblesErased { erased, count: self.document().scribbles.len() });
+        self.forget_missing();
+        let count = self.document().scribbles.len();
+        if has_rubbed {
+            self.tell(Effect::ScribblesRubbed { count });
+        } else if erased > 0 {
+            self.tell(Effect::ScribblesErased { erased, count });
         }
     }
 
     /// The scribbles that the eraser touches on its way, in drawing order.
     fn touched(&self, way: Line) -> Vec<usize> {
-        let reach_du = ERASER_REACH_CSS / self.viewport.zoom();
+        let reach_du = self.eraser_reach_du();
         let scribbles = self.document().scribbles.iter().enumerate();
         scribbles.filter(|(_, scribble)| scribble.is_touched(way, reach_du)).map(|(i, _)| i).collect()
     }
 
-    fn erase(&mut self, indices: &[usize]) {
+    fn eraser_reach_du(&self) -> f64 {
+        ERASER_REACH_CSS / self.viewport.zoom()
+    }
+
+    /// Takes scribbles away, in ascending order, or what is touched of them on a way.
+    fn erase(&mut self, indices: &[usize], way: Line) {
+        if self.erases_parts {
+            return indices.iter().rev().for_each(|i| self.rub(*i, way));
+        }
         let erased = self.sheet.editor.erase_scribbles(indices);
         if let (Some(Held::Eraser(eraser)), 1..) = (&mut self.held, erased) {
             eraser.erased += erased;
             self.scribbles_changed();
+        }
+    }
+
+    /// Takes what is drawn of a scribble within reach of a way; what is left of it stays in its place.
+    fn rub(&mut self, index: usize, way: Line) {
+        let scribble = &self.document().scribbles[index];
+        let reach_du = self.eraser_reach_du() + 0.5 * drawn_width_du(scribble);
+        let (Some(parts), Some(Held::Eraser(eraser))) = (scribble.rubbed(way, reach_du), &mut self.held)
+        else {
+            return;
+        };
+        eraser.has_rubbed |= !parts.is_empty();
+        eraser.erased += usize::from(parts.is_empty());
+        self.put_parts(index, parts);
+        self.scribbles_changed();
+    }
+
+    /// Puts the parts of a scribble in its place, one after the other.
+    fn put_parts(&mut self, index: usize, parts: Vec<Scribble>) {
+        let editor = &mut self.sheet.editor;
+        if parts.is_empty() {
+            editor.erase_scribbles(&[index]);
+        }
+        for (i, part) in (index..).zip(parts) {
+            if i == index { editor.replace_scribble(i, part) } else { editor.insert_scribble(i, part) }
         }
     }
 }

@@ -2,10 +2,11 @@
 
 use std::mem::take;
 
-use scumble_core::Srgb8;
+use kurbo::Stroke;
+use scumble_core::{Curve, Drawing, Line, Rgba8, Srgb8};
 
 use super::Session;
-use crate::layers::Layers;
+use crate::layers::{Layers, MARK, MARK_PX};
 
 impl Session {
     pub(super) fn show_lines(&mut self, shown: bool) {
@@ -29,6 +30,7 @@ impl Session {
             self.layers = Layers::at_scale(px_per_du);
             (self.stale.lines, self.stale.scribbles) = (true, true);
         }
+        self.refresh_map();
         if take(&mut self.stale.lines) {
             self.draw_ink();
         }
@@ -43,6 +45,8 @@ impl Session {
         if self.lines_shown {
             self.layers.add_lines(drawing, self.sheet.picture.map());
         }
+        let selected = self.selected_curves().into_iter().map(|i| &drawing.curves[i]);
+        self.layers.add_lines(&marked(drawing, selected, self.px_per_du()), self.sheet.picture.map());
         self.layers.add_desk(drawing.frame(), self.desk);
         self.changed.ink = true;
         self.stale.view = true;
@@ -50,8 +54,22 @@ impl Session {
 
     fn draw_scribbles(&mut self) {
         let scribbles = if self.scribbles_shown { &*self.sheet.editor.document().scribbles } else { &[] };
-        self.layers.set_scribbles(scribbles);
+        let is_selected = self.sheet.editor.scribble_ids().iter().map(|id| self.selection.has(*id)).collect();
+        self.layers.set_scribbles(scribbles, is_selected);
         self.changed.scribbles = true;
         self.stale.view = true;
     }
+}
+
+/// Lines that mark curves as selected.
+fn marked<'a>(drawing: &Drawing, curves: impl Iterator<Item = &'a Curve>, px_per_du: f64) -> Drawing {
+    let mut marks = Drawing::new(drawing.page);
+    for Curve { path, line } in curves {
+        let least_du = MARK_PX / px_per_du;
+        let width_du = line.as_ref().map_or(0.0, |line| line.stroke.width) + least_du;
+        let [r, g, b] = MARK.0;
+        let mark = Line { stroke: Stroke::new(width_du), color: Rgba8([r, g, b, 255]) };
+        marks.curves.push(Curve { path: path.clone(), line: Some(mark) });
+    }
+    marks
 }

@@ -21,7 +21,7 @@ impl Session {
     pub(super) fn pick(&mut self, place: Point) {
         if self.document().drawing.frame().contains(place) {
             let color = self.color_shown(place);
-            self.change_brush(|brush| brush.set_ink(Ink::Paint(color)));
+            self.take_ink(Ink::Paint(color), false);
             self.tell(Effect::Picked(color));
         }
     }

@@ -2,11 +2,16 @@
 
 use std::mem::replace;
 
+use scumble_core::work::Item;
 use scumble_core::{Document, Drawing, Editor, MapError, Work, exact};
 use scumble_solve::Picture;
 
 use super::{Session, Stale};
 use crate::effect::{Effect, SheetState};
+use crate::selection::Selection;
+
+/// Lines of more pieces than this are followed only when they have come to rest.
+const LIVE_PIECES: usize = 4000;
 
 /// Drawings that undo can come back to.
 const SHELF_SIZE: usize = 8;
@@ -19,9 +24,11 @@ pub(super) struct Sheet {
     /// Its place among all that were opened.
     number: u32,
     /// What belongs to it without being edited here; it has no lines.
-    pub(super) kept: Work,
+    kept: Work,
     pub(super) editor: Editor,
     pub(super) picture: Picture,
+    /// The revision of the lines that the picture is made for.
+    mapped: u32,
 }
 
 impl Sheet {
@@ -30,7 +37,24 @@ impl Sheet {
         let blank = Drawing::new(work.document.drawing.page);
         let drawing = replace(&mut work.document.drawing, blank);
         let editor = Editor::new(Document { drawing, ..work.document.clone() });
-        Ok(Self { number, kept: work, editor, picture })
+        Ok(Self { number, kept: work, editor, picture, mapped: 0 })
+    }
+
+    /// The work as it is. With other lines, what belongs to those that were opened is left out: their name, and what a
+    /// newer version wrote for each.
+    pub(super) fn work(&self) -> Work {
+        let mut work = self.kept.edited(self.editor.document().clone());
+        if self.editor.has_other_lines() {
+            work.sample = None;
+            work.unknown.forget(Item::Curve);
+            work.unknown.forget(Item::ColorPoint);
+        }
+        work
+    }
+
+    /// Whether there are other lines than the picture is made for.
+    pub(super) fn has_stale_map(&self) -> bool {
+        self.mapped != self.editor.lines_revision()
     }
 
     pub(super) fn state(&self) -> SheetState {
@@ -70,15 +94,37 @@ impl Session {
 
     fn show(&mut self, sheet: Sheet) -> Sheet {
         self.held = None;
+        self.select(Selection::default());
         self.viewport.show_page(sheet.editor.document().drawing.frame());
         self.stale = Stale::ALL;
         replace(&mut self.sheet, sheet)
     }
 
+    /// Makes the picture anew where the lines are other ones. What makes too much of them is taken back.
+    pub(super) fn refresh_map(&mut self) {
+        let Sheet { editor, picture, mapped, .. } = &mut self.sheet;
+        let is_slow = editor.is_changing() && picture.map().pieces().len() > LIVE_PIECES;
+        if *mapped == editor.lines_revision() || is_slow {
+            return;
+        }
+        *mapped = editor.lines_revision();
+        match Picture::new(&editor.document().drawing) {
+            Ok(of_these) => *picture = of_these,
+            Err(error) => {
+                editor.undo();
+                self.held = None;
+                self.tell(Effect::Failed(error.to_string()));
+            }
+        }
+        self.scribbles_changed();
+        self.stale.lines = true;
+    }
+
     pub(super) fn undo(&mut self) {
         self.held = None;
         if self.sheet.editor.undo() {
-            self.scribbles_changed();
+            self.things_changed();
+            self.forget_missing();
         } else if let Some(sheet) = self.shelf.pop() {
             let over = self.show(sheet);
             self.close(&over);
@@ -89,9 +135,11 @@ impl Session {
     }
 
     pub(super) fn redo(&mut self) {
+        self.settle();
         if self.sheet.editor.redo() {
             self.tell(Effect::Redone);
-            self.scribbles_changed();
+            self.things_changed();
+            self.forget_missing();
         }
     }
 }

@@ -1,0 +1,280 @@
+//! What the pen does with the tool that selects: a click chooses, a drag moves what is chosen, resizes it by a handle of
+//! its frame, or chooses all that lies in a rectangle.
+
+use kurbo::{Affine, Point, Rect, Shape};
+use scumble_core::{Curve, Document};
+
+use super::Session;
+use super::gestures::{CLICK_CSS, Held};
+use super::pointing::{Hold, is_line, is_touched};
+use crate::command::{Selecting, Tool};
+use crate::effect::{Edit, Effect, SelectionState};
+use crate::layers::drawn_width_du;
+use crate::selection::{HANDLES, Handle, Selection, way_to_page};
+
+/// The frame keeps this distance from what it is around, in CSS pixels.
+const RIM_CSS: f64 = 4.0;
+
+/// A frame has handles if its longer side is so long, in CSS pixels, and those of a side if that is.
+const LEAST_FRAME_CSS: f64 = 24.0;
+const LEAST_SIDE_CSS: f64 = 64.0;
+
+/// What is chosen by a key is brought so far into sight, in CSS pixels.
+const MARGIN_CSS: f64 = 48.0;
+
+/// What the pen has hold of.
+#[derive(Debug)]
+pub(super) struct Grip {
+    hold: Hold,
+    /// Where it came down and where it is, in du.
+    from: Point,
+    to: Point,
+    is_dragged: bool,
+    /// Whether it adds to what was selected.
+    adds: bool,
+    before: Selection,
+}
+
+impl Session {
+    pub(super) fn begin_selecting(&mut self, points: &[Point], adds: bool) {
+        let Some(&from) = points.first() else { return };
+        self.sheet.editor.commit();
+        self.refresh_map();
+        let before = self.selection.clone();
+        let hold = self.hold_at(from, adds);
+        if let Hold::Thing(id) = hold {
+            if adds {
+                self.select(before.toggled(id));
+            } else if !before.has(id) && self.sheet.editor.scribble_ids().contains(&id) {
+                self.select(Selection::of(vec![id]));
+            }
+        }
+        self.held = Some(Held::Grip(Grip { hold, from, to: from, is_dragged: false, adds, before }));
+    }
+
+    pub(super) fn follow_grip(&mut self, points: &[Point]) {
+        let (zoom, Some(&to)) = (self.viewport.zoom(), points.last()) else { return };
+        let Some(Held::Grip(grip)) = &mut self.held else { return };
+        let begins = !grip.is_dragged && (to - grip.from).hypot() * zoom >= CLICK_CSS;
+        grip.is_dragged |= begins;
+        grip.to = to;
+        if grip.is_dragged {
+            let (hold, way) = (grip.hold, to - grip.from);
+            match hold {
+                Hold::Handle(handle) => self.place(begins, |frame| handle.resize(frame, way)),
+                Hold::Frame => self.place(begins, |_| Affine::translate(way)),
+                Hold::Thing(id) if self.selection.has(id) => self.place(begins, |_| Affine::translate(way)),
+                _ => self.select_in_marquee(),
+            }
+        }
+    }
+
+    /// Puts what is selected to a place that depends on the frame around its middle lines, as the gesture found it.
+    fn place(&mut self, begins: bool, place: impl Fn(Rect) -> Affine) {
+        if begins {
+            self.sheet.editor.begin();
+        } else if !self.sheet.editor.is_changing() {
+            // A command has ended it.
+            self.held = None;
+            return;
+        }
+        self.sheet.editor.restart();
+        if let Some(frame) = self.selected_bounds() {
+            self.transform_selected(place(frame));
+        }
+    }
+
+    pub(super) fn end_selecting(&mut self, grip: &Grip) {
+        if self.sheet.editor.is_changing() {
+            let is_handle = matches!(grip.hold, Hold::Handle(_));
+            return self.end_placing(if is_handle { Edit::Resized } else { Edit::Moved });
+        }
+        match grip.hold {
+            _ if self.is_marquee(grip) => self.select_lines_in_marquee(grip),
+            _ if grip.is_dragged => {}
+            Hold::Thing(id) if !grip.adds => self.select(Selection::of(vec![id])),
+            Hold::Frame | Hold::Page if !grip.adds => self.select(Selection::default()),
+            _ => {}
+        }
+        if self.selection != grip.before {
+            self.tell_selected();
+        }
+    }
+
+    /// Leaves everything as it was before the pen came down.
+    pub(super) fn drop_grip(&mut self, grip: Grip) {
+        self.sheet.editor.abort();
+        self.select(grip.before);
+        self.things_changed();
+    }
+
+    pub(super) fn choose(&mut self, selecting: Selecting) {
+        self.sheet.editor.commit();
+        let editor = &self.sheet.editor;
+        let selection = match selecting {
+            Selecting::None => Selection::default(),
+            Selecting::All => Selection::of(editor.scribble_ids().to_vec()),
+            Selecting::Next => Selection::of(self.neighbour(1)),
+            Selecting::Previous => Selection::of(self.neighbour(-1)),
+        };
+        if selecting != Selecting::None {
+            self.set_tool(Tool::Select);
+            self.show_scribbles(true);
+        }
+        let was_empty = self.selection.is_empty() && selection.is_empty();
+        self.select(selection);
+        if matches!(selecting, Selecting::Next | Selecting::Previous) {
+            self.reveal();
+        }
+        if !was_empty || selecting != Selecting::None {
+            self.tell_selected();
+        }
+    }
+
+    /// What comes next, one way or the other: scribbles from the uppermost down, then lines likewise.
+    fn neighbour(&self, step: isize) -> Vec<u32> {
+        let (editor, Document { drawing, .. }) = (&self.sheet.editor, self.document());
+        let [scribbles, curves] = [editor.scribble_ids(), editor.curve_ids()];
+        let all: Vec<u32> = scribbles.iter().rev().chain(curves.iter().rev()).copied().collect();
+        let count = all.len() as isize;
+        let now = all.iter().position(|id| self.selection.has(*id)).map(|now| now as isize);
+        let before = now.unwrap_or(if step > 0 { -1 } else { 0 });
+        let places = (1..=count).map(|i| (before + i * step).rem_euclid(count) as usize);
+        let is_one = |place: &usize| {
+            let from_end = all.len() - 1 - *place;
+            *place < scribbles.len() || is_line(&drawing.curves[from_end], &drawing.fills)
+        };
+        let mut found = places.filter(is_one);
+        found.next().map(|place| all[place]).into_iter().collect()
+    }
+
+    /// Moves the view so that the middle of what is selected is in sight.
+    fn reveal(&mut self) {
+        let canvas = self.viewport.canvas_css();
+        let margin_css = MARGIN_CSS.min(0.25 * canvas.size().min_side());
+        if let Some(frame) = self.selection_state().frame_css {
+            let middle = Rect::from_points(frame.center(), frame.center());
+            self.viewport.pan(way_to_page(middle, canvas.inflate(-margin_css, -margin_css)));
+            self.stale.view = true;
+        }
+    }
+
+    pub(super) fn select(&mut self, selection: Selection) {
+        if selection != self.selection {
+            self.selection = selection;
+            (self.stale.scribbles, self.stale.lines) = (true, true);
+        }
+    }
+
+    /// What is no longer there is not selected.
+    pub(super) fn forget_missing(&mut self) {
+        let editor = &self.sheet.editor;
+        let ids = editor.scribble_ids().iter().chain(editor.curve_ids());
+        let known = ids.copied().filter(|id| self.selection.has(*id)).collect();
+        self.select(Selection::of(known));
+    }
+
+    fn tell_selected(&mut self) {
+        let [scribbles, curves] = [self.selected_scribbles(), self.selected_curves()];
+        let total = self.document().scribbles.len();
+        let place = scribbles.first().map_or(0, |index| index + 1);
+        self.tell(Effect::Selected { scribbles: scribbles.len(), lines: curves.len(), place, total });
+    }
+
+    pub(super) fn selected_scribbles(&self) -> Vec<usize> {
+        self.selection.places_in(self.sheet.editor.scribble_ids())
+    }
+
+    pub(super) fn selected_curves(&self) -> Vec<usize> {
+        self.selection.places_in(self.sheet.editor.curve_ids())
+    }
+
+    /// The bounds of the middle lines of what is selected, in du.
+    pub(super) fn selected_bounds(&self) -> Option<Rect> {
+        let Document { drawing, scribbles, .. } = self.document();
+        let points = self.selected_scribbles().into_iter().flat_map(|i| &scribbles[i].points);
+        let dabs = points.map(|p| Rect::from_points(*p, *p));
+        let boxes = self.selected_curves().into_iter().map(|i| drawing.curves[i].path.bounding_box());
+        dabs.chain(boxes).reduce(|a, b| a.union(b))
+    }
+
+    /// The frame around what is selected as it is drawn, in du.
+    pub(super) fn frame_du(&self) -> Option<Rect> {
+        let Document { drawing, scribbles, .. } = self.document();
+        let scribbles = self.selected_scribbles().into_iter().map(|i| drawn_width_du(&scribbles[i]));
+        let lines = self.selected_curves().into_iter().filter_map(|i| drawing.curves[i].line.as_ref());
+        let widest_du = scribbles.chain(lines.map(|line| line.stroke.width)).fold(0.0, f64::max);
+        let rim_du = 0.5 * widest_du + RIM_CSS / self.viewport.zoom();
+        self.selected_bounds().map(|bounds| bounds.inflate(rim_du, rim_du))
+    }
+
+    pub(super) fn selection_state(&self) -> SelectionState {
+        let [scribbles, curves] = [self.selected_scribbles(), self.selected_curves()];
+        let css = |rect: Rect| self.viewport.css_from_du().transform_rect_bbox(rect);
+        let drawing = &self.document().drawing;
+        let is_hidden = |i: &usize| drawing.curves[*i].line.as_ref().is_some_and(|line| line.color.0[3] == 0);
+        SelectionState {
+            scribbles: scribbles.len(),
+            lines: curves.len(),
+            are_hidden: !curves.is_empty() && curves.iter().all(is_hidden),
+            frame_css: self.frame_du().map(css),
+            handles: self.handles().len(),
+            marquee_css: self.marquee().map(css),
+        }
+    }
+
+    /// The handles that the frame has: those of corners, then those of sides.
+    pub(super) fn handles(&self) -> &'static [Handle] {
+        let is_stretchy = self.selected_bounds().is_some_and(|bounds| bounds.width() + bounds.height() > 0.0);
+        let are_lines = self.selected_scribbles().is_empty();
+        let size_css = self.frame_du().unwrap_or_default().size() * self.viewport.zoom();
+        if !is_stretchy || are_lines || size_css.max_side() < LEAST_FRAME_CSS {
+            &HANDLES[..0]
+        } else if size_css.min_side() < LEAST_SIDE_CSS {
+            &HANDLES[..4]
+        } else {
+            &HANDLES
+        }
+    }
+
+    /// The rectangle that is being drawn to select what lies in it, in du.
+    fn marquee(&self) -> Option<Rect> {
+        let Some(Held::Grip(grip)) = &self.held else { return None };
+        self.is_marquee(grip).then(|| Rect::from_points(grip.from, grip.to))
+    }
+
+    /// Whether it is a drag that began on nothing, or on a line that was not selected.
+    fn is_marquee(&self, grip: &Grip) -> bool {
+        let is_free = match grip.hold {
+            Hold::Page => true,
+            Hold::Thing(id) => !grip.before.has(id) && !self.sheet.editor.scribble_ids().contains(&id),
+            Hold::Handle(_) | Hold::Frame => false,
+        };
+        is_free && grip.is_dragged
+    }
+
+    fn select_in_marquee(&mut self) {
+        let (Some(marquee), Some(Held::Grip(grip))) = (self.marquee(), &self.held) else { return };
+        let scribbles = self.document().scribbles.iter().zip(self.sheet.editor.scribble_ids());
+        let touched = scribbles.filter(|(scribble, _)| self.scribbles_shown && is_touched(scribble, marquee));
+        let touched: Vec<u32> = touched.map(|(_, id)| *id).collect();
+        let kept = if grip.adds { grip.before.clone() } else { Selection::default() };
+        self.select(kept.with(touched));
+    }
+
+    /// Where there is no scribble in the rectangle, lines are meant that lie in it wholly.
+    fn select_lines_in_marquee(&mut self, grip: &Grip) {
+        if !self.selected_scribbles().is_empty() || !self.lines_shown {
+            return;
+        }
+        let marquee = Rect::from_points(grip.from, grip.to);
+        let drawing = &self.document().drawing;
+        let is_in = |curve: &Curve| {
+            let bounds = curve.path.bounding_box();
+            marquee.union(bounds) == marquee && is_line(curve, &drawing.fills)
+        };
+        let curves = drawing.curves.iter().zip(self.sheet.editor.curve_ids());
+        let within: Vec<u32> = curves.filter(|(curve, _)| is_in(curve)).map(|(_, id)| *id).collect();
+        self.select(self.selection.with(within));
+    }
+}

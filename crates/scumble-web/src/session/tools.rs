@@ -1,0 +1,68 @@
+//! Which tool is at hand, and what it works with; what is set for it goes to what is selected, if that is what it is for.
+
+use super::Session;
+use super::gestures::Held;
+use crate::brush::{Brush, Ink};
+use crate::command::Tool;
+use crate::effect::{Edit, Effect};
+use crate::selection::Selection;
+
+impl Session {
+    /// What the pen does from here on. What is selected stays so for those who only look around or pick a colour for it.
+    pub(super) fn set_tool(&mut self, tool: Tool) {
+        if let Some(Held::Grip(_)) = self.held {
+            self.drop_gesture();
+        }
+        if matches!(tool, Tool::Scribble | Tool::Erase) {
+            self.select(Selection::default());
+        }
+        self.tool = tool;
+    }
+
+    pub(super) fn turn_eraser(&mut self) {
+        self.set_tool(Tool::Erase);
+        self.erases_parts = !self.erases_parts;
+        self.tell(Effect::EraserTurned { parts: self.erases_parts });
+    }
+
+    /// Who picks a colour or a kind wants to scribble with it.
+    pub(super) fn change_brush(&mut self, change: impl FnOnce(&mut Brush)) {
+        self.set_tool(Tool::Scribble);
+        change(&mut self.brush);
+    }
+
+    /// … unless there are scribbles selected, which it is for.
+    pub(super) fn take_ink(&mut self, ink: Ink, is_sought: bool) {
+        if self.selected_scribbles().is_empty() {
+            return self.change_brush(|brush| brush.set_ink(ink));
+        }
+        if let Ink::Paint(_) = ink {
+            self.brush.set_ink(ink);
+        }
+        self.set_tool(Tool::Select);
+        self.change_selected(is_sought, |session| session.recolor_selected(ink));
+        self.tell_edited(Edit::Recolored);
+    }
+
+    /// Another size, which depends on the one that there is.
+    pub(super) fn set_size(&mut self, is_slid: bool, size_du: impl Fn(f64) -> f64) {
+        if self.selected_scribbles().is_empty() {
+            self.brush.set_size(size_du(self.brush.size_du()));
+        } else {
+            self.change_selected(is_slid, |session| session.resize_selected(size_du));
+        }
+    }
+
+    /// A change of what is selected, which is a gesture of its own unless a slider makes it.
+    fn change_selected(&mut self, is_slid: bool, change: impl FnOnce(&mut Self)) {
+        if is_slid {
+            self.slide();
+        } else {
+            self.sheet.editor.begin();
+        }
+        change(self);
+        if !is_slid {
+            self.sheet.editor.commit();
+        }
+    }
+}

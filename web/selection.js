@@ -1,0 +1,50 @@
+// What is selected, over the canvas: its frame with handles, the rectangle that selects, and the bar of what can be done.
+
+import { name, say } from "./messages.js";
+
+const element = (/** @type {string} */ id) => /** @type {HTMLElement} */ (document.getElementById(id));
+const [frame, marquee, bar, count] = ["frame", "marquee", "selected", "selected-count"].map(element);
+const button = (/** @type {string} */ action) =>
+  /** @type {HTMLElement} */ (bar.querySelector(`[data-action="${action}"]`));
+
+/** A rectangle: left, top, width and height in CSS pixels of the canvas. @typedef {Float64Array | undefined} Box */
+
+/**
+ * @typedef {object} Selection
+ * @property {number} scribbles how many are selected
+ * @property {number} lines likewise
+ * @property {boolean} hidden whether these lines are
+ * @property {Box} frame around it
+ * @property {number} handles of the frame: corners, then sides
+ * @property {Box} marquee in which things are being selected
+ */
+
+/** @param {Selection} state */
+export function showSelection(state) {
+  const { scribbles, lines, hidden, handles } = state;
+  lay(frame, state.frame);
+  frame.dataset.handles = String(handles);
+  lay(marquee, state.marquee);
+  for (const action of ["backward", "forward", "duplicate"]) button(action).hidden = scribbles === 0;
+  button("hide").hidden = lines === 0;
+  name(button("hide"), say(hidden ? "unhide" : "hide"));
+  count.textContent = say("things", { scribbles, lines });
+  showBar(scribbles + lines > 0);
+}
+
+/**
+ * @param {HTMLElement} element
+ * @param {Box} box
+ */
+function lay(element, box) {
+  element.hidden = !box;
+  if (!box) return;
+  const [x, y, width, height] = box;
+  Object.assign(element.style, { transform: `translate(${x}px, ${y}px)`, width: `${width}px`, height: `${height}px` });
+}
+
+/** A bar that goes leaves the focus to the canvas. @param {boolean} isShown */
+function showBar(isShown) {
+  if (!isShown && bar.contains(document.activeElement)) element("canvas").focus();
+  bar.hidden = !isShown;
+}
