@@ -11,6 +11,7 @@ use crate::color::{Blend, Paint, Rgba8, Srgb8};
 use crate::color_points::ColorPoint;
 use crate::drawing::{Curve, Drawing, Fill, Line};
 use crate::edit::Document;
+use crate::palette::Swatch;
 use crate::scribble::{Scribble, ScribbleKind};
 use crate::settings::{EngineKind, Settings};
 use crate::tracing::Tracing;
@@ -20,8 +21,8 @@ use tape::Tape;
 mod tape;
 
 /// The first byte. A storage may hold what an older version wrote, which is to be read as long as there are browsers
-/// that have it. Version 1 has no picture under the lines.
-const VERSION: u8 = 2;
+/// that have it. Version 1 has no picture under the lines, version 2 no names of swatches.
+const VERSION: u8 = 3;
 
 /// The bytes of some work.
 pub fn write(work: &Work) -> Vec<u8> {
@@ -46,11 +47,14 @@ fn walk(tape: &mut Tape, work: &mut Work) {
     lines(tape, drawing);
     self::settings(tape, settings);
     tape.list(scribbles, &BLANK_SCRIBBLE, &mut scribble);
-    tape.list(palette, &Paint::Clear, &mut paint);
+    tape.list(palette, &Paint::Clear.into(), &mut |tape, swatch: &mut Swatch| paint(tape, &mut swatch.color));
     tape.list(color_points, &BLANK_COLOR_POINT, &mut color_point);
     unknown(tape, &mut work.unknown);
     if version > 1 {
         self::tracing(tape, tracing);
+    }
+    if version > 2 {
+        palette.iter_mut().for_each(|swatch| tape.text(&mut swatch.name));
     }
     tape.check(!are_too_long(&work.document.scribbles));
 }
