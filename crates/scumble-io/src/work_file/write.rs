@@ -7,7 +7,8 @@ use scumble_core::{
 };
 
 use super::names::{BLENDS, CAPS, ENGINES, JOINS, KINDS, RULES, SIDES, name, plain_stroke};
-use super::{PAGE_PER_UNIT, PER_UNIT, TRACING_MINOR, VERSION};
+use super::swatch_names::{are_named, push_names};
+use super::{NAMES_MINOR, PAGE_PER_UNIT, PER_UNIT, TRACING_MINOR, VERSION};
 use crate::base64;
 use crate::json::{push_number, push_string};
 
@@ -15,7 +16,10 @@ use crate::json::{push_number, push_string};
 pub(super) fn written(work: &Work, image: &[u8]) -> String {
     let mut text = String::from("{\n\"format\": \"scumble\",\n\"version\": \"");
     let tracing = work.document.tracing.filter(|_| !image.is_empty());
-    let minor = work.unknown.minor.max(if tracing.is_some() { TRACING_MINOR } else { 0 });
+    let is_named = are_named(&work.document.palette);
+    let needed = [(is_named, NAMES_MINOR), (tracing.is_some(), TRACING_MINOR)];
+    let needed = needed.iter().find(|(is_so, _)| *is_so).map_or(0, |(_, minor)| *minor);
+    let minor = work.unknown.minor.max(needed);
     text.extend([&VERSION[0].to_string(), ".", &minor.to_string(), "\""]);
     let Document { drawing, settings, .. } = &work.document;
     if let Some(name) = &work.sample {
@@ -32,8 +36,12 @@ pub(super) fn written(work: &Work, image: &[u8]) -> String {
     push_settings(&mut text, settings, work.unknown.of(Item::Settings, 0));
     push_lists(&mut text, work);
     push_unknown(&mut text, ",\n", work.unknown.of(Item::Work, 0));
+    // Last, as the last field of a name counts: a page of an older version may have kept others as unknown.
+    if is_named {
+        text.push_str(",\n");
+        push_names(&mut text, &work.document.palette);
+    }
     if let Some(tracing) = tracing {
-        // Last, as the last field of a name counts: a page of version 1.0 may have kept another picture as unknown.
         push_tracing(&mut text, tracing, image);
     }
     text.push_str("\n}\n");
@@ -57,7 +65,7 @@ fn push_unknown(text: &mut String, comma: &str, unknown: &str) {
 
 fn push_lists(text: &mut String, work: &Work) {
     let Document { drawing, scribbles, color_points, palette, .. } = &work.document;
-    push_list(text, "palette", palette.len(), &mut |text, i| push_paint(text, palette[i]));
+    push_list(text, "palette", palette.len(), &mut |text, i| push_paint(text, palette[i].color));
     push_list(text, "curves", drawing.curves.len(), &mut |text, i| {
         push_curve(text, &drawing.curves[i]);
         push_unknown(text, ", ", work.unknown.of(Item::Curve, i));
