@@ -27,6 +27,12 @@ const STATES = {
       size.dispatchEvent(new Event("input", { bubbles: true }));
     }`);
   },
+  "the picker": (editor) => shown(editor, "Colour"),
+  "the picker, HSV": async (editor) => {
+    await shown(editor, "Colour");
+    await editor.tab.click("radio", "HSV");
+  },
+  "the palette": (editor) => shown(editor, "Edit palette"),
   share: (editor) => opened(editor, "Share", "share"),
   help: (editor) => opened(editor, "Help", "help"),
   "a warning": (editor) =>
@@ -43,6 +49,12 @@ const NARROW = {
 async function opened(editor, button, dialog) {
   await editor.click(button);
   await editor.tab.waitFor(`document.getElementById("${dialog}").open`);
+}
+
+/** @param {Editor} editor @param {string} button of a panel of colours */
+async function shown(editor, button) {
+  await editor.tab.click("button", button);
+  await editor.tab.waitFor(`document.querySelector(".colors:popover-open") !== null`);
 }
 
 /** @param {Editor} editor @returns {Promise<string[]>} what is serious or critical, and where */

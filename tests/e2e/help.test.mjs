@@ -90,11 +90,10 @@ for (const browser of /** @type {const} */ (["chromium", "firefox"])) {
       const tool = action === "Erase" ? "hand" : action === "Drop the stroke" ? "scribble" : "erase";
       await editor.tab.evaluate(`
         for (const selector of ['[data-action="fit"]', '[data-action="zoom-in"]']) document.querySelector(selector).click();
-        for (const [id, value] of [["picker", "#123456"], ["brush-size", "40"]]) {
-          const control = document.getElementById(id);
-          control.value = value;
-          control.dispatchEvent(new Event("input"));
-        }
+        document.querySelector('[data-color="none"]').click();
+        const size = document.getElementById("brush-size");
+        size.value = "40";
+        size.dispatchEvent(new Event("input"));
         document.querySelector('[value="${tool}"]').click();
         document.getElementById("canvas").focus();
         document.getElementById("status").textContent = "";`);

@@ -31,6 +31,7 @@ pub(crate) fn command_from_js(name: &str, args: &JsValue) -> Option<Command> {
         },
         "tool" => Command::Tool(tool_from_name(&args.as_string()?)?),
         "color" => Command::Color(ink_from_name(&args.as_string()?)?),
+        "tune-color" => Command::TuneColor(paint(args)?),
         "swap-colors" => Command::SwapColors,
         "kind" => Command::Mode(ModeChange::Kind(kind_from_name(&args.as_string()?)?)),
         "other-kind" => Command::Mode(ModeChange::OtherKind),

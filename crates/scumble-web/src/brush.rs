@@ -138,6 +138,12 @@ impl Brush {
         }
     }
 
+    /// The colour before stays the one that it is.
+    pub(crate) fn tune_color(&mut self, color: Paint) {
+        self.tone = None;
+        self.color = color;
+    }
+
     /// Back to the colour before.
     pub(crate) fn swap_colors(&mut self) {
         let before = if matches!(self.ink(), Ink::Tone(_)) { self.color } else { self.previous_color };

@@ -96,6 +96,8 @@ pub enum Command {
     Tool(Tool),
     /// The colour of the next scribbles, or none, or a step from what they are drawn on.
     Color(Ink),
+    /// Another colour in the place of the one that was picked last, as on the way to one that is liked.
+    TuneColor(Paint),
     /// Back to the colour before.
     SwapColors,
     /// How the next scribbles colour.

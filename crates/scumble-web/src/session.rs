@@ -157,6 +157,7 @@ impl Session {
             Command::Open { work, notes } => self.open(&work, notes),
             Command::Tool(tool) => self.tool = tool,
             Command::Color(ink) => self.change_brush(|brush| brush.set_ink(ink)),
+            Command::TuneColor(color) => self.change_brush(|brush| brush.tune_color(color)),
             Command::SwapColors => self.change_brush(Brush::swap_colors),
             Command::Mode(change) => self.change_brush(|brush| change.apply(&mut brush.mode)),
             Command::BrushSize(size_du) => self.brush.set_size(size_du),
