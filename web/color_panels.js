@@ -12,6 +12,7 @@ export class Panels {
   #palette;
   /** What the picker has given and nobody has scribbled with takes the place of itself, so that X goes back to the one before. */
   #given = "";
+  #add;
   #pickerPanel;
   #palettePanel;
 
@@ -20,9 +21,9 @@ export class Panels {
     this.#shell = shell;
     this.#picker = new Picker(shell, (color) => this.#give(color), () => undefined);
     this.#palette = new PaletteEditor(shell);
-    const line = make("div", { className: "line" }, button(shell.say("add-swatch"), () => this.#palette.add()));
+    this.#add = button(shell.say("add-swatch"), () => this.#palette.add());
     this.#pickerPanel = panel("color-panel", "color", shell.say("colour"), shell.say("close"), () => this.#begin());
-    this.#pickerPanel.append(this.#picker.element, line);
+    this.#pickerPanel.append(this.#picker.element, make("div", { className: "line" }, this.#add));
     this.#palettePanel = panel("palette-panel", "edit-palette", shell.say("palette"), shell.say("close"), () => this.#palette.begin());
     this.#palettePanel.append(this.#palette.element);
   }
@@ -34,7 +35,7 @@ export class Panels {
   }
 
   follow() {
-    this.#picker.show(this.#shell.color());
+    this.#showColor();
     this.#palette.follow();
   }
 
@@ -45,6 +46,14 @@ export class Panels {
   #begin() {
     this.#given = "";
     this.#picker.begin(this.#shell.color());
+    this.#showColor();
+  }
+
+  /** A tone, or none, is no colour for a swatch. */
+  #showColor() {
+    const color = this.#shell.color();
+    this.#picker.show(color);
+    this.#add.disabled = !color.startsWith("#");
   }
 
   /** @param {string} color */

@@ -226,7 +226,7 @@ const english = {
     "a drawing that the browser kept is damaged or from a newer Scumble; it stays among the recent drawings",
   "error-gone": "the drawing is no longer there",
   "error-storage": "the browser does not give out the drawings that it keeps; check whether the page may store data",
-  "error-panel": "the panel could not be loaded; check the connection and try again",
+  "error-panel": "the panel could not be loaded; check the connection and load the page again",
   "error-samples": "the samples could not be loaded; check the connection and load the page again",
   "error-start": "Scumble could not start in this browser; a current Chrome, Edge, Firefox or Safari will do.",
   "error-stopped": "Scumble has run into a fault and stopped. Load the page again to go on.",

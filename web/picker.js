@@ -84,8 +84,6 @@ export class Picker {
     this.#before.addEventListener("click", () => this.#pick(this.#before.dataset.color ?? ""));
     this.element = make("div", { className: "picker" }, this.#head(), this.#models(), this.#dials);
     this.element.append(this.#strip("shades", this.#shades), this.#strip("harmonies", this.#harmonies));
-    this.element.addEventListener("keydown", () => (this.#isHeld = true));
-    this.element.addEventListener("keyup", () => this.#release());
     this.#build();
   }
 
@@ -156,8 +154,9 @@ export class Picker {
   #dial({ key, most, scale }, i) {
     const slider = make("input", { type: "range", min: "0", max: String(most), step: "1" });
     slider.addEventListener("input", () => this.#turn(i, slider.valueAsNumber * scale));
-    for (const kind of ["change", "pointerup"]) slider.addEventListener(kind, () => this.#isHeld || this.#settle());
-    slider.addEventListener("blur", () => this.#release());
+    slider.addEventListener("keydown", ({ key }) => (this.#isHeld = key !== "Tab"));
+    slider.addEventListener("change", () => this.#isHeld || this.#settle());
+    for (const kind of ["keyup", "pointerup", "blur"]) slider.addEventListener(kind, () => this.#release());
     this.#sliders.push(slider);
     slider.id = `dial-${key}-${this.#number}`;
     return make("div", { className: "dial" }, make("label", { htmlFor: slider.id }, this.#shell.say(key)), slider, make("output", {}));

@@ -319,6 +319,21 @@ fn the_brush_stays_within_its_bounds_and_colours_swap() {
 }
 
 #[test]
+fn a_colour_that_is_tuned_leaves_the_one_before_as_it_is() {
+    let mut page = Page::open(SQUARE);
+    page.session.command(Command::Color(RED.into()));
+    page.session.command(Command::Color(Srgb8([9; 3]).into()));
+    page.session.command(Command::Tool(Tool::Erase));
+    for color in [Srgb8([10; 3]), BLUE] {
+        page.session.command(Command::TuneColor(color.into()));
+    }
+    let effects = page.session.take_effects();
+    assert!(effects.contains(&Effect::Color(BLUE.into())), "{effects:?}");
+    page.session.command(Command::SwapColors);
+    assert_eq!(page.session.take_effects(), [Effect::Color(RED.into())]);
+}
+
+#[test]
 fn edges_are_sharp_at_800_percent() {
     let mut page = Page::open(SQUARE);
     page.stroke(RED, &ACROSS);
