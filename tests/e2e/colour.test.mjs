@@ -346,6 +346,16 @@ for (const browser of /** @type {const} */ (["chromium", "firefox"])) {
       assert.deepEqual(editor.tab.faults, []);
     });
 
+    test("a colour is taken from the screen where the browser has that", async () => {
+      const tab = await session.newTab();
+      await tab.prepare(`window.EyeDropper = class { open() { return Promise.resolve({ sRGBHex: "#123456" }); } }`);
+      const editor = await session.reopen(tab);
+      await openPanel(editor, "Colour");
+      await tab.click("button", "Pick from the screen");
+      await tab.waitFor(`document.getElementById("color").dataset.color === "#123456"`);
+      assert.deepEqual(tab.faults, []);
+    });
+
     if (browser === "chromium") {
       test("a palette goes out as a file and comes back with its names", async () => {
         const editor = await open();
