@@ -90,7 +90,7 @@ for (const browser of /** @type {const} */ (["chromium", "firefox"])) {
       const tool = action === "Erase" ? "hand" : action === "Drop the stroke" ? "scribble" : "erase";
       await editor.tab.evaluate(`
         for (const selector of ['[data-action="fit"]', '[data-action="zoom-in"]']) document.querySelector(selector).click();
-        document.querySelector('[data-color="#f3c9a5"]').click();
+        document.querySelector('#palette [data-color="#f3c9a5"]').click();
         document.getElementById("brush-size").value = "40";
         document.getElementById("brush-size").dispatchEvent(new Event("input"));
         document.querySelector('[value="${tool}"]').click();
