@@ -160,7 +160,7 @@ fn head(c: &mut Coder, work: &mut Work, seen: &mut Seen) {
     unit(c, kind::SETTING, &[3], &mut settings.gap_closing);
     *settings = settings.clamped();
     list(c, PALETTE, &mut work.document.palette, &Paint::Clear.into(), |c, swatch| {
-        paint(c, &mut swatch.color, seen)
+        paint(c, &mut swatch.color, seen);
     });
 }
 
