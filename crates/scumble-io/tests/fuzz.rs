@@ -13,9 +13,7 @@ use std::path::Path;
 
 use dice::Dice;
 use kurbo::Rect;
-use scumble_core::{
-    Document, Drawing, Labels, Paint, PlanarMap, Sampling, Srgb8, Swatch, Tracing, Work, exact,
-};
+use scumble_core::{Document, Drawing, Labels, PlanarMap, Sampling, Srgb8, Swatch, Tracing, Work, exact};
 use scumble_io::{
     ImportError, PaletteKind, check_image, import_drawing, import_svg, read_file, read_link, read_palette,
     read_scribbles, write_curve_set, write_file, write_link, write_palette,
