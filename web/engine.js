@@ -9,6 +9,8 @@
  * @property {(name: string, args?: unknown) => unknown[]} command
  * @property {() => unknown[]} frame
  * @property {() => Uint8Array} work
+ * @property {(model: string, numbers: Float64Array) => Uint32Array} colors
+ * @property {(model: string, rgb: number) => Float64Array} colorNumbers
  * @property {() => {width: number, height: number, rgba: Uint8Array}} thumbnail
  * @property {(size_px: number, lines: boolean) => Export} export
  *
@@ -85,6 +87,24 @@ export class Engine {
   /** Whether the module has started and not stopped. */
   get isRunning() {
     return this.#app !== undefined;
+  }
+
+  /**
+   * Colours of numbers, three each, of a model: "oklch" or "hsv".
+   * @param {string} model
+   * @param {number[]} numbers
+   */
+  colors(model, numbers) {
+    return this.#call((app) => app.colors(model, new Float64Array(numbers))) ?? new Uint32Array(numbers.length / 3);
+  }
+
+  /**
+   * The three numbers of a colour.
+   * @param {string} model
+   * @param {string} color #rrggbb
+   */
+  colorNumbers(model, color) {
+    return [...(this.#call((app) => app.colorNumbers(model, parseInt(color.slice(1), 16))) ?? [0, 0, 0])];
   }
 
   /** The exact bytes of the work; nothing once the module has stopped. */

@@ -8,7 +8,7 @@ import { say } from "./messages.js";
  * @property {Uint8Array<ArrayBuffer>} work empty for what is no work
  * @property {string} notes what was left out, in words
  * @property {string} [lacks] the sample whose lines are to be put into it
- * @property {string[]} [palette] colours as #rrggbb
+ * @property {string[]} [palette] colours as #rrggbb and names, in turn
  * @property {Uint8Array<ArrayBuffer>} [image] the file of the picture under the lines, or, without work, of one to be laid there
  * @typedef {[work: Uint8Array, field: Uint8Array, size_px: number, lines: boolean, transparent: boolean]} Wanted a picture
  */
@@ -33,6 +33,8 @@ export const formats = {
   qrCode: (text) => call("qrCode", text),
   /** The `.scumble` file that keeps some work, and the picture under its lines. @type {(work: Uint8Array, image?: Uint8Array) => Promise<Uint8Array<ArrayBuffer>>} */
   save: (work, image) => call("save", work, image),
+  /** A file of a palette, whose colours and names come in turn, of the kind of an extension. @type {(swatches: string[], extension: string) => Promise<Uint8Array<ArrayBuffer>>} */
+  palette: (swatches, extension) => call("palette", swatches, extension),
   /** A picture as SVG, with the work in it, and a PNG of its field. @type {(...wanted: [...Wanted, raster: Uint8Array]) => Promise<Uint8Array<ArrayBuffer>>} */
   svg: (...wanted) => call("svg", ...wanted),
   /** A picture as PDF. @type {(...wanted: Wanted) => Promise<Uint8Array<ArrayBuffer>>} */

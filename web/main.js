@@ -1,6 +1,7 @@
 // The start of the page, and the wiring of its parts.
 
 import { followed } from "./cursor.js";
+import { Colors } from "./colors.js";
 import { closeOpen } from "./dialogs.js";
 import { Drawings, isKept, isUnsaved, stem } from "./drawings.js";
 import { Engine } from "./engine.js";
@@ -19,7 +20,8 @@ import { Samples } from "./samples.js";
 import { copyLink, isLink, sendLink, showLink } from "./share.js";
 import { showSelection } from "./selection.js";
 import { putAside } from "./storage.js";
-import { areLinesShown, connect, done, failed, pickColor, shown, showName, showUnkept, swatch, tell, toggle, warn } from "./toolbar.js";
+import { connectSwatches, shownSwatches, swatch } from "./swatches.js";
+import { areLinesShown, connect, done, failed, shown, showName, showUnkept, tell, toggle, warn } from "./toolbar.js";
 import { Tracing } from "./tracing.js";
 
 /** What the address may ask for. */
@@ -47,7 +49,12 @@ const handlers = {
   closed: (sheet) => drawings.close(sheet),
   tracing: both(shown.tracing, (state) => tracing.follow(state)),
   tool: both(shown.tool, followed.tool),
-  color: both(shown.color, followed.color),
+  color: (color) => {
+    shownSwatches.color(color);
+    followed.color(color);
+    colors.follow();
+  },
+  palette: both(shownSwatches.palette, () => colors.follow()),
   "brush-size": both(shown["brush-size"], followed["brush-size"]),
   zoom: both(shown.zoom, followed.zoom),
   selection: showSelection,
@@ -67,6 +74,10 @@ const handlers = {
     if (source.includes("-")) tell(say(`source-${source}`));
   }),
   opened: ({ notes }) => done(say(notes === "" ? "opened" : "opened-in-part", { name: drawings.shown.name, notes })),
+  "scribble-added": (values) => {
+    colors.used();
+    done(say("scribble-added", values));
+  },
   ...Object.fromEntries(
     [...DOINGS, "picked", "undone", "redone"].map((key) => [
       key,
@@ -114,6 +125,7 @@ const keeper = new Keeper({
 const opening = new Opening(engine, drawings, keeper, tracing);
 const samples = new Samples((sample) => opening.sample(sample));
 const recent = new Recent((id) => opening.kept(id), (id) => keeper.drop(drawings.forget(id)));
+const colors = new Colors(engine, (file) => opening.file(file));
 const pointers = new Pointers(stage, engine);
 
 function nameShown() {
@@ -179,7 +191,8 @@ const actions = {
   recent: showRecent,
   samples: () => samples.show(),
   close: closeOpen,
-  "pick-color": pickColor,
+  "pick-color": () => colors.show("color"),
+  "edit-palette": () => colors.show("edit-palette"),
   dismiss: () => warn(""),
   "dismiss-unkept": () => showUnkept(""),
   help: showHelp,
@@ -219,6 +232,7 @@ function followSize() {
 
 async function start() {
   label(document);
+  connectSwatches((color) => engine.command("color", color));
   connect(act, (command, args) => engine.command(command, args));
   try {
     await engine.start(desk());

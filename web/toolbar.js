@@ -2,42 +2,6 @@
 
 import { name, say } from "./messages.js";
 
-/** Swatches of the palette, by their key in the message table. */
-const PALETTE = Object.entries({
-  red: "#e5484d",
-  orange: "#f5803e",
-  yellow: "#f7c948",
-  green: "#46a758",
-  teal: "#12a594",
-  blue: "#3b82f6",
-  violet: "#8e4ec6",
-  pink: "#e93d82",
-  brown: "#8d5a3b",
-  peach: "#f3c9a5",
-  slate: "#60646c",
-  white: "#ffffff",
-});
-
-/** Swatches of steps from the colour that is there, by what the module calls them. */
-const TONES = /** @type {Record<string, string>} */ ({
-  lighter: "linear-gradient(135deg, #8b8d98 25%, #fff 75%)",
-  darker: "linear-gradient(135deg, #8b8d98 25%, #000 75%)",
-  warmer: "linear-gradient(135deg, #8b8d98 25%, #ff8b3e 75%)",
-  cooler: "linear-gradient(135deg, #8b8d98 25%, #4a9df8 75%)",
-});
-
-/** What is picked for "no colour", in the page and in the module. */
-const NO_COLOR = "none";
-
-/** A drawing's palette is shown as far as this. */
-const MOST_SWATCHES = 100;
-
-/** Keys in the message table by colour. */
-const NAMES = new Map(PALETTE.map(([key, color]) => [color, key]));
-
-/** The swatches that are shown: the drawing's own, or the usual ones. */
-let palette = PALETTE;
-
 const control = (/** @type {string} */ id) => /** @type {HTMLElement} */ (document.getElementById(id));
 const input = (/** @type {string} */ id) => /** @type {HTMLInputElement} */ (control(id));
 const buttonOf = (/** @type {string} */ action) =>
@@ -50,15 +14,7 @@ const settingOf = (/** @type {string} */ setting) =>
  * @param {(command: string, args?: unknown) => void} set for a value
  */
 export function connect(act, set) {
-  shown.palette([]);
   shown.zoom(1);
-  fillSwatches("tones", Object.keys(TONES).map((tone) => [tone, tone]));
-  for (const id of ["palette", "tones"]) {
-    control(id).addEventListener("click", ({ target }) => {
-      const color = target instanceof HTMLElement && target.dataset.color;
-      if (color) set("color", color);
-    });
-  }
   document.addEventListener("mousedown", keepFocus);
   // Before what is chosen there is done, so that the focus comes back to what is still to be seen.
   control("files").addEventListener("click", () => control("files").togglePopover(false), true);
@@ -76,8 +32,7 @@ export function connect(act, set) {
   connectSlider(settingOf("strength"), set);
   connectSlider(settingOf("tracing-opacity"), set);
   input("brush-size").addEventListener("input", () => set("brush-size", input("brush-size").valueAsNumber));
-  input("picker").addEventListener("input", () => set("color-sought", input("picker").value));
-  for (const sought of [input("brush-size"), input("picker")]) settled(sought, set);
+  settled(input("brush-size"), set);
 }
 
 /**
@@ -114,48 +69,11 @@ function check(group, value) {
 
 /**
  * A button pressed with the mouse leaves the focus where it is: on the canvas, where Space is the hand. One that opens
- * a panel takes it, as the panel follows it for those who go on by keys.
+ * a panel takes it, as the panel follows it for those who go on by keys; so do those of colours, which have fields.
  * @param {MouseEvent} event
  */
 function keepFocus(event) {
-  if (event.target instanceof Element && event.target.closest("button:not([popovertarget]), .tool, .kind, .toggle")) event.preventDefault();
-}
-
-/**
- * @param {string} id of the list
- * @param {string[][]} swatches the key in the message table, and what the module calls it
- */
-function fillSwatches(id, swatches) {
-  control(id).replaceChildren();
-  for (const [i, [key, color]] of swatches.entries()) {
-    const item = document.createElement("li");
-    const swatch = document.createElement("button");
-    swatch.type = "button";
-    swatch.className = "swatch";
-    swatch.dataset.color = color;
-    paint(swatch, color);
-    if (id === "palette") swatch.dataset.shortcut = `swatch-${color === NO_COLOR ? 0 : i + 1}`;
-    name(swatch, say(key));
-    item.append(swatch);
-    control(id).append(item);
-  }
-}
-
-/**
- * @param {HTMLElement} swatch
- * @param {string} color
- */
-function paint(swatch, color) {
-  swatch.style.setProperty("--swatch", TONES[color] ?? color);
-  swatch.classList.toggle("none", color === NO_COLOR);
-}
-
-/**
- * The colour of a swatch, counted from 1; 0 is that of none.
- * @param {number} n
- */
-export function swatch(n) {
-  return n === 0 ? NO_COLOR : palette[n - 1]?.[1];
+  if (event.target instanceof Element && event.target.closest("button:not([popovertarget], .colors *), .tool, .kind, .toggle")) event.preventDefault();
 }
 
 export function areLinesShown() {
@@ -165,18 +83,6 @@ export function areLinesShown() {
 /** Shows or hides one of the layers. @param {string} layer */
 export function toggle(layer) {
   settingOf(layer).click();
-}
-
-/** Opens the browser's colour picker. */
-export function pickColor() {
-  input("picker").showPicker();
-}
-
-/** Marks the swatches of the colour of the moment. */
-function pressSwatches() {
-  for (const swatch of /** @type {NodeListOf<HTMLElement>} */ (document.querySelectorAll(".palette .swatch"))) {
-    swatch.setAttribute("aria-pressed", String(swatch.dataset.color === control("color").dataset.color));
-  }
 }
 
 /** What effects do to the controls. */
@@ -198,20 +104,6 @@ export const shown = {
     showPercent(settingOf("strength"), control("strength-figure"), Math.round(strength * 100));
     settingOf("crosses").checked = crosses;
     settingOf("pressure").value = pressure;
-  },
-  /** @param {string[]} colors of the drawing's own palette; without any the usual one is shown */
-  palette(colors) {
-    const own = colors.filter((color) => color !== NO_COLOR).slice(0, MOST_SWATCHES);
-    palette = own.length === 0 ? PALETTE : own.map((color) => [NAMES.get(color) ?? color, color]);
-    fillSwatches("palette", [...palette, ["no-colour", NO_COLOR]]);
-    pressSwatches();
-  },
-  /** @param {string} color #rrggbb, none, or a tone */
-  color(color) {
-    paint(control("color"), color);
-    control("color").dataset.color = color;
-    if (color.startsWith("#")) input("picker").value = color;
-    pressSwatches();
   },
   /** @param {number} size_du */
   "brush-size"(size_du) {

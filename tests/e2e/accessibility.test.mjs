@@ -30,6 +30,12 @@ const STATES = {
       size.dispatchEvent(new Event("input", { bubbles: true }));
     }`);
   },
+  "the picker": (editor) => shown(editor, "Colour"),
+  "the picker, HSV": async (editor) => {
+    await shown(editor, "Colour");
+    await editor.tab.click("radio", "HSV");
+  },
+  "the palette": (editor) => shown(editor, "Edit palette"),
   share: (editor) => opened(editor, "Share", "share"),
   help: (editor) => opened(editor, "Help", "help"),
   "a warning": (editor) =>
@@ -57,6 +63,12 @@ async function selected(editor, count) {
   await editor.tab.press("b");
   await editor.scribble([[30, 30], [60, 60]], 200);
   for (let i = 0; i < count; i++) await editor.until("selected", () => editor.tab.press("n"));
+}
+
+/** @param {Editor} editor @param {string} button of a panel of colours */
+async function shown(editor, button) {
+  await editor.tab.click("button", button);
+  await editor.tab.waitFor(`document.querySelector(".colors:popover-open") !== null`);
 }
 
 /** @param {Editor} editor @returns {Promise<string[]>} what is serious or critical, and where */

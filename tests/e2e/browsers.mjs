@@ -54,7 +54,7 @@ const VIEWPORT = { width: 1200, height: 800 };
  * @property {(x_px: number, y_px: number) => Promise<void>} wheel
  * @property {(key: string) => Promise<void>} press
  * @property {(key: string, act: () => Promise<void>) => Promise<void>} hold a key down during an act
- * @property {(files: string[]) => Promise<void>} chooseFiles what the user picks in the file dialog of "Open"
+ * @property {(files: string[], button?: string) => Promise<void>} chooseFiles what the user picks in the file dialog of "Open", or of another button
  * @property {(clip?: {x: number, y: number, width: number, height: number}) => Promise<Uint8Array>} screenshot PNG
  * @property {(act: () => Promise<void>) => Promise<string>} download the path of the file that an act downloads
  * @property {string[]} faults what went wrong in the page: uncaught errors and errors on the console
@@ -129,9 +129,9 @@ async function chromiumTab(page) {
       await act();
       await page.keyboard.up(key);
     },
-    chooseFiles: async (files) => {
+    chooseFiles: async (files, button = "Open") => {
       const chooser = page.waitForEvent("filechooser");
-      await page.getByRole("button", { name: "Open", exact: true }).click();
+      await page.getByRole("button", { name: button, exact: true }).click();
       await (await chooser).setFiles(files);
     },
     screenshot: (clip) => page.screenshot({ clip }),

@@ -95,11 +95,9 @@ for (const browser of /** @type {const} */ (["chromium", "firefox"])) {
       const tool = action === "Erase" ? "hand" : action === DROP ? "scribble" : "erase";
       await editor.tab.evaluate(`
         for (const selector of ['[data-action="fit"]', '[data-action="zoom-in"]']) document.querySelector(selector).click();
-        for (const [id, value] of [["picker", "#123456"], ["brush-size", "40"]]) {
-          const control = document.getElementById(id);
-          control.value = value;
-          control.dispatchEvent(new Event("input"));
-        }
+        document.querySelector('#palette [data-color="#f3c9a5"]').click();
+        document.getElementById("brush-size").value = "40";
+        document.getElementById("brush-size").dispatchEvent(new Event("input"));
         document.querySelector('[value="${tool}"]').click();
         document.getElementById("canvas").focus();
         document.getElementById("status").textContent = "";`);

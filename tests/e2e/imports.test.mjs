@@ -74,7 +74,7 @@ for (const browser of /** @type {const} */ (["chromium", "firefox"])) {
       const usual = await swatches();
       const path = await folder.write("sea.gpl", PALETTE);
       await editor.until("The palette has the colours of sea.gpl", () => editor.tab.chooseFiles([path]));
-      assert.deepEqual(await swatches(), ["#010203", "Blue", "No colour"]);
+      assert.deepEqual(await swatches(), ["Deep", "Shallow", "No colour"]);
       assert.equal(await editor.name(), "rooms.svg");
       await editor.tab.press("1");
       assert.equal(await editor.tab.evaluate(`document.getElementById("color").dataset.color`), "#010203");
@@ -84,7 +84,7 @@ for (const browser of /** @type {const} */ (["chromium", "firefox"])) {
       await editor.tab.chooseFiles([await folder.write("bad.gpl", PALETTE.replace("59", "blue"))]);
       await editor.tab.waitFor(`!document.getElementById("alert").hidden`);
       assert.match(await editor.message(), /line 4/);
-      assert.deepEqual(await swatches(), ["#010203", "Blue", "No colour"]);
+      assert.deepEqual(await swatches(), ["Deep", "Shallow", "No colour"]);
       assert.deepEqual(editor.tab.faults, []);
     });
   });

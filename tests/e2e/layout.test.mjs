@@ -88,6 +88,26 @@ for (const browser of /** @type {const} */ (["chromium", "firefox"])) {
       });
     }
 
+    for (const [width, height] of WINDOWS) {
+      test(`${width} by ${height}: the panels of colours can be used, and the picture is seen beside them`, async () => {
+        await editor.tab.resize(width, height);
+        for (const opener of ["Colour", "Edit palette"]) {
+          await editor.tab.click("button", opener);
+          await editor.tab.waitFor(`document.querySelector(".colors:popover-open") !== null`);
+          assert.deepEqual(await unreachable(editor, ".colors:popover-open "), []);
+          const { canvas, panel } = await editor.tab.evaluate(`({
+            canvas: document.getElementById("canvas").getBoundingClientRect().toJSON(),
+            panel: document.querySelector(".colors:popover-open").getBoundingClientRect().toJSON(),
+          })`);
+          const beside = (canvas.right - panel.right) / canvas.width;
+          const above = (panel.top - canvas.top) / canvas.height;
+          assert.ok(Math.max(beside, above) >= 0.25, `${beside} beside, ${above} above ${opener}`);
+          await editor.tab.press("Escape");
+          assert.equal(await editor.tab.evaluate(`document.querySelector(":popover-open")`), null);
+        }
+      });
+    }
+
     test("on a phone, files are in a menu, which closes when one of its commands is taken", async () => {
       await editor.tab.resize(360, 640);
       await editor.tab.click("button", "File");

@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use anyhow::{Context, ensure};
-use scumble_core::Paint;
+use scumble_core::Swatch;
 use scumble_io::{PaletteKind, read_palette, write_palette};
 
 use crate::options::PaletteOptions;
@@ -23,11 +23,11 @@ pub(crate) fn run(options: &PaletteOptions) -> anyhow::Result<()> {
     works::write(&options.output, &work)
 }
 
-/// The colours of a palette, or those of the palette that is kept with work.
+/// The swatches of a palette, or those of the palette that is kept with work.
 ///
 /// # Errors
 /// When the file is bad or has no colours.
-pub(crate) fn read(path: &Path) -> anyhow::Result<Vec<Paint>> {
+pub(crate) fn read(path: &Path) -> anyhow::Result<Vec<Swatch>> {
     if works::palette_kind(path).is_some() {
         return read_file(path);
     }
@@ -37,17 +37,17 @@ pub(crate) fn read(path: &Path) -> anyhow::Result<Vec<Paint>> {
     Ok(palette)
 }
 
-fn read_file(path: &Path) -> anyhow::Result<Vec<Paint>> {
+fn read_file(path: &Path) -> anyhow::Result<Vec<Swatch>> {
     let palette = read_palette(&files::read(path)?, works::palette_kind(path))
         .with_context(|| path.display().to_string())?;
     files::warn(path, &palette.notes());
-    Ok(palette.colors.into_iter().map(Paint::Color).collect())
+    Ok(palette.swatches)
 }
 
 /// Writes a palette.
 ///
 /// # Errors
 /// When it has no colours or cannot be written; then there is no file.
-pub(crate) fn write(path: &Path, palette: &[Paint], kind: PaletteKind) -> anyhow::Result<()> {
+pub(crate) fn write(path: &Path, palette: &[Swatch], kind: PaletteKind) -> anyhow::Result<()> {
     files::write(path, &write_palette(palette, kind)?)
 }

@@ -145,7 +145,7 @@ fn oklab_from_linear(rgb: [f64; 3]) -> [f64; 3] {
 }
 
 /// Linear sRGB of an opaque OKLab colour; channels may lie outside `0..=1`.
-fn linear_from_oklab(lab: [f64; 3]) -> [f64; 3] {
+pub(crate) fn linear_from_oklab(lab: [f64; 3]) -> [f64; 3] {
     let lms = apply(&LMS_FROM_OKLAB, lab).map(|c| c * c * c);
     apply(&LINEAR_FROM_LMS, lms)
 }

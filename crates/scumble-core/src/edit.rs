@@ -8,6 +8,7 @@ use kurbo::Point;
 use crate::color::Paint;
 use crate::color_points::ColorPoint;
 use crate::drawing::{Curve, Drawing};
+use crate::palette::Swatch;
 use crate::scribble::{Scribble, ScribbleKind};
 use crate::settings::Settings;
 use crate::sort;
@@ -28,7 +29,7 @@ pub struct Document {
     /// How it is coloured.
     pub settings: Settings,
     /// The swatches of its palette.
-    pub palette: Vec<Paint>,
+    pub palette: Vec<Swatch>,
     /// The picture under the lines.
     pub tracing: Option<Tracing>,
 }
@@ -162,18 +163,17 @@ impl Editor {
         self.in_hand = Some(Gesture::Changes(Vec::new()));
     }
 
-    /// Takes back what the gesture in hand has done so far, and goes on with it: for one that follows the pen, where it
-    /// is alone decides.
-    pub fn restart(&mut self) {
-        if self.is_changing() {
-            self.abort();
-            self.begin();
-        }
-    }
-
     /// Whether a gesture of any changes is in hand.
     pub fn is_changing(&self) -> bool {
         matches!(self.in_hand, Some(Gesture::Changes(_)))
+    }
+
+    /// Takes back what a gesture of any changes has done so far; it goes on from where it began.
+    pub fn restart(&mut self) {
+        if let Some(Gesture::Changes(back)) = &mut self.in_hand {
+            let back = std::mem::take(back);
+            self.apply_all(back);
+        }
     }
 
     /// Ends the gesture and keeps what it did.
@@ -212,11 +212,26 @@ impl Editor {
     }
 
     /// Puts another palette in the place of the one at hand.
-    pub fn set_palette(&mut self, palette: Vec<Paint>) {
+    pub fn set_palette(&mut self, palette: Vec<Swatch>) {
         self.commit_scribble();
         if palette != self.document.palette {
             self.change(Change::SetPalette(palette));
         }
+    }
+
+    /// Puts one colour in the place of another wherever it was painted, by a scribble or by hand.
+    pub fn repaint(&mut self, from: Paint, to: Paint) {
+        self.commit_scribble();
+        if from == to {
+            return;
+        }
+        let Document { scribbles, color_points, .. } = &self.document;
+        let scribbles = scribbles.iter().zip(0..).filter(|(scribble, _)| scribble.color == from);
+        let points = color_points.iter().zip(0..).filter(|(point, _)| point.color == from);
+        let scribbles = scribbles.map(|(_, i)| Change::RecolorScribble(i, to));
+        let changes: Vec<_> = scribbles.chain(points.map(|(_, i)| Change::RecolorPoint(i, to))).collect();
+        let back = changes.into_iter().map(|change| self.apply(change)).collect();
+        self.done(back);
     }
 
     /// Lays another picture under the lines, or the same one otherwise, or takes it away; an opacity out of range is

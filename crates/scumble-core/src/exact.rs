@@ -13,6 +13,7 @@ use crate::color::{Blend, Paint, Rgba8, Srgb8};
 use crate::color_points::ColorPoint;
 use crate::drawing::{Curve, Drawing, Fill, Line};
 use crate::edit::Document;
+use crate::palette::Swatch;
 use crate::scribble::{PenPressure, Scribble, ScribbleKind, Shading};
 use crate::settings::{EngineKind, Settings};
 use crate::tracing::Tracing;
@@ -22,7 +23,7 @@ use tape::Tape;
 mod tape;
 
 /// The first byte. A storage may hold what an older version wrote, which is to be read as long as there are browsers
-/// that have it. Version 1 has no picture under the lines, version 2 no pressure of pens.
+/// that have it. Version 1 has no picture under the lines, version 2 no pressure of pens and no names of swatches.
 const VERSION: u8 = 3;
 
 /// The bytes of some work.
@@ -48,7 +49,7 @@ fn walk(tape: &mut Tape, work: &mut Work) {
     lines(tape, drawing);
     self::settings(tape, settings);
     tape.list(scribbles, &BLANK_SCRIBBLE, &mut scribble);
-    tape.list(palette, &Paint::Clear, &mut paint);
+    tape.list(palette, &Paint::Clear.into(), &mut |tape, swatch: &mut Swatch| paint(tape, &mut swatch.color));
     tape.list(color_points, &BLANK_COLOR_POINT, &mut color_point);
     unknown(tape, &mut work.unknown);
     if version > 1 {
@@ -56,6 +57,7 @@ fn walk(tape: &mut Tape, work: &mut Work) {
     }
     if version > 2 {
         scribbles.iter_mut().for_each(|scribble| pressure(tape, scribble));
+        palette.iter_mut().for_each(|swatch| tape.text(&mut swatch.name));
     }
     tape.check(!are_too_long(&work.document.scribbles));
 }

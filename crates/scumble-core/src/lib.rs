@@ -3,6 +3,8 @@
 //! | noun | file |
 //! |---|---|
 //! | colours and blend spaces | [`color`] |
+//! | colours by the numbers that people turn | [`color_model`] |
+//! | swatches | [`palette`] |
 //! | a line drawing in drawing units | [`drawing`] |
 //! | a stroke of colour | [`scribble`] |
 //! | a scribble of which a part is rubbed out | `rub` |
@@ -29,6 +31,7 @@
 
 mod clearance;
 pub mod color;
+pub mod color_model;
 pub mod color_points;
 mod delaunay;
 pub mod drawing;
@@ -38,6 +41,7 @@ pub mod exact;
 mod gaps;
 pub mod global;
 pub mod measured_path;
+pub mod palette;
 pub mod planar_map;
 pub mod progressive;
 mod rub;
@@ -58,11 +62,13 @@ mod visibility;
 pub mod work;
 
 pub use color::{Blend, BlendColor, ColorError, Paint, Rgba8, Srgb8};
+pub use color_model::ColorModel;
 pub use color_points::{Boundary, ColorPoint, SideColors, boundary};
 pub use drawing::{Curve, Drawing, Fill, Line};
 pub use edit::{Document, Editor};
 pub use engine::{Engine, Labels};
 pub use global::Global;
+pub use palette::Swatch;
 pub use planar_map::{Gap, MapError, Piece, PlanarMap, Sampling, Step};
 pub use progressive::Progressive;
 pub use scribble::{PenPressure, Scribble, ScribbleKind, Shading};

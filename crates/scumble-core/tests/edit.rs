@@ -4,7 +4,7 @@ use kurbo::{BezPath, Point, Rect};
 use proptest::prelude::*;
 use scumble_core::{
     Blend, ColorPoint, Curve, Document, Drawing, Editor, EngineKind, Paint, Scribble, ScribbleKind, Settings,
-    Shading, Srgb8, Tracing,
+    Shading, Srgb8, Swatch, Tracing, Work, exact,
 };
 
 fn editor() -> Editor {
@@ -433,17 +433,18 @@ proptest! {
 #[test]
 fn another_palette_is_a_gesture_of_its_own() {
     let mut editor = editor();
-    let [red, blue]: [Paint; 2] = [Srgb8([200, 0, 0]), Srgb8([0, 0, 200])].map(Paint::Color);
-    editor.set_palette(vec![red]);
+    let swatch = |rgb, name: &str| Swatch { color: Paint::Color(Srgb8(rgb)), name: name.into() };
+    let [red, blue] = [swatch([200, 0, 0], ""), swatch([0, 0, 200], "Sea")];
+    editor.set_palette(vec![red.clone()]);
     begin(&mut editor, 1);
-    editor.set_palette(vec![red, blue]);
+    editor.set_palette(vec![red.clone(), blue.clone()]);
     assert_eq!((shades(&editor), editor.document().palette.len()), (vec![1], 2));
     assert!(editor.undo());
-    assert_eq!((shades(&editor), &editor.document().palette), (vec![1], &vec![red]));
+    assert_eq!((shades(&editor), &editor.document().palette), (vec![1], &vec![red.clone()]));
     assert!(editor.redo());
-    assert_eq!(editor.document().palette, [red, blue]);
+    assert_eq!(editor.document().palette, [red.clone(), blue.clone()]);
     let revision = editor.revision();
-    editor.set_palette(vec![red, blue]);
+    editor.set_palette(vec![red.clone(), blue.clone()]);
     assert_eq!(editor.revision(), revision, "nothing has changed");
 }
 
@@ -483,4 +484,74 @@ fn a_slider_of_one_thing_does_not_swallow_that_of_another() {
     assert_eq!((editor.document().settings, editor.document().tracing), (gap(0.5), None));
     assert!(editor.redo());
     assert_eq!((editor.document().settings, editor.document().tracing), (gap(0.9), None));
+}
+
+/// Red and blue scribbles and colours set by hand, and a palette of both.
+fn painted(red: Srgb8) -> Document {
+    let [red, blue] = [red.into(), Srgb8([0, 0, 200]).into()];
+    let mut document = Document::new(Drawing::new(Rect::new(0.0, 0.0, 72.0, 72.0)));
+    for color in [red, blue, Paint::Clear, red] {
+        let kind = ScribbleKind::Shade(Shading::default());
+        document.scribbles.push(Scribble { color, kind, width_du: 5.0, points: vec![Point::ZERO] });
+        document.color_points.push(ColorPoint { curve: 1, is_left: true, at_du: 2.0, color });
+    }
+    document.palette = [red, blue].map(Swatch::from).to_vec();
+    document
+}
+
+/// All of a document that can be edited, to the last bit.
+fn exactly(document: &Document) -> Vec<u8> {
+    exact::write(&Work::new(document.clone()))
+}
+
+/// Another red in the palette, and wherever there was red.
+fn repaint(editor: &mut Editor, from: Srgb8, to: Srgb8) {
+    editor.set_palette(painted(to).palette);
+    editor.repaint(from.into(), to.into());
+}
+
+#[test]
+fn a_repainted_document_is_as_one_made_with_the_new_colour() {
+    let [red, green] = [Srgb8([200, 0, 0]), Srgb8([0, 200, 0])];
+    let mut editor = Editor::new(painted(red));
+    editor.begin();
+    repaint(&mut editor, red, green);
+    editor.commit();
+    assert_eq!(exactly(editor.document()), exactly(&painted(green)));
+    assert!(editor.undo());
+    assert_eq!(exactly(editor.document()), exactly(&painted(red)));
+    assert!(!editor.can_undo(), "one gesture");
+    assert!(editor.redo());
+    assert_eq!(exactly(editor.document()), exactly(&painted(green)));
+}
+
+#[test]
+fn a_colour_on_its_way_past_another_does_not_take_it_along() {
+    let [red, blue, green] = [Srgb8([200, 0, 0]), Srgb8([0, 0, 200]), Srgb8([0, 200, 0])];
+    let mut editor = Editor::new(painted(red));
+    editor.begin();
+    for to in [Srgb8([100, 0, 100]), blue, green] {
+        editor.restart();
+        repaint(&mut editor, red, to);
+    }
+    editor.commit();
+    assert_eq!(exactly(editor.document()), exactly(&painted(green)));
+    editor.begin();
+    for to in [blue, green] {
+        editor.restart();
+        repaint(&mut editor, green, to);
+    }
+    editor.commit();
+    assert!(editor.undo());
+    assert_eq!(exactly(editor.document()), exactly(&painted(red)), "a way to and fro is no gesture");
+}
+
+#[test]
+fn repainting_in_the_middle_of_a_scribble_keeps_it() {
+    let mut editor = editor();
+    begin(&mut editor, 1);
+    editor.repaint(Srgb8([1; 3]).into(), Srgb8([2; 3]).into());
+    assert_eq!(shades(&editor), [2]);
+    assert!(editor.undo());
+    assert_eq!(shades(&editor), [1]);
 }

@@ -13,8 +13,8 @@ use std::mem::take;
 use exporting::Wanted;
 use js_sys::Uint8Array;
 use opening::Content;
-use scumble_core::{Srgb8, Work, exact};
-use scumble_io::{LinkError, MAX_FILE_BYTES, write_link};
+use scumble_core::{Swatch, Work, exact};
+use scumble_io::{LinkError, MAX_FILE_BYTES, PaletteKind, write_link, write_palette};
 use wasm_bindgen::JsError;
 use wasm_bindgen::prelude::wasm_bindgen;
 
@@ -31,7 +31,7 @@ pub struct Opened {
     /// The name of the sample whose lines are to be put into it ([`on_sample`]), where it came without lines.
     #[wasm_bindgen(getter_with_clone)]
     pub lacks: Option<String>,
-    /// The colours of a palette, as #rrggbb.
+    /// The swatches of a palette: the colour as #rrggbb and the name of each, in turn.
     #[wasm_bindgen(getter_with_clone)]
     pub palette: Option<Vec<String>>,
     /// The file of the picture under the work's lines, which the work knows as number [`scumble_io::FILE_IMAGE`]; or,
@@ -47,8 +47,9 @@ impl Opened {
         Self { work: exact::write(&work), notes, lacks, image, ..Self::default() }
     }
 
-    fn palette(colors: &[Srgb8], notes: String) -> Self {
-        let palette = colors.iter().map(Srgb8::to_string).collect();
+    fn palette(swatches: Vec<Swatch>, notes: String) -> Self {
+        let palette =
+            swatches.into_iter().flat_map(|swatch| [swatch.color.to_string(), swatch.name]).collect();
         Self { palette: Some(palette), notes, ..Self::default() }
     }
 
@@ -67,7 +68,7 @@ pub fn open(file: &Uint8Array, name: &str) -> Result<Opened, JsError> {
     let bytes = file.subarray(0, MAX_FILE_BYTES as u32 + 1).to_vec();
     Ok(match opening::file(&bytes, name)? {
         Content::Work(work, notes) => Opened::work(*work, notes),
-        Content::Palette(colors, notes) => Opened::palette(&colors, notes),
+        Content::Palette(swatches, notes) => Opened::palette(swatches, notes),
         Content::Image => Opened::image(bytes),
     })
 }
@@ -97,6 +98,22 @@ pub fn on_sample(work: &[u8], sample: &[u8]) -> Result<Vec<u8>, JsError> {
 #[wasm_bindgen]
 pub fn save(work: &[u8], image: Option<Vec<u8>>) -> Result<Vec<u8>, JsError> {
     Ok(opening::file_of(opening::exact(work)?, image.unwrap_or_default())?)
+}
+
+/// The file of a palette, given as [`Opened::palette`] gives it, of the kind of an extension; GIMP's for another.
+///
+/// # Errors
+/// A sentence for people, where there is no colour.
+#[wasm_bindgen(js_name = palette)]
+pub fn palette_file(swatches: Vec<String>, extension: &str) -> Result<Vec<u8>, JsError> {
+    let palette: Vec<_> = swatches.chunks_exact(2).filter_map(swatch).collect();
+    let kind = PaletteKind::of_extension(extension).unwrap_or(PaletteKind::Gpl);
+    Ok(write_palette(&palette, kind)?)
+}
+
+fn swatch(color_and_name: &[String]) -> Option<Swatch> {
+    let [color, name] = color_and_name else { return None };
+    Some(Swatch { color: color.parse().ok()?, name: name.clone() })
 }
 
 /// The picture as SVG, with the work in it; `raster` is a PNG of the field alone, on the same paper, for its shades.

@@ -1,6 +1,6 @@
 //! What is opened, without a browser.
 
-use scumble_core::{Srgb8, Work, exact as exact_bytes};
+use scumble_core::{Swatch, Work, exact as exact_bytes};
 use scumble_io::{
     FileError, ImageError, ImportError, LinkError, PaletteError, PaletteKind, check_image, import_drawing,
     is_image, other_kind, read_file, read_palette, write_file,
@@ -12,8 +12,8 @@ use thiserror::Error;
 pub enum Content {
     /// Work, and what was left out of it, in words.
     Work(Box<Work>, String),
-    /// Colours for the palette of a drawing, and what was left out of them.
-    Palette(Vec<Srgb8>, String),
+    /// Swatches for the palette of a drawing, and what was left out of them.
+    Palette(Vec<Swatch>, String),
     /// A picture to trace.
     Image,
 }
@@ -87,7 +87,7 @@ pub fn file(bytes: &[u8], name: &str) -> Result<Content, OpenError> {
         Kind::Palette(meant) => {
             let palette = read_palette(bytes, meant)?;
             let notes = palette.notes();
-            Content::Palette(palette.colors, notes)
+            Content::Palette(palette.swatches, notes)
         }
         Kind::Work => Content::Work(Box::new(read_file(bytes)?), String::new()),
         Kind::Image => check_image(bytes).map(|()| Content::Image)?,

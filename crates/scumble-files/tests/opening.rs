@@ -3,7 +3,7 @@
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
 use kurbo::Point;
-use scumble_core::{Scribble, ScribbleKind, Srgb8, Tracing, Work, exact};
+use scumble_core::{Paint, Scribble, ScribbleKind, Srgb8, Tracing, Work, exact};
 use scumble_files::opening::{self, Content, OpenError};
 use scumble_io::{ImageError, read_link, write_file, write_link};
 
@@ -64,10 +64,11 @@ fn a_file_that_could_not_be_opened_again_is_not_saved() {
 
 #[test]
 fn a_palette_is_no_work() {
-    let Ok(Content::Palette(colors, notes)) = opening::file(b"#010203\n#ffffff\n", "") else {
+    let Ok(Content::Palette(swatches, notes)) = opening::file(b"#010203\n#ffffff\n", "") else {
         panic!("a palette")
     };
-    assert_eq!((colors, &*notes), (vec![Srgb8([1, 2, 3]), Srgb8([255; 3])], ""));
+    let expected = [[1, 2, 3], [255; 3]].map(|rgb| Paint::Color(Srgb8(rgb)).into());
+    assert_eq!((swatches, &*notes), (expected.to_vec(), ""));
     assert!(matches!(opening::file(b"#010203\nblue", ""), Err(OpenError::Palette(_))));
 }
 

@@ -54,7 +54,7 @@ struct List {
     item_bytes: usize,
 }
 
-const PALETTE: List = List { number: 0, item_bytes: 4 };
+const PALETTE: List = List { number: 0, item_bytes: 32 };
 const CURVES: List = List { number: 1, item_bytes: 200 };
 const FILLS: List = List { number: 2, item_bytes: 64 };
 const SUBPATHS: List = List { number: 3, item_bytes: 56 };
@@ -81,7 +81,7 @@ pub struct PackedSizes {
 
 /// The bytes of some work, or `None` where it is too large to be read again.
 pub(crate) fn pack(work: &Work) -> Option<(Vec<u8>, PackedSizes)> {
-    let mut work = work.clone();
+    let mut work = work_file::with_names_as_unknown(work);
     pressures::put_by(&mut work);
     // Once everything is on its lattice, what has become the same is seen to be so.
     let mut coder = Coder::writer();
@@ -101,6 +101,7 @@ pub(crate) fn unpack(bytes: &[u8]) -> Option<Work> {
     walk(&mut coder, &mut work);
     coder.finish()?;
     pressures::take_up(&mut work)?;
+    work_file::take_names(&mut work)?;
     Some(work)
 }
 
@@ -162,7 +163,9 @@ fn head(c: &mut Coder, work: &mut Work, seen: &mut Seen) {
     settings.spread = c.flag(kind::SETTING, &[2], settings.spread);
     unit(c, kind::SETTING, &[3], &mut settings.gap_closing);
     *settings = settings.clamped();
-    list(c, PALETTE, &mut work.document.palette, &Paint::Clear, |c, swatch| paint(c, swatch, seen));
+    list(c, PALETTE, &mut work.document.palette, &Paint::Clear.into(), |c, swatch| {
+        paint(c, &mut swatch.color, seen);
+    });
 }
 
 /// The page as whole numbers with as many digits after the point as they need, or as there is room for.

@@ -1,8 +1,8 @@
 //! Palettes of other programs: GIMP's (`.gpl`), Adobe Swatch Exchange (`.ase`), and lists of hexadecimal colours (`.hex`).
 //!
-//! Only the colours are read: names, groups and columns have no place in a drawing's palette.
+//! Colours and their names are read: groups and columns have no place in a drawing's palette.
 
-use scumble_core::{Paint, Srgb8};
+use scumble_core::{Paint, Srgb8, Swatch};
 
 use crate::MAX_FILE_BYTES;
 use crate::error::PaletteError;
@@ -13,6 +13,9 @@ mod hex;
 
 /// Most colours of a palette that is read.
 const MAX_COLORS: usize = 1000;
+
+/// What is left of a longer name.
+const MAX_NAME_CHARS: usize = 80;
 
 /// A form that palettes have in files.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -49,11 +52,11 @@ impl PaletteKind {
     }
 }
 
-/// The colours of a palette, and how many were left out since they are of a kind that nobody knows.
+/// The swatches of a palette, and how many colours were left out since they are of a kind that nobody knows.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct ReadPalette {
-    /// In their order; at least one.
-    pub colors: Vec<Srgb8>,
+    /// In their order; at least one. What is called as its colour is written has no name.
+    pub swatches: Vec<Swatch>,
     /// How many were left out.
     pub unknown: usize,
 }
@@ -83,20 +86,23 @@ pub fn read_palette(bytes: &[u8], meant: Option<PaletteKind>) -> Result<ReadPale
         PaletteKind::Gpl => gpl::read(&text())?,
         PaletteKind::Hex => hex::read(&text())?,
     };
-    match (palette.colors.len(), palette.unknown) {
+    match (palette.swatches.len(), palette.unknown) {
         (0, 0) => Err(PaletteError::NoColors),
         (0, count) => Err(PaletteError::NoKnownColors { count }),
         _ => Ok(palette),
     }
 }
 
-/// Writes the colours of a palette. What is no colour is left out.
+/// Writes the swatches of a palette. What is no colour is left out.
 ///
 /// # Errors
 /// When there is no colour.
-pub fn write_palette(palette: &[Paint], kind: PaletteKind) -> Result<Vec<u8>, PaletteError> {
-    let color = |paint: &Paint| if let Paint::Color(color) = paint { Some(*color) } else { None };
-    let colors: Vec<_> = palette.iter().filter_map(color).collect();
+pub fn write_palette(palette: &[Swatch], kind: PaletteKind) -> Result<Vec<u8>, PaletteError> {
+    let named = |swatch: &Swatch| match swatch.color {
+        Paint::Color(color) => Some((color, written_name(color, &swatch.name))),
+        Paint::Clear => None,
+    };
+    let colors: Vec<_> = palette.iter().filter_map(named).collect();
     if colors.is_empty() {
         return Err(PaletteError::NoColors);
     }
@@ -108,12 +114,26 @@ pub fn write_palette(palette: &[Paint], kind: PaletteKind) -> Result<Vec<u8>, Pa
 }
 
 /// Adds a colour that is read, unless there are too many.
-fn push(colors: &mut Vec<Srgb8>, color: Srgb8) -> Result<(), PaletteError> {
-    if colors.len() == MAX_COLORS {
+fn push(palette: &mut ReadPalette, color: Srgb8, name: &str) -> Result<(), PaletteError> {
+    if palette.swatches.len() == MAX_COLORS {
         return Err(PaletteError::TooManyColors { limit: MAX_COLORS });
     }
-    colors.push(color);
+    palette.swatches.push(Swatch { color: color.into(), name: read_name(color, name) });
     Ok(())
+}
+
+/// Names that say nothing: GIMP's, and the colours themselves.
+fn read_name(color: Srgb8, name: &str) -> String {
+    let name: String = name.trim().chars().filter(|c| !c.is_control()).take(MAX_NAME_CHARS).collect();
+    let name = name.trim();
+    let says_nothing = name == "Untitled" || name.eq_ignore_ascii_case(&color.to_string());
+    if says_nothing { String::new() } else { name.to_owned() }
+}
+
+/// In one line; what has no name is called as its colour is written.
+fn written_name(color: Srgb8, name: &str) -> String {
+    let name = read_name(color, name);
+    if name.is_empty() { color.to_string() } else { name }
 }
 
 fn without_mark(bytes: &[u8]) -> &[u8] {

@@ -12,10 +12,13 @@ use crate::error::FileError;
 use crate::json::{Fault, Json};
 use read::Reader;
 
+pub(crate) use swatch_names::{take_names, with_names_as_unknown};
+
 mod items;
 mod names;
 pub(crate) mod pressures;
 mod read;
+mod swatch_names;
 mod write;
 
 /// The version of these files: what is written says the least one that has all its fields. A file of a higher first
@@ -27,6 +30,8 @@ const TRACING_MINOR: u32 = 1;
 
 /// The second number of the first version with the pressure of pens.
 const PRESSURE_MINOR: u32 = 2;
+/// The second number of the first version with names of swatches.
+const NAMES_MINOR: u32 = 2;
 
 /// What the picture under the lines is called by the document that is read from a file.
 pub const FILE_IMAGE: u32 = 1;

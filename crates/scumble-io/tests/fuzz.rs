@@ -13,7 +13,7 @@ use std::path::Path;
 
 use dice::Dice;
 use kurbo::Rect;
-use scumble_core::{Document, Drawing, Labels, Paint, PlanarMap, Sampling, Srgb8, Tracing, Work, exact};
+use scumble_core::{Document, Drawing, Labels, PlanarMap, Sampling, Srgb8, Swatch, Tracing, Work, exact};
 use scumble_io::{
     ImportError, PaletteKind, check_image, import_drawing, import_svg, read_file, read_link, read_palette,
     read_scribbles, write_curve_set, write_file, write_link, write_palette,
@@ -230,16 +230,22 @@ fn diffusion_curves() {
 
 #[test]
 fn palettes() {
-    let paints: Vec<_> = (0..30).map(|i| Paint::Color(Srgb8([i, 3 * i, 255 - 7 * i]))).collect();
+    let swatch = |i| Swatch { color: Srgb8([i, 3 * i, 255 - 7 * i]).into(), name: "Sea ".repeat(i.into()) };
+    let swatches: Vec<_> = (0..30).map(swatch).collect();
     let kinds = [PaletteKind::Gpl, PaletteKind::Ase, PaletteKind::Hex];
-    let seeds: Vec<_> = kinds.iter().map(|kind| write_palette(&paints, *kind).unwrap()).collect();
+    let seeds: Vec<_> = kinds.iter().map(|kind| write_palette(&swatches, *kind).unwrap()).collect();
     for run in runs(20_000) {
         let meant = kinds[run as usize % kinds.len()];
         let Ok(palette) = read_palette(&damaged(&seeds, &mut Dice(run + 1)), Some(meant)) else { continue };
-        let paints: Vec<_> = palette.colors.iter().map(|color| Paint::Color(*color)).collect();
         for kind in kinds {
-            let again = read_palette(&write_palette(&paints, kind).unwrap(), None);
-            assert!(again.is_ok_and(|again| again.colors == palette.colors), "run {run}");
+            let again = read_palette(&write_palette(&palette.swatches, kind).unwrap(), None).unwrap();
+            let is_named = kind != PaletteKind::Hex;
+            let given = palette
+                .swatches
+                .iter()
+                .cloned()
+                .map(|swatch| if is_named { swatch } else { swatch.color.into() });
+            assert!(again.swatches.iter().cloned().eq(given), "run {run} {kind:?}");
         }
     }
 }

@@ -4,13 +4,21 @@
 
 use proptest::collection::vec;
 use proptest::prelude::*;
-use scumble_core::{Paint, Srgb8};
+use scumble_core::{Paint, Srgb8, Swatch};
 use scumble_io::{PaletteError, PaletteKind, read_palette, write_palette};
 
 const KINDS: [PaletteKind; 3] = [PaletteKind::Gpl, PaletteKind::Ase, PaletteKind::Hex];
 
 fn colors(bytes: impl AsRef<[u8]>) -> Vec<[u8; 3]> {
-    read_palette(bytes.as_ref(), None).unwrap().colors.into_iter().map(|color| color.0).collect()
+    let rgb = |swatch: &Swatch| match swatch.color {
+        Paint::Color(Srgb8(rgb)) => rgb,
+        Paint::Clear => panic!("a colour"),
+    };
+    read_palette(bytes.as_ref(), None).unwrap().swatches.iter().map(rgb).collect()
+}
+
+fn names(bytes: impl AsRef<[u8]>) -> Vec<String> {
+    read_palette(bytes.as_ref(), None).unwrap().swatches.into_iter().map(|swatch| swatch.name).collect()
 }
 
 #[track_caller]
@@ -49,7 +57,7 @@ fn gimps_palettes_are_read() {
 #[test]
 fn what_is_meant_as_a_palette_is_told_what_it_lacks_of_one() {
     let meant =
-        |text: &str, kind| read_palette(text.as_bytes(), Some(kind)).map(|palette| palette.colors.len());
+        |text: &str, kind| read_palette(text.as_bytes(), Some(kind)).map(|palette| palette.swatches.len());
     let damaged = |line, expected| Err(PaletteError::Damaged { line, expected });
     assert_eq!(meant("\n\nPalette\n1 2 3\n", PaletteKind::Gpl), damaged(3, "“GIMP Palette”"));
     assert_eq!(meant("; mine\nred\n", PaletteKind::Hex), damaged(2, "a colour #rrggbb"));
@@ -70,6 +78,28 @@ fn lists_of_colours_are_read() {
     for none in ["", "hello", "<svg/>", "{}", "; only a remark", "#ffff"] {
         refused(none, PaletteError::NoPalette);
     }
+}
+
+#[test]
+fn names_are_read() {
+    let gimp = "GIMP Palette\n1 2 3\tDeep  blue \n4 5 6\n7 8 9 Untitled\n10 11 12 #0a0b0c\n13 14 15 16 km\n";
+    assert_eq!(names(gimp), ["Deep  blue", "", "", "", "16 km"]);
+    assert_eq!(names(ase(&[(b"RGB ", &[0.0; 3])])), ["a"]);
+    assert_eq!(names("#ffffff ; paper"), [""]);
+}
+
+#[test]
+fn names_come_back_but_from_lists_of_colours() {
+    let swatch = |rgb, name: &str| Swatch { color: Srgb8(rgb).into(), name: name.into() };
+    let given =
+        [swatch([1, 2, 3], "Häut \u{1f41f}"), swatch([4, 5, 6], ""), swatch([7, 8, 9], "a\nb\u{0}\t")];
+    for kind in KINDS {
+        let names = names(write_palette(&given, kind).unwrap());
+        let expected = if kind == PaletteKind::Hex { ["", "", ""] } else { ["Häut \u{1f41f}", "", "ab"] };
+        assert_eq!(names, expected, "{kind:?}");
+    }
+    let long = names(write_palette(&[swatch([0; 3], &"é".repeat(70_000))], PaletteKind::Ase).unwrap());
+    assert_eq!(long[0].chars().count(), 80);
 }
 
 #[test]
@@ -101,7 +131,7 @@ fn swatches_of_unknown_spaces_are_left_out() {
     let palette =
         read_palette(&ase(&[(b"HSB ", &[0.1]), (b"RGB ", &[0.0; 3]), (b"RGB ", &[f32::NAN; 3])]), None)
             .unwrap();
-    assert_eq!((palette.colors.len(), &*palette.notes()), (1, "left out: 2 colours of an unknown kind"));
+    assert_eq!((palette.swatches.len(), &*palette.notes()), (1, "left out: 2 colours of an unknown kind"));
     refused(ase(&[(b"HSB ", &[0.1])]), PaletteError::NoKnownColors { count: 1 });
     refused(ase(&[(b"LAB ", &[f32::NAN, 0.0, 0.0])]), PaletteError::NoKnownColors { count: 1 });
 }
@@ -136,17 +166,19 @@ fn too_much_is_refused() {
 
 #[test]
 fn a_palette_without_colours_is_not_written() {
-    assert_eq!(write_palette(&[Paint::Clear], PaletteKind::Gpl), Err(PaletteError::NoColors));
+    assert_eq!(write_palette(&[Paint::Clear.into()], PaletteKind::Gpl), Err(PaletteError::NoColors));
 }
 
 proptest! {
     #[test]
     fn every_kind_comes_back(palette in vec(any::<[u8; 3]>(), 1..40)) {
-        let paints: Vec<_> = palette.iter().map(|rgb| Paint::Color(Srgb8(*rgb))).chain([Paint::Clear]).collect();
+        let paints = palette.iter().map(|rgb| Paint::Color(Srgb8(*rgb))).chain([Paint::Clear]);
+        let swatches: Vec<_> = paints.map(Swatch::from).collect();
         for kind in KINDS {
-            let bytes = write_palette(&paints, kind).unwrap();
+            let bytes = write_palette(&swatches, kind).unwrap();
             prop_assert_eq!(PaletteKind::of_bytes(&bytes), Some(kind));
             prop_assert_eq!(colors(&bytes), palette.clone());
+            prop_assert!(names(&bytes).iter().all(String::is_empty));
         }
     }
 }

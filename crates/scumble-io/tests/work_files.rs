@@ -3,7 +3,7 @@
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
 use kurbo::{Point, Rect};
-use scumble_core::{Blend, Document, EngineKind, Paint, PenPressure, Settings, Srgb8, Work};
+use scumble_core::{Blend, Document, EngineKind, Paint, PenPressure, Settings, Srgb8, Swatch, Work};
 use scumble_io::{FileError, read_file, read_link, write_file, write_link};
 
 /// A file with some members beside what it must have.
@@ -51,7 +51,7 @@ fn settings_and_scribbles_are_read() {
     let expected =
         Settings { blend: Blend::Srgb, engine: EngineKind::Progressive, gap_closing: 1.0, spread: true };
     assert_eq!(work.document.settings, expected);
-    assert_eq!(work.document.palette, [Srgb8([255, 0, 0]).into(), Paint::Clear]);
+    assert_eq!(work.document.palette, [Paint::from(Srgb8([255, 0, 0])), Paint::Clear].map(Swatch::from));
     assert_eq!(work.document.scribbles[0].points, [Point::new(1.0, 2.5), Point::new(-300.0, 4.0)]);
     assert_eq!((work.document.color_points[0].curve, work.document.color_points[0].is_left), (3, true));
 }
@@ -89,6 +89,38 @@ fn a_link_keeps_what_a_pen_made_beside_what_nobody_knows() {
     let [plain, pressed] = &*linked.document.scribbles else { panic!() };
     assert!(plain.is_fill());
     assert_eq!(pressed.shading().unwrap().pressure, PenPressure::Radius(vec![0.25]));
+}
+
+/// A palette with names that are more or fewer than its colours, before or behind it.
+#[test]
+fn swatches_have_names() {
+    let names = |members: &str| -> Vec<String> {
+        read(members).unwrap().document.palette.into_iter().map(|swatch| swatch.name).collect()
+    };
+    let [palette, two, one] = [
+        r##", "palette": ["#ff0000", "#00ff00"]"##,
+        r#", "swatch_names": ["Skin \u263a", "Hair", "Eyes"]"#,
+        r#", "swatch_names": ["Skin"]"#,
+    ];
+    assert_eq!(names(&[palette, two].concat()), ["Skin ☺", "Hair"]);
+    assert_eq!(names(&[one, palette].concat()), ["Skin", ""]);
+    assert_eq!(names(palette), ["", ""]);
+    assert!(read(&[palette, r#", "swatch_names": [1]"#].concat()).is_err());
+    assert!(read(&[palette, r#", "swatch_names": "Skin""#].concat()).is_err());
+}
+
+#[test]
+fn names_of_swatches_make_a_newer_version_and_go_along_with_unknown_fields() {
+    let mut work = read(r##", "palette": ["#ff0000", "#00ff00"], "title": "Fish""##).unwrap();
+    assert!(text(&work).contains(r#""version": "1.0""#));
+    work.document.palette[1].name = "Hair \"dark\"".into();
+    let text = text(&work);
+    assert!(text.contains(r#""version": "1.2""#), "{text}");
+    let linked = read_link(&write_link(&work).unwrap().fragment).unwrap();
+    for read in [linked, read_file(text.as_bytes()).unwrap()] {
+        assert_eq!(self::text(&read), text);
+        assert_eq!(read.document.palette, work.document.palette);
+    }
 }
 
 /// What a later version of the same first number might write.

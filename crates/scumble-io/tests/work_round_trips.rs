@@ -11,7 +11,7 @@ use proptest::option;
 use proptest::prelude::*;
 use scumble_core::{
     Blend, ColorPoint, Curve, Document, Drawing, EngineKind, Fill, Line, Paint, PenPressure, Rgba8, Scribble,
-    ScribbleKind, Settings, Shading, Srgb8, Tracing, Work, exact,
+    ScribbleKind, Settings, Shading, Srgb8, Swatch, Tracing, Work, exact,
 };
 use scumble_io::{FILE_IMAGE, read_file, read_link, write_file, write_link};
 
@@ -133,12 +133,17 @@ fn works() -> impl Strategy<Value = Work> {
         (any::<u32>(), any::<bool>(), 0.0..9e3, paints()).prop_map(|(curve, is_left, at_du, color)| {
             ColorPoint { curve: curve % 100_000, is_left, at_du, color }
         });
-    (drawings(), scribbles(), settings(), vec(paints(), 0..5), vec(color_point, 0..4), tracings()).prop_map(
+    (drawings(), scribbles(), settings(), vec(swatches(), 0..5), vec(color_point, 0..4), tracings()).prop_map(
         |(drawing, scribbles, settings, palette, color_points, (tracing, image))| {
             let document = Document { drawing, scribbles, color_points, settings, palette, tracing };
             Work { image, ..Work::new(document) }
         },
     )
+}
+
+fn swatches() -> impl Strategy<Value = Swatch> {
+    let name = prop_oneof![Just(String::new()), any::<String>()];
+    (paints(), name).prop_map(|(color, name)| Swatch { color, name })
 }
 
 /// A picture under the lines, with or without its file; or none.

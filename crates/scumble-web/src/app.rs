@@ -5,13 +5,16 @@ use std::cell::{Cell, RefCell};
 use std::rc::Rc;
 
 use js_sys::{Array, Function};
+use scumble_core::Srgb8;
 use scumble_gpu::GpuError;
 use wasm_bindgen::prelude::wasm_bindgen;
 use wasm_bindgen::{JsCast, JsError, JsValue};
 use wasm_bindgen_futures::spawn_local;
 use web_sys::{HtmlCanvasElement, console};
 
-use crate::boundary::{color, command_from_js, field, js_from_effects, js_from_picture};
+use crate::boundary::{
+    color, color_model_from_name, command_from_js, field, js_from_effects, js_from_picture,
+};
 use crate::command::Phase;
 use crate::effect::Effect;
 use crate::painting::PAPER;
@@ -113,6 +116,28 @@ impl App {
     /// The picture of the drawing as it is, with so many pixels on its longer side.
     pub fn export(&self, size_px: f64, lines: bool) -> Export {
         Export(self.shared.borrow_mut().session.export(size_px, lines))
+    }
+
+    /// Colours of numbers, three each, of a model, "oklch" or "hsv" (see [`ColorModel`]): 0xrrggbb, with 1 << 24 for those
+    /// that are not in sRGB.
+    ///
+    /// # Errors
+    /// For a model of another name.
+    pub fn colors(&self, model: &str, numbers: &[f64]) -> Result<Vec<u32>, JsError> {
+        let model = color_model_from_name(model).ok_or_else(|| missing(model))?;
+        let (all, _) = numbers.as_chunks();
+        Ok(all.iter().map(|numbers| packed(model.color(*numbers))).collect())
+    }
+
+    /// The numbers of a colour, 0xrrggbb, in a model.
+    ///
+    /// # Errors
+    /// For a model of another name.
+    #[wasm_bindgen(js_name = colorNumbers)]
+    pub fn color_numbers(&self, model: &str, rgb: u32) -> Result<Vec<f64>, JsError> {
+        let model = color_model_from_name(model).ok_or_else(|| missing(model))?;
+        let [_, r, g, b] = rgb.to_be_bytes();
+        Ok(model.numbers(Srgb8([r, g, b])).to_vec())
     }
 
     fn reopen(&self, args: &JsValue) -> Result<(), JsError> {
@@ -225,6 +250,10 @@ fn wake() {
             let _ = wake.call0(&JsValue::NULL);
         }
     });
+}
+
+fn packed((Srgb8([r, g, b]), is_srgb): (Srgb8, bool)) -> u32 {
+    u32::from_be_bytes([(!is_srgb).into(), r, g, b])
 }
 
 fn missing(name: &str) -> JsError {

@@ -4,7 +4,7 @@
 
 use js_sys::{Array, Float64Array, Object, Reflect, Uint8Array};
 use kurbo::{Point, Rect, Vec2};
-use scumble_core::{Paint, Settings, Srgb8};
+use scumble_core::{Paint, Settings, Srgb8, Swatch};
 use scumble_solve::Pixmap;
 use wasm_bindgen::{JsCast, JsValue};
 
@@ -15,6 +15,7 @@ use crate::solver::SolverState;
 
 mod names;
 
+pub(crate) use names::color_model_from_name;
 use names::{
     blend_from_name, blend_name, edit_name, engine_from_name, engine_name, erasing_name, ink_from_name,
     kind_from_name, kind_name, pressure_from_name, pressure_name, solver_from_name, solver_name, source_name,
@@ -31,6 +32,7 @@ pub(crate) fn command_from_js(name: &str, args: &JsValue) -> Option<Command> {
         "tool" => Command::Tool(tool_from_name(&args.as_string()?)?),
         "color" => Command::Color(ink_from_name(&args.as_string()?)?),
         "color-sought" => Command::ColorSought(ink_from_name(&args.as_string()?)?),
+        "tune-color" => Command::TuneColor(paint(args)?),
         "swap-colors" => Command::SwapColors,
         "kind" => Command::Mode(ModeChange::Kind(kind_from_name(&args.as_string()?)?)),
         "other-kind" => Command::Mode(ModeChange::OtherKind),
@@ -63,6 +65,11 @@ pub(crate) fn command_from_js(name: &str, args: &JsValue) -> Option<Command> {
         "gap-closing" => Command::Set(Setting::GapClosing(args.as_f64()?)),
         "spread" => Command::Set(Setting::Spread(args.as_bool()?)),
         "palette" => Command::Palette(palette(args)?),
+        "repaint" => Command::Repaint {
+            palette: palette(&field(args, "palette"))?,
+            from: paint(&field(args, "from"))?,
+            to: paint(&field(args, "to"))?,
+        },
         "trace" => Command::Trace(args.as_f64().map(|image| image as u32)),
         "tracing-opacity" => Command::TracingOpacity(args.as_f64()?),
         "settle" => Command::Settle,
@@ -108,9 +115,16 @@ pub(crate) fn color(value: &JsValue) -> Option<Srgb8> {
     value.as_string()?.parse().ok()
 }
 
-/// A list of colours written as #rrggbb.
-fn palette(value: &JsValue) -> Option<Vec<Paint>> {
-    value.dyn_ref::<Array>()?.iter().map(|value| color(&value).map(Paint::Color)).collect()
+/// A colour written as #rrggbb, or none.
+fn paint(value: &JsValue) -> Option<Paint> {
+    value.as_string()?.parse().ok()
+}
+
+/// A list of swatches: the colour and the name of each, in turn.
+fn palette(value: &JsValue) -> Option<Vec<Swatch>> {
+    let list = value.dyn_ref::<Array>()?;
+    let swatch = |i| Some(Swatch { color: paint(&list.get(i))?, name: list.get(i + 1).as_string()? });
+    (0..list.length()).step_by(2).map(swatch).collect()
 }
 
 fn numbers<const N: usize>(value: &JsValue) -> Option<[f64; N]> {
@@ -160,9 +174,7 @@ fn js_from_effect(effect: Effect) -> (&'static str, JsValue) {
             object(&[("asked", solver_name(asked).into()), ("source", source_name(source).into())]),
         ),
         Effect::Opened { notes } => ("opened", object(&[("notes", notes.into())])),
-        Effect::Palette(paints) => {
-            ("palette", paints.iter().map(|p| JsValue::from(p.to_string())).collect::<Array>().into())
-        }
+        Effect::Palette(palette) => ("palette", js_from_palette(palette).into()),
         Effect::ScribbleAdded { count } => ("scribble-added", object(&[("count", (count as f64).into())])),
         Effect::ScribblesErased { erased, count } => (
             "scribbles-erased",
@@ -197,6 +209,15 @@ fn js_from_effect(effect: Effect) -> (&'static str, JsValue) {
         Effect::Renderer(name) => ("renderer", name.into()),
         Effect::Lost(next) => ("lost", next.map_or(JsValue::NULL, JsValue::from)),
     }
+}
+
+fn js_from_palette(palette: Vec<Swatch>) -> Array {
+    let list = Array::new();
+    for swatch in palette {
+        list.push(&swatch.color.to_string().into());
+        list.push(&swatch.name.into());
+    }
+    list
 }
 
 fn js_from_mode(mode: Mode) -> JsValue {

@@ -158,6 +158,12 @@ impl Brush {
         }
     }
 
+    /// The colour before stays the one that it is.
+    pub(crate) fn tune_color(&mut self, color: Paint) {
+        self.tone = None;
+        self.color = color;
+    }
+
     /// That before the one of the moment.
     pub(crate) fn color_before(&self) -> Paint {
         if matches!(self.ink(), Ink::Tone(_)) { self.color } else { self.previous_color }

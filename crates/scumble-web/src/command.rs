@@ -1,7 +1,7 @@
 //! What the page can ask for.
 
 use kurbo::{Point, Vec2};
-use scumble_core::{Blend, EngineKind, Paint, Settings, Srgb8};
+use scumble_core::{Blend, EngineKind, Paint, Settings, Srgb8, Swatch};
 
 use crate::brush::{Ink, ModeChange};
 use crate::solver::Solver;
@@ -131,6 +131,8 @@ pub enum Command {
     Color(Ink),
     /// The same while a colour is sought: its changes are one gesture until [`Command::Settle`].
     ColorSought(Ink),
+    /// Another colour in the place of the one that was picked last, as on the way to one that is liked.
+    TuneColor(Paint),
     /// Back to the colour before.
     SwapColors,
     /// How the next scribbles colour.
@@ -160,7 +162,17 @@ pub enum Command {
     /// Another setting of the drawing.
     Set(Setting),
     /// Another palette for the drawing.
-    Palette(Vec<Paint>),
+    Palette(Vec<Swatch>),
+    /// A swatch's colour in the place of the one that it had: in the palette, and wherever the drawing is painted with it.
+    /// It is picked as with a slider: the changes are one gesture until [`Command::Settle`].
+    Repaint {
+        /// The palette with the new colour.
+        palette: Vec<Swatch>,
+        /// The colour as the gesture began.
+        from: Paint,
+        /// The colour of the moment.
+        to: Paint,
+    },
     /// The picture of a number under the lines, or none.
     Trace(Option<u32>),
     /// Its opacity, in `0..=1`. It has a slider: its changes are one gesture until [`Command::Settle`].

@@ -1,7 +1,7 @@
 //! What the page must know, as a short list after each call: what of its state has changed, and what happened.
 
 use kurbo::{Affine, Rect, Size};
-use scumble_core::{Paint, Settings, Tracing};
+use scumble_core::{Paint, Settings, Swatch, Tracing};
 
 use crate::brush::{Ink, Mode};
 use crate::command::Tool;
@@ -52,7 +52,7 @@ pub enum Effect {
         notes: String,
     },
     /// The palette of the drawing that is shown; empty for the page's own.
-    Palette(Vec<Paint>),
+    Palette(Vec<Swatch>),
     /// A scribble was kept.
     ScribbleAdded {
         /// How many there are with it.
@@ -193,7 +193,7 @@ pub(crate) struct State {
     pub(crate) result: Option<bool>,
     pub(crate) settings: Option<Settings>,
     pub(crate) tracing: Option<TracingState>,
-    pub(crate) palette: Option<Vec<Paint>>,
+    pub(crate) palette: Option<Vec<Swatch>>,
     pub(crate) solver: Option<SolverState>,
 }
 

@@ -7,7 +7,7 @@ use std::mem::take;
 
 use kurbo::{Affine, Rect};
 use scumble_core::drawing::LONGER_SIDE_DU;
-use scumble_core::{Boundary, Document, Drawing, MapError, Paint, Srgb8, Tracing, Work, exact};
+use scumble_core::{Boundary, Document, Drawing, MapError, Paint, Srgb8, Swatch, Tracing, Work, exact};
 use scumble_solve::grid::GridProblem;
 use scumble_solve::{Field, Pixmap, View};
 
@@ -171,6 +171,7 @@ impl Session {
             Command::Tool(tool) => self.set_tool(tool),
             Command::Color(ink) => self.take_ink(ink, false),
             Command::ColorSought(ink) => self.take_ink(ink, true),
+            Command::TuneColor(color) => self.tune_color(color),
             Command::SwapColors => self.take_ink(Ink::Paint(self.brush.color_before()), false),
             Command::Mode(change) => self.change_brush(|brush| change.apply(&mut brush.mode)),
             Command::BrushSize(size_du) => self.set_size(true, |_| size_du),
@@ -186,6 +187,7 @@ impl Session {
             Command::Redo => self.redo(),
             Command::Set(setting) => self.set(setting),
             Command::Palette(palette) => self.set_palette(palette),
+            Command::Repaint { palette, from, to } => self.repaint_swatch(palette, from, to),
             Command::Trace(image) => self.trace(image),
             Command::TracingOpacity(opacity) => self.fade_tracing(opacity),
             Command::Settle => self.settle(),
@@ -283,9 +285,22 @@ impl Session {
         }
     }
 
-    fn set_palette(&mut self, palette: Vec<Paint>) {
+    fn set_palette(&mut self, palette: Vec<Swatch>) {
         self.sheet.editor.commit();
         self.sheet.editor.set_palette(palette);
+    }
+
+    /// Each colour on the way takes the place of the first one, not of the one before: what it passes by stays.
+    fn repaint_swatch(&mut self, palette: Vec<Swatch>, from: Paint, to: Paint) {
+        if self.held.is_some() {
+            return;
+        }
+        self.slide();
+        let editor = &mut self.sheet.editor;
+        editor.restart();
+        editor.set_palette(palette);
+        editor.repaint(from, to);
+        self.scribbles_changed();
     }
 
     /// Lays a picture under the lines, as faded as the one before it, or takes it away.

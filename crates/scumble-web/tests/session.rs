@@ -3,7 +3,7 @@
 mod page;
 
 use kurbo::{Point, Vec2};
-use scumble_core::{Blend, ColorPoint, EngineKind, Paint, Settings, Srgb8, Tracing, exact};
+use scumble_core::{Blend, ColorPoint, EngineKind, Paint, Settings, Srgb8, Swatch, Tracing, exact};
 use scumble_web::brush::Ink;
 use scumble_web::command::{Command, Phase, Setting, Tool, ViewChange};
 use scumble_web::effect::{Effect, SheetState, TracingState};
@@ -173,7 +173,7 @@ fn work_that_is_damaged_leaves_the_drawing_as_it_was() {
 fn a_palette_is_of_its_drawing_and_undo_takes_it_back() {
     let mut page = Page::open(SQUARE);
     page.session.take_effects();
-    let palette = vec![RED.into(), Paint::Clear];
+    let palette = [RED.into(), Paint::Clear].map(Swatch::from).to_vec();
     page.session.command(Command::Palette(palette.clone()));
     assert!(page.session.take_effects().contains(&Effect::Palette(palette.clone())));
     assert_eq!(exact::read(&page.session.work()).expect("work").document.palette, palette);
@@ -194,10 +194,44 @@ fn a_palette_that_comes_in_the_middle_of_a_scribble_keeps_it() {
     let mut page = Page::open(SQUARE);
     page.session.command(Command::Color(RED.into()));
     page.pen(Phase::Down, ACROSS[0]);
-    page.session.command(Command::Palette(vec![RED.into()]));
+    page.session.command(Command::Palette(vec![Paint::from(RED).into()]));
     assert_eq!(page.session.document().scribbles.len(), 1);
     page.session.command(Command::Undo);
     assert_eq!((page.session.document().scribbles.len(), page.session.document().palette.len()), (1, 0));
+}
+
+#[test]
+fn what_has_the_colour_of_a_swatch_follows_it_in_one_gesture() {
+    let mut page = Page::open(SQUARE);
+    page.stroke(RED, &ACROSS);
+    let palette = |color: Srgb8| vec![Swatch { color: color.into(), name: "Skin".into() }];
+    page.session.command(Command::Palette(palette(RED)));
+    let before = page.session.work();
+    let repaint = |page: &mut Page, to: Srgb8| {
+        page.session.command(Command::Repaint { palette: palette(to), from: RED.into(), to: to.into() });
+    };
+    for to in [Srgb8([90, 20, 200]), BLUE] {
+        repaint(&mut page, to);
+        assert_eq!(page.color_at(INSIDE), to, "seen at once");
+    }
+    page.session.command(Command::Settle);
+    assert_eq!(page.session.document().palette, palette(BLUE));
+    page.session.command(Command::Undo);
+    assert_eq!(page.session.work(), before);
+    assert_eq!(page.color_at(INSIDE), RED);
+    page.session.command(Command::Redo);
+    assert_eq!(page.color_at(INSIDE), BLUE);
+}
+
+#[test]
+fn a_swatch_that_is_edited_while_the_pen_is_down_waits() {
+    let mut page = Page::open(SQUARE);
+    page.stroke(RED, &ACROSS);
+    page.session.command(Command::Tool(Tool::Erase));
+    page.pen(Phase::Down, ACROSS[0]);
+    assert_eq!(page.session.document().scribbles.len(), 0);
+    page.session.command(Command::Repaint { palette: vec![], from: RED.into(), to: BLUE.into() });
+    assert_eq!(page.session.document().scribbles.len(), 0, "what is erased stays so");
 }
 
 #[test]
@@ -214,7 +248,7 @@ fn colours_set_by_hand_show() {
 fn work_comes_back_with_all_that_was_opened_with_it() {
     let mut page = Page::open(SQUARE);
     let mut work = exact::read(&page.session.work()).expect("work");
-    work.document.palette = vec![RED.into(), Paint::Clear];
+    work.document.palette = [RED.into(), Paint::Clear].map(Swatch::from).to_vec();
     work.sample = Some("square.svg".into());
     let notes = "left out: 1 text".to_owned();
     page.session.command(Command::Open { work: exact::write(&work), notes: notes.clone() });
@@ -266,10 +300,10 @@ fn drawings_that_undo_does_not_come_back_to_are_told_of() {
     };
     assert_eq!(closed(page::open(SQUARE, &[])), Some(1), "nobody has worked on it");
     for opened in 2..10 {
-        closed(Command::Palette(vec![RED.into()]));
+        closed(Command::Palette(vec![Paint::from(RED).into()]));
         assert_eq!(closed(page::open(SQUARE, &[])), None, "over number {opened}");
     }
-    closed(Command::Palette(vec![RED.into()]));
+    closed(Command::Palette(vec![Paint::from(RED).into()]));
     assert_eq!(closed(page::open(SQUARE, &[])), Some(2));
     assert_eq!(closed(Command::Undo), Some(11));
     assert_eq!(closed(Command::Undo), None, "the palette of number 10");
@@ -305,6 +339,21 @@ fn the_brush_stays_within_its_bounds_and_colours_swap() {
     assert_eq!(page.session.take_effects(), [Effect::Color(RED.into())]);
     page.session.command(Command::SwapColors);
     assert_eq!(page.session.take_effects(), [Effect::Color(BLUE.into())]);
+}
+
+#[test]
+fn a_colour_that_is_tuned_leaves_the_one_before_as_it_is() {
+    let mut page = Page::open(SQUARE);
+    page.session.command(Command::Color(RED.into()));
+    page.session.command(Command::Color(Srgb8([9; 3]).into()));
+    page.session.command(Command::Tool(Tool::Erase));
+    for color in [Srgb8([10; 3]), BLUE] {
+        page.session.command(Command::TuneColor(color.into()));
+    }
+    let effects = page.session.take_effects();
+    assert!(effects.contains(&Effect::Color(BLUE.into())), "{effects:?}");
+    page.session.command(Command::SwapColors);
+    assert_eq!(page.session.take_effects(), [Effect::Color(RED.into())]);
 }
 
 #[test]

@@ -60,6 +60,25 @@ async fn javascript_sees_effects_by_name_and_errors_for_what_does_not_exist() {
     app.pointer("down", &[0.0, 0.0, 0.5]).expect("effects");
     assert_eq!(names(&app.pointer("up", &[]).expect("effects")), ["scribble-dropped"], "off the page");
     assert_eq!(names(&app.frame()), Vec::<String>::new());
+    let red_and_beyond =
+        app.colors("oklch", &[0.627_955, 0.257_683, 29.234, 0.627_955, 0.4, 29.234]).expect("colours");
+    assert_eq!(red_and_beyond.iter().map(|packed| packed >> 24).collect::<Vec<_>>(), [0, 1]);
+    assert_eq!(red_and_beyond[0], 0xff_0000);
+    assert_eq!(app.color_numbers("hsv", 0x00_80_80).expect("numbers"), [180.0, 1.0, 128.0 / 255.0]);
+    assert!(app.colors("rgb", &[]).is_err() && app.color_numbers("lab", 0).is_err());
+    let palette = |values: [&str; 2]| values.into_iter().map(JsValue::from).collect::<Array>();
+    assert_eq!(
+        names(&app.command("palette", &palette(["#102030", "Ink"])).expect("effects")),
+        ["sheet", "palette"]
+    );
+    let repaint = object(&[
+        ("palette", palette(["#405060", "Ink"]).into()),
+        ("from", "#102030".into()),
+        ("to", "#405060".into()),
+    ]);
+    assert_eq!(names(&app.command("repaint", &repaint).expect("effects")), ["palette"]);
+    assert_eq!(names(&app.command("settle", &JsValue::NULL).expect("effects")), ["sheet"]);
+    assert!(app.command("palette", &palette(["red", "Ink"])).is_err());
     assert!(app.command("no such command", &JsValue::NULL).is_err());
     assert!(app.command("color", &"red".into()).is_err());
     assert!(app.pointer("sideways", &[]).is_err());

@@ -3,7 +3,7 @@
 //! | path | what |
 //! |---|---|
 //! | `index.html` | as in the repository |
-//! | `web/` | icon, style sheet, and all scripts as one, minified |
+//! | `web/` | icon, style sheet, and all scripts, minified: as one, but for those that are fetched when they are needed |
 //! | `pkg/webgpu/`, `pkg/webgl/` | the editor as wasm, built twice, each with its JavaScript |
 //! | `pkg/files/` | what only files and links need, likewise |
 //! | `samples/` | the drawings that the page offers, with `index.json` and licences |
@@ -133,7 +133,7 @@ fn write_web(from: &Path, to: &Path) -> Result<()> {
 /// in it already.
 fn minify(folder: &Path, files: &[PathBuf]) -> Result<()> {
     let esbuild = ["node_modules/esbuild/bin/esbuild", "--bundle", "--format=esm", "--minify"];
-    let options = ["--allow-overwrite", "--log-level=warning"];
+    let options = ["--splitting", "--allow-overwrite", "--log-level=warning"];
     run(node().args(esbuild).args(options).arg(format!("--outdir={}", folder.display())).args(files))
 }
 

@@ -10,8 +10,10 @@ fn a_palette_goes_into_a_drawing_and_out_again() {
     let folder = Folder::new("palette").with("d.svg", CIRCLE).with("sea.gpl", SEA);
     run(&folder, &["palette", "d.svg", "--from", "sea.gpl", "-o", "d.scumble"]);
     assert!(text(&folder, "d.scumble").contains("\"palette\": [\n\"#010203\",\n\"#c8dcff\"\n]"));
+    assert!(text(&folder, "d.scumble").contains("\"swatch_names\": [\"deep\", \"shallow\"]"));
     run(&folder, &["convert", "d.scumble", "out.ase"]);
     run(&folder, &["convert", "out.ase", "out.gpl"]);
+    assert!(text(&folder, "out.gpl").ends_with("\n  1   2   3\tdeep\n200 220 255\tshallow\n"));
     run(&folder, &["convert", "out.gpl", "out.hex"]);
     assert_eq!(text(&folder, "out.hex"), "010203\nc8dcff\n");
     refused(

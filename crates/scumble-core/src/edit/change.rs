@@ -6,6 +6,7 @@ use super::Document;
 use crate::color::Paint;
 use crate::color_points::ColorPoint;
 use crate::drawing::Curve;
+use crate::palette::Swatch;
 use crate::scribble::Scribble;
 use crate::settings::Settings;
 use crate::tracing::Tracing;
@@ -17,6 +18,7 @@ pub(super) enum Change {
     RemoveScribble(usize),
     ReplaceScribble(usize, Scribble),
     RecolorScribble(usize, Paint),
+    RecolorPoint(usize, Paint),
     MoveScribble {
         from: usize,
         to: usize,
@@ -26,7 +28,7 @@ pub(super) enum Change {
     /// With all colours set by hand: those of the curve had gone with it.
     InsertCurve(usize, u32, Curve, Vec<ColorPoint>),
     SetSettings(Settings),
-    SetPalette(Vec<Paint>),
+    SetPalette(Vec<Swatch>),
     SetTracing(Option<Tracing>),
 }
 
@@ -92,6 +94,9 @@ pub(super) fn apply(document: &mut Document, ids: &mut Ids, change: Change) -> C
         }
         Change::RecolorScribble(index, color) => {
             Change::RecolorScribble(index, replace(&mut scribbles[index].color, color))
+        }
+        Change::RecolorPoint(index, color) => {
+            Change::RecolorPoint(index, replace(&mut color_points[index].color, color))
         }
         Change::MoveScribble { from, to } => {
             let (scribble, id) = (scribbles.remove(from), ids.scribbles.remove(from));

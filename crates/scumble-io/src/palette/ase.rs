@@ -55,7 +55,7 @@ pub(super) fn read(bytes: &[u8]) -> Result<ReadPalette, PaletteError> {
     let mut palette = ReadPalette::default();
     for block in 1..=blocks {
         match read_block(&mut bytes).ok_or(PaletteError::CutOff { block, blocks })? {
-            Block::Color(color) => push(&mut palette.colors, color)?,
+            Block::Color(color, name) => push(&mut palette, color, &name)?,
             Block::UnknownColor => palette.unknown += 1,
             Block::Other => {}
         }
@@ -72,7 +72,8 @@ fn head(bytes: &mut Bytes) -> Option<usize> {
 
 /// What a block is of.
 enum Block {
-    Color(Srgb8),
+    /// With its name.
+    Color(Srgb8, String),
     /// In a space that is not known, or with numbers that are none.
     UnknownColor,
     /// A group.
@@ -88,7 +89,7 @@ fn read_block(bytes: &mut Bytes) -> Option<Block> {
 
 fn color(mut block: Bytes) -> Option<Block> {
     let name_len = usize::from(block.u16()?);
-    block.take(2 * name_len)?;
+    let name = name(block.take(2 * name_len)?);
     let unit = match &block.array()? {
         b"RGB " => block.floats()?,
         b"Gray" | b"GRAY" => block.floats::<1>().map(|[gray]| [gray; 3])?,
@@ -98,7 +99,13 @@ fn color(mut block: Bytes) -> Option<Block> {
     };
     let is_sound = unit.iter().all(|channel| channel.is_finite());
     let rgb = unit.map(|channel| (channel.clamp(0.0, 1.0) * 255.0).round() as u8);
-    Some(if is_sound { Block::Color(Srgb8(rgb)) } else { Block::UnknownColor })
+    Some(if is_sound { Block::Color(Srgb8(rgb), name) } else { Block::UnknownColor })
+}
+
+/// A name in UTF-16, which ends in a zero.
+fn name(bytes: &[u8]) -> String {
+    let units: Vec<_> = bytes.chunks_exact(2).map(|unit| u16::from_be_bytes([unit[0], unit[1]])).collect();
+    String::from_utf16_lossy(&units)
 }
 
 /// White in daylight D50: X, Y, Z (ICC profile connection space).
@@ -121,10 +128,10 @@ fn srgb_from_lab([l, a, b]: [f64; 3]) -> [f64; 3] {
         .map(|row| srgb_from_linear((row[0] * x + row[1] * y + row[2] * z).clamp(0.0, f64::INFINITY)))
 }
 
-pub(super) fn written(colors: &[Srgb8]) -> Vec<u8> {
+pub(super) fn written(colors: &[(Srgb8, String)]) -> Vec<u8> {
     let mut bytes = [MARK, &VERSION, &(colors.len() as u32).to_be_bytes()].concat();
-    for color in colors {
-        let name: Vec<u8> = color.to_string().encode_utf16().chain([0]).flat_map(u16::to_be_bytes).collect();
+    for (color, name) in colors {
+        let name: Vec<u8> = name.encode_utf16().chain([0]).flat_map(u16::to_be_bytes).collect();
         let floats = color.0.map(|channel| (f32::from(channel) / 255.0).to_be_bytes()).concat();
         let name_len = (name.len() / 2) as u16;
         let block = [&name_len.to_be_bytes()[..], &name, b"RGB ", &floats, &NORMAL].concat();

@@ -15,9 +15,9 @@ pub(super) fn read(text: &str) -> Result<ReadPalette, PaletteError> {
         return Err(PaletteError::Damaged { line: number, expected: "“GIMP Palette”" });
     }
     for (line, number) in lines.filter(|(line, _)| !is_head(line)) {
-        let color = color(line)
+        let (color, name) = color(line)
             .ok_or(PaletteError::Damaged { line: number, expected: "three numbers from 0 to 255" })?;
-        push(&mut palette.colors, color)?;
+        push(&mut palette, color, name)?;
     }
     Ok(palette)
 }
@@ -28,17 +28,24 @@ fn is_head(line: &str) -> bool {
     line.is_empty() || ["#", "Name:", "Columns:", "Channels:"].iter().any(|head| line.starts_with(head))
 }
 
-fn color(line: &str) -> Option<Srgb8> {
-    let mut words = line.split_whitespace();
-    let mut channel = || words.next()?.parse().ok();
-    Some(Srgb8([channel()?, channel()?, channel()?]))
+/// A colour, and what comes behind it.
+fn color(line: &str) -> Option<(Srgb8, &str)> {
+    let mut rest = line;
+    let mut channel = || {
+        let (word, behind) =
+            rest.trim_start().split_once(char::is_whitespace).unwrap_or((rest.trim_start(), ""));
+        rest = behind;
+        word.parse().ok()
+    };
+    let color = Srgb8([channel()?, channel()?, channel()?]);
+    Some((color, rest))
 }
 
-pub(super) fn written(colors: &[Srgb8]) -> String {
+pub(super) fn written(colors: &[(Srgb8, String)]) -> String {
     let mut text = [MARK, "\nName: Scumble\n#\n"].concat();
-    for color in colors {
+    for (color, name) in colors {
         let [r, g, b] = color.0;
-        text.push_str(&format!("{r:3} {g:3} {b:3}\t{color}\n"));
+        text.push_str(&format!("{r:3} {g:3} {b:3}\t{name}\n"));
     }
     text
 }

@@ -18,7 +18,7 @@ pub(super) fn read(text: &str) -> Result<ReadPalette, PaletteError> {
         for word in words(line) {
             let color =
                 color(word).ok_or(PaletteError::Damaged { line: number, expected: "a colour #rrggbb" })?;
-            push(&mut palette.colors, color)?;
+            push(&mut palette, color, "")?;
         }
     }
     Ok(palette)
@@ -45,6 +45,6 @@ fn color(word: &str) -> Option<Srgb8> {
 }
 
 /// Without `#`, as most programs that read such lists expect.
-pub(super) fn written(colors: &[Srgb8]) -> String {
-    colors.iter().map(|color| [color.to_string().trim_start_matches('#'), "\n"].concat()).collect()
+pub(super) fn written(colors: &[(Srgb8, String)]) -> String {
+    colors.iter().map(|(color, _)| [color.to_string().trim_start_matches('#'), "\n"].concat()).collect()
 }

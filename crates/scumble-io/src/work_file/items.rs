@@ -2,11 +2,17 @@
 
 use kurbo::{BezPath, Cap, PathEl, Point, Stroke};
 use scumble_core::work::{Item, MAX_CURVES, Unknown, Work};
-use scumble_core::{ColorPoint, Curve, Fill, Line, Paint, Rgba8, Scribble, ScribbleKind, Shading, Srgb8};
+use scumble_core::{
+    ColorPoint, Curve, Fill, Line, Paint, Rgba8, Scribble, ScribbleKind, Shading, Srgb8, Swatch,
+};
 
 use super::names::{CAPS, JOINS, KINDS, RULES, SIDES, plain_stroke};
 use super::pressures;
+use super::swatch_names::{name_swatches, read_names};
 use crate::json::{Fault, Json, Member};
+
+/// Swatches that may have names.
+const MAX_SWATCHES: usize = 1_000_000;
 
 /// What is expected behind as many curves as there may be.
 pub(super) const NO_MORE_CURVES: &str = "no more curves";
@@ -14,7 +20,8 @@ pub(super) const NO_MORE_CURVES: &str = "no more curves";
 /// The lists as they are read.
 #[derive(Debug, Default)]
 pub(super) struct Items {
-    palette: Vec<Paint>,
+    palette: Vec<Swatch>,
+    swatch_names: Vec<String>,
     curves: Vec<Curve>,
     fills: Vec<Fill>,
     scribbles: Vec<Scribble>,
@@ -25,6 +32,7 @@ impl Items {
     pub(super) fn into_work(self, mut work: Work) -> Work {
         let document = &mut work.document;
         (document.palette, document.color_points) = (self.palette, self.color_points);
+        name_swatches(&mut document.palette, self.swatch_names);
         document.scribbles = self.scribbles;
         (document.drawing.curves, document.drawing.fills) = (self.curves, self.fills);
         work
@@ -38,7 +46,8 @@ impl Items {
         unknown: &mut Unknown,
     ) -> Result<(), Fault> {
         match &*member.name {
-            "palette" => json.items(&mut |json| paint(json).map(|paint| self.palette.push(paint))),
+            "palette" => json.items(&mut |json| paint(json).map(|paint| self.palette.push(paint.into()))),
+            "swatch_names" => read_names(json, MAX_SWATCHES).map(|names| self.swatch_names = names),
             "curves" => json.items(&mut |json| {
                 if self.curves.len() == MAX_CURVES {
                     return json.fault(NO_MORE_CURVES);

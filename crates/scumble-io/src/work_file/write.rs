@@ -8,7 +8,8 @@ use scumble_core::{
 
 use super::names::{BLENDS, CAPS, ENGINES, JOINS, KINDS, RULES, SIDES, name, plain_stroke};
 use super::pressures::{self, has_pressures};
-use super::{PAGE_PER_UNIT, PER_UNIT, PRESSURE_MINOR, TRACING_MINOR, VERSION};
+use super::swatch_names::{are_named, push_names};
+use super::{NAMES_MINOR, PAGE_PER_UNIT, PER_UNIT, PRESSURE_MINOR, TRACING_MINOR, VERSION};
 use crate::base64;
 use crate::json::{push_number, push_string};
 
@@ -16,11 +17,12 @@ use crate::json::{push_number, push_string};
 pub(super) fn written(work: &Work, image: &[u8]) -> String {
     let mut text = String::from("{\n\"format\": \"scumble\",\n\"version\": \"");
     let tracing = work.document.tracing.filter(|_| !image.is_empty());
-    let Document { drawing, settings, scribbles, .. } = &work.document;
+    let Document { drawing, settings, scribbles, palette, .. } = &work.document;
     let minors = [
         work.unknown.minor,
         if tracing.is_some() { TRACING_MINOR } else { 0 },
         if has_pressures(scribbles) { PRESSURE_MINOR } else { 0 },
+        if are_named(palette) { NAMES_MINOR } else { 0 },
     ];
     let minor = minors.into_iter().fold(0, u32::max);
     text.extend([&VERSION[0].to_string(), ".", &minor.to_string(), "\""]);
@@ -38,8 +40,12 @@ pub(super) fn written(work: &Work, image: &[u8]) -> String {
     push_settings(&mut text, settings, work.unknown.of(Item::Settings, 0));
     push_lists(&mut text, work);
     push_unknown(&mut text, ",\n", work.unknown.of(Item::Work, 0));
+    // Last, as the last field of a name counts: a page of an older version may have kept others as unknown.
+    if are_named(palette) {
+        text.push_str(",\n");
+        push_names(&mut text, &work.document.palette);
+    }
     if let Some(tracing) = tracing {
-        // Last, as the last field of a name counts: a page of version 1.0 may have kept another picture as unknown.
         push_tracing(&mut text, tracing, image);
     }
     text.push_str("\n}\n");
@@ -63,7 +69,7 @@ fn push_unknown(text: &mut String, comma: &str, unknown: &str) {
 
 fn push_lists(text: &mut String, work: &Work) {
     let Document { drawing, scribbles, color_points, palette, .. } = &work.document;
-    push_list(text, "palette", palette.len(), &mut |text, i| push_paint(text, palette[i]));
+    push_list(text, "palette", palette.len(), &mut |text, i| push_paint(text, palette[i].color));
     push_list(text, "curves", drawing.curves.len(), &mut |text, i| {
         push_curve(text, &drawing.curves[i]);
         push_unknown(text, ", ", work.unknown.of(Item::Curve, i));

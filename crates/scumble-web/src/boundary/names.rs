@@ -1,6 +1,6 @@
 //! The names by which the page knows what there is to choose from.
 
-use scumble_core::{Blend, EngineKind, Tone};
+use scumble_core::{Blend, ColorModel, EngineKind, Tone};
 
 use crate::brush::{Ink, Kind, Pressure};
 use crate::command::Tool;
@@ -65,6 +65,14 @@ pub(super) fn pressure_name(pressure: Pressure) -> &'static str {
         Pressure::Radius => "radius",
         Pressure::Strength => "strength",
         Pressure::Off => "off",
+    }
+}
+
+pub(crate) fn color_model_from_name(name: &str) -> Option<ColorModel> {
+    match name {
+        "oklch" => Some(ColorModel::Oklch),
+        "hsv" => Some(ColorModel::Hsv),
+        _ => None,
     }
 }
 

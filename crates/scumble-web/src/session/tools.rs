@@ -1,5 +1,7 @@
 //! Which tool is at hand, and what it works with; what is set for it goes to what is selected, if that is what it is for.
 
+use scumble_core::Paint;
+
 use super::Session;
 use super::gestures::Held;
 use crate::brush::{Brush, Ink};
@@ -42,6 +44,15 @@ impl Session {
         self.set_tool(Tool::Select);
         self.change_selected(is_sought, |session| session.recolor_selected(ink));
         self.tell_edited(Edit::Recolored);
+    }
+
+    /// A colour in the place of the one that was sought last.
+    pub(super) fn tune_color(&mut self, color: Paint) {
+        if self.selected_scribbles().is_empty() {
+            self.change_brush(|brush| brush.tune_color(color));
+        } else {
+            self.take_ink(Ink::Paint(color), true);
+        }
     }
 
     /// Another size, which depends on the one that there is.
