@@ -12,7 +12,7 @@
 use kurbo::{Line, ParamCurveNearest, Point, Vec2};
 
 use crate::planar_map::PlanarMap;
-use crate::triangulation::{HalfEdge, Triangulation};
+use crate::triangulation::{HalfEdge, SideId, Triangulation};
 use crate::visibility::turn;
 
 /// What a passage beside the tip of a line counts, as a part of its width, where the line points along it.
@@ -103,19 +103,17 @@ pub(crate) fn distance_to_lines_du(map: &PlanarMap, p: Point, triangle: usize) -
     nearest_du
 }
 
-/// The half-edge, on this side of the line, of the piece of curve that is nearest to a point, seen from the triangle that
-/// it lies in.
-pub(crate) fn nearest_line(map: &PlanarMap, p: Point, triangle: usize) -> Option<HalfEdge> {
+/// The sides, those that face the point, of the pieces of curve whose ink it lies on, at most so far from the middle of the
+/// line, in du; seen from the triangle that it lies in.
+pub(crate) fn lines_under(map: &PlanarMap, p: Point, triangle: usize, within_du: f64) -> Vec<SideId> {
     let mesh = map.triangulation();
-    let mut nearest = (OPEN_DU, None);
+    let mut under = Vec::new();
     look_around(map, p, triangle, |h| {
-        let way_du = distance_du(p, mesh.segment(h));
-        if mesh.side(h).is_some() && way_du < nearest.0 {
-            nearest = (way_du, Some(h));
-        }
-        nearest.0
+        let is_near = distance_du(p, mesh.segment(h)) <= within_du && distance_to_line_du(map, p, h) <= 0.0;
+        under.extend(mesh.side(h).filter(|_| is_near));
+        within_du
     });
-    nearest.1
+    under
 }
 
 /// Shows the half-edges that are seen from a point in a triangle to `look`, which says how far there is still something

@@ -10,7 +10,7 @@ use crate::planar_map::{PlanarMap, Step};
 use crate::scribble::Scribble;
 use crate::sort;
 use crate::source::{SoftSource, soft_sources};
-use crate::triangulation::{HalfEdge, SideId};
+use crate::triangulation::SideId;
 
 /// The colour of a side at the start, the middle and the end of its half-edge in the triangulation; `None` where
 /// the side has no colour and is a no-flux barrier. Indexed by [`SideId`].
@@ -146,11 +146,12 @@ pub(crate) fn color_spans(
             let steps = map.steps(curve);
             let colors: Vec<_> = steps.iter().map(|step| color_of(side(step, is_left))).collect();
             let seam = if map.is_closed(curve) { seam(&colors) } else { 0 };
-            let are_parted = |before: usize, after: usize| {
-                are_parted(map, closed_gaps, [before, after].map(|i| side(&steps[i], is_left)), is_left)
+            let runs = runs(steps, &colors, seam);
+            let is_parted = |run: &Run| {
+                let before = (run.first + steps.len() - 1) % steps.len();
+                are_parted(map, closed_gaps, [before, run.first].map(|i| side(&steps[i], is_left)), is_left)
             };
-            let runs = runs(steps, &colors, seam, are_parted);
-            let parts = runs.chunk_by(|a, b| a.end_du == b.start_du && !b.is_parted);
+            let parts = runs.chunk_by(|a, b| a.end_du == b.start_du && !is_parted(b));
             spans.extend(parts.map(|part| ColorSpan { curve: curve as u32, is_left, stops: stops(part) }));
         }
     }
@@ -165,12 +166,8 @@ fn side(step: &Step, is_left: bool) -> SideId {
 fn are_parted(map: &PlanarMap, closed_gaps: &[bool], [before, after]: [SideId; 2], is_left: bool) -> bool {
     let mesh = map.triangulation();
     let (from, to) = if is_left { (after, before) } else { (before, after) };
-    let is_closed = |h| mesh.gap(h).is_some_and(|gap| closed_gaps.get(gap as usize) == Some(&true));
-    let Some(mut h) = map.half_edge(from).map(HalfEdge::next) else { return false };
-    while let Some(twin) = mesh.passage(h).filter(|_| !is_closed(h)) {
-        h = twin.next();
-    }
-    mesh.side(h) != Some(to)
+    let is_open = |h| mesh.gap(h).is_none_or(|gap| closed_gaps.get(gap as usize) != Some(&true));
+    map.half_edge(from).and_then(|h| mesh.side_after(h, is_open)) != Some(to)
 }
 
 /// The step of a closed curve at which its sides are cut open: the middle of the longest run, where no transition
@@ -190,18 +187,12 @@ struct Run {
     start_du: f64,
     end_du: f64,
     color: Paint,
-    /// Whether something parts it from the one before.
-    is_parted: bool,
+    /// Its first step.
+    first: usize,
 }
 
-/// The runs of a curve's side, from step `seam` on and around, where `are_parted` says whether something parts a step from
-/// the next.
-fn runs(
-    steps: &[Step],
-    colors: &[Option<Paint>],
-    seam: usize,
-    are_parted: impl Fn(usize, usize) -> bool,
-) -> Vec<Run> {
+/// The runs of a curve's side, from step `seam` on and around.
+fn runs(steps: &[Step], colors: &[Option<Paint>], seam: usize) -> Vec<Run> {
     let round_du = steps.last().map_or(0.0, |last| last.arc_du[1]);
     let mut runs: Vec<Run> = Vec::new();
     for i in (seam..steps.len()).chain(0..seam) {
@@ -210,10 +201,7 @@ fn runs(
         let [start_du, end_du] = steps[i].arc_du.map(|arc_du| arc_du + before_du);
         match runs.last_mut() {
             Some(run) if run.color == color && run.end_du == start_du => run.end_du = end_du,
-            last => {
-                let is_parted = last.is_some() && are_parted((i + steps.len() - 1) % steps.len(), i);
-                runs.push(Run { start_du, end_du, color, is_parted });
-            }
+            _ => runs.push(Run { start_du, end_du, color, first: i }),
         }
     }
     runs
@@ -343,6 +331,30 @@ mod tests {
         }
         assert_eq!(blue_at(count / 6, 1), 0.0);
         assert_eq!(blue_at(2 * count / 3, 1), full);
+    }
+
+    /// A line that ends on the upper side of another parts the colours there, not those below it, and so does a gap that is
+    /// closed, where it falls short of it.
+    #[test]
+    fn what_lies_between_two_colours_parts_them_on_its_own_side() {
+        let transitions = |foot_du: f64, is_closed: bool| {
+            let mut drawing = Drawing::new(Rect::new(0.0, 0.0, 1024.0, 1024.0));
+            for path in ["M 100 500 H 900", &format!("M 500 100 V {foot_du}")] {
+                let path = kurbo::BezPath::from_svg(path).expect("a path");
+                drawing.curves.push(Curve { path, line: None });
+            }
+            let map = PlanarMap::build(&drawing, &Sampling::default()).expect("a map").with_gaps_closed(1.0);
+            let at = |side: SideId| map.triangulation().points()[map.ends(side)[0] as usize];
+            let is_west = |side: SideId| 0.5 * (at(side) + at(side.opposite()).to_vec2()).x < 500.0;
+            let color = |side| Some(if is_west(side) { RED } else { BLUE });
+            let spans = color_spans(&map, color, &vec![is_closed; map.gaps().len()], &[]);
+            [false, true].map(|is_left| {
+                spans.iter().filter(|span| (span.curve, span.is_left) == (0, is_left)).count() == 1
+            })
+        };
+        assert_eq!(transitions(500.0, false), [true, false]);
+        assert_eq!(transitions(490.0, false), [true, true]);
+        assert_eq!(transitions(490.0, true), [true, false]);
     }
 
     #[test]

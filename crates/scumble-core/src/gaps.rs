@@ -62,12 +62,12 @@ fn find(map: &PlanarMap, clearance: &Clearance, ratio: f64) -> Vec<Gap> {
     let lengths_du = line_lengths_du(map);
     for (width_du, h, twin) in passages(mesh, clearance) {
         let [a, b] = [h, twin].map(|h| basins.sets.find(h.triangle() as u32));
-        let narrower_du = basins.width_du(a).min(basins.width_du(b));
+        let narrower_du = basins.width_du(a).min(basins.width_du(b)).max(0.0);
         let is_at_tip = mesh.ends(h).iter().any(|&node| clearance.tips[node as usize].is_some());
         let ratio = if is_at_tip { ratio } else { WAIST * ratio };
-        if a != b && is_gabriel(mesh, h) && width_du < ratio * narrower_du.max(0.0) {
+        if a != b && is_gabriel(mesh, h) && width_du < ratio * narrower_du {
             let [is_wide, is_plain] =
-                wide_widths_du(map, &lengths_du, h, width_du).map(|du| du > WIDE * narrower_du.max(0.0));
+                wide_widths_du(map, &lengths_du, h, width_du).map(|du| du > WIDE * narrower_du);
             gaps.push(Gap { nodes: mesh.ends(h), is_wide, is_plain: is_wide && is_plain });
         } else {
             basins.join(a, b);

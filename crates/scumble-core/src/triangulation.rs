@@ -208,6 +208,15 @@ impl Triangulation {
         if self.side(h).is_some() { None } else { self.twin(h) }
     }
 
+    /// Turns around the end of a side, through what `is_open`, to the next one; `None` where there is none.
+    pub(crate) fn side_after(&self, h: HalfEdge, is_open: impl Fn(HalfEdge) -> bool) -> Option<SideId> {
+        let mut out = h.next();
+        while let Some(twin) = self.passage(out).filter(|_| is_open(out)) {
+            out = twin.next();
+        }
+        self.side(out)
+    }
+
     /// Numbers the sets of triangles that are joined without crossing a curve: per triangle its region, counted
     /// from 0 in the order of each region's first triangle; and the number of regions.
     pub fn regions(&self) -> (Vec<u32>, usize) {

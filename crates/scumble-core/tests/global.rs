@@ -1,7 +1,7 @@
 //! What the `Global` engine promises, on random drawings with random scribbles: the order of scribbles and all that
 //! was there before leave no trace, a stroke that grows within a room only takes, and nothing is too odd.
 
-use kurbo::{Arc, BezPath, Circle, Point, Rect, Shape, Stroke, Vec2};
+use kurbo::{Arc, BezPath, Circle, ParamCurveNearest, Point, Rect, Shape, Stroke, Vec2};
 use proptest::collection::vec;
 use proptest::prelude::*;
 use scumble_core::{
@@ -83,14 +83,26 @@ fn contents(labels: &Labels, scribbles: &[Scribble]) -> (Vec<Option<Scribble>>, 
     (labels.sides.iter().map(|label| label.map(content)).collect(), labels.closed_gaps.clone())
 }
 
-/// How many points a stroke has before it crosses a line, a gap or the border of the page.
+/// How many points a stroke has before it comes onto a line, or crosses a gap or the border of the page.
 fn points_within_a_room(map: &PlanarMap, points: &[Point]) -> usize {
     let nodes = map.triangulation().points();
-    let pieces = map.pieces().iter().map(|piece| piece.nodes);
-    let walls = pieces.chain(map.gaps().iter().map(|gap| gap.nodes));
-    let walls: Vec<_> = walls.map(|ends| ends.map(|node| nodes[node as usize])).collect();
-    let crosses = |step: &[Point]| walls.iter().any(|&[a, b]| meet([step[0], step[1]], [a, b]));
-    1 + points.windows(2).take_while(|step| !crosses(step)).count()
+    let gaps: Vec<_> = map.gaps().iter().map(|gap| gap.nodes.map(|node| nodes[node as usize])).collect();
+    let crosses = |step: [Point; 2]| gaps.iter().any(|&gap| meet(step, gap)) || is_on_lines(map, step);
+    let steps = points.iter().zip(&points[1.min(points.len())..]);
+    let is_clear = points.first().is_some_and(|&first| !is_on_lines(map, [first, first]));
+    if is_clear { 1 + steps.take_while(|&(&from, &to)| !crosses([from, to])).count() } else { 0 }
+}
+
+/// Whether a step of the pen may be on a line, or on the border of the page.
+fn is_on_lines(map: &PlanarMap, step: [Point; 2]) -> bool {
+    const NEAR_DU: f64 = 4.1;
+    let nodes = map.triangulation().points();
+    let far =
+        |p: Point, [a, b]: [Point; 2]| kurbo::Line::new(a, b).nearest(p, 0.0).distance_sq > NEAR_DU * NEAR_DU;
+    map.pieces().iter().map(|piece| piece.nodes.map(|node| nodes[node as usize])).any(|line| {
+        let ends = step.iter().all(|&p| far(p, line)) && line.iter().all(|&p| far(p, step));
+        !ends || step[0] != step[1] && meet(step, line)
+    })
 }
 
 /// Whether two segments have a point in common.
@@ -107,7 +119,7 @@ fn sides(map: &PlanarMap) -> impl Iterator<Item = SideId> + '_ {
 
 /// Whether there may be rooms that get a colour that was there already, once more of what is around them has one.
 fn has_pockets(map: &PlanarMap) -> bool {
-    map.gaps().iter().any(|gap| gap.is_wide)
+    !map.gaps().is_empty()
 }
 
 /// What a person may do to a list of scribbles; numbers count around.
@@ -282,7 +294,8 @@ proptest! {
     fn a_scribble_colours_what_it_was_drawn_on(map in maps(), points in ways(), spread: bool) {
         let one = Scribble { color: Paint::Clear, kind: ScribbleKind::Fill, width_du: 8.0, points: points[..1].to_vec() };
         let mesh = map.triangulation();
-        if let Some(t) = mesh.locate(one.points[0], 0) {
+        let place = one.points[0];
+        if let Some(t) = mesh.locate(place, 0).filter(|_| !is_on_lines(&map, [place, place])) {
             let labels = fresh(&map, spread, std::slice::from_ref(&one));
             for side in mesh.half_edges().filter(|h| h.triangle() == t).filter_map(|h| mesh.side(h)) {
                 prop_assert_eq!(labels.sides[side.index()], Some(0));

@@ -3,7 +3,7 @@
 use kurbo::Point;
 
 use super::flood::{Cost, Ways, cost, length};
-use crate::clearance::{OPEN_DU, distance_to_lines_du, nearest_line};
+use crate::clearance::{OPEN_DU, distance_to_lines_du, lines_under};
 use crate::planar_map::PlanarMap;
 use crate::small_map::SmallMap;
 use crate::stroke::Stroke;
@@ -29,6 +29,9 @@ const LONGEST_START_DU: f64 = AT_HAND * OPEN_DU;
 /// most: less is a hand that slipped, or that set the pen down beside the shape. Around the shapes of the page half of
 /// all samples must lie: running out is worse than stopping short.
 const MEANT: f64 = 1.0 / 3.0;
+
+/// A pen on the ink of a line and this close to its middle, in du, may as well be on the other side of it.
+const ON_LINE_DU: f64 = 4.0;
 
 /// The samples of a scribble so far.
 #[derive(Clone, Debug, Default)]
@@ -84,13 +87,12 @@ impl Claim {
         stroke.follow(map, points, |p, base| {
             let distance_du = distance_to_lines_du(map, p, base);
             *triangle = map.refined().locate(p, *triangle).unwrap_or(*triangle);
-            if distance_du <= 0.0 {
-                *triangle = smaller_side(map, ways, p, [base, *triangle]);
-            }
-            let room = ways.room_of[*triangle];
+            let is_on_lines = distance_du <= 0.0;
+            let place = if is_on_lines { shown_by_lines(map, ways, p, [base, *triangle]) } else { *triangle };
+            let room = ways.room_of[place];
             let visit = visits.entry(room);
             visit.is_at_border = ways.rooms.is_at_border(room);
-            visit.seeds.push(Seed::new(*triangle, distance_du));
+            visit.seeds.push(Seed::new(place, distance_du));
         });
     }
 
@@ -131,25 +133,22 @@ impl Claim {
     }
 }
 
-/// The triangle of the refined mesh, on either side of the line that a point lies on, that is in the smaller room: a
-/// stroke over a line is for what the line shows, and that is not what lies under its ink. The point lies in these
-/// triangles of the map and of the refined mesh.
-fn smaller_side(map: &PlanarMap, ways: &Ways, p: Point, [base, triangle]: [usize; 2]) -> usize {
-    let mesh = map.triangulation();
-    let Some(line) = nearest_line(map, p, base) else { return triangle };
-    let half_width_du = map.half_width_du(mesh.origin(line)).unwrap_or_default();
-    let ink_du2 = (2.0 * half_width_du).powi(2);
-    let size = |&triangle: &usize| {
-        let area_du2 = ways.rooms.area_du2(ways.room_of[triangle]);
-        if area_du2 > ink_du2 { area_du2 } else { f64::INFINITY }
+/// The triangle of the refined mesh that a point on lines stands for: of those on either side the one in the smallest
+/// room, but none that lies all under ink. A stroke over a line is for what the line shows. The point lies in these triangles
+/// of the map and of the refined mesh.
+fn shown_by_lines(map: &PlanarMap, ways: &Ways, p: Point, [base, triangle]: [usize; 2]) -> usize {
+    let size = |triangle: usize| {
+        let room = ways.room_of[triangle];
+        if ways.are_clear[room as usize] { ways.rooms.area_du2(room) } else { f64::INFINITY }
     };
-    let beyond = || {
-        let [a, b] = mesh.segment(line);
-        let corners = mesh.corners(mesh.twin(line)?.triangle()).map(Point::to_vec2);
-        let center = (corners[0] + corners[1] + corners[2]) / 3.0;
-        map.refined().locate(a.midpoint(b).lerp(center.to_point(), 0.5), triangle)
-    };
-    beyond().filter(|beyond| size(beyond) < size(&triangle)).unwrap_or(triangle)
+    let mut shown = triangle;
+    for side in lines_under(map, p, base, ON_LINE_DU) {
+        let beyond = ways.triangle_of_side[side.opposite().index()] as usize;
+        if beyond < ways.room_of.len() && size(beyond) < size(shown) {
+            shown = beyond;
+        }
+    }
+    shown
 }
 
 /// Which rooms are meant.

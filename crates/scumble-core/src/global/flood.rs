@@ -48,6 +48,10 @@ pub(super) struct Ways {
     /// Per triangle its room.
     pub(super) room_of: Vec<u32>,
     pub(super) rooms: Rooms,
+    /// Per room whether not all of it lies under the ink of lines.
+    pub(super) are_clear: Vec<bool>,
+    /// Per side of a piece of curve; [`NONE`] for those that face no triangle.
+    pub(super) triangle_of_side: Vec<u32>,
     /// The half-edges that lead through a gap.
     pub(super) gaps: Vec<HalfEdge>,
     /// Per half-edge whether what has stopped at a gap may go on there.
@@ -63,16 +67,20 @@ impl Ways {
         let (room_of, room_count) = mesh.rooms();
         let rooms = Rooms::new(map, &room_of, room_count);
         let is_open = mesh.half_edges().map(|h| spread || mesh.gap(h).is_none()).collect();
-        let mut ways = Self { costs: none.clone(), lengths: none, room_of, rooms, gaps, is_open };
+        let are_clear = vec![false; room_count];
+        let triangle_of_side = vec![NONE; map.side_count()];
+        let (costs, lengths) = (none.clone(), none);
+        let mut ways = Self { costs, lengths, room_of, rooms, are_clear, triangle_of_side, gaps, is_open };
         let mut base = 0;
         for t in 0..mesh.triangle_count() {
             base = map.triangulation().locate(centroid(mesh, t), base).unwrap_or(base);
+            ways.are_clear[ways.room_of[t] as usize] |= map.clearance().place_widths_du[base] > 0.0;
             (0..3).for_each(|i| ways.measure(map, HalfEdge::of(t, i), base));
         }
         ways
     }
 
-    /// Opens the gaps that lead into the pockets of what was drawn, pairs of a colour and a room in ascending order, and
+    /// Opens the gaps that lead into the pockets and corners of what was drawn, pairs of a colour and a room in ascending order, and
     /// closes all others; says whether any of them was open.
     pub(super) fn open_to(&mut self, map: &PlanarMap, drawn: &[[u32; 2]]) -> bool {
         let doors = self.rooms.open_doors(drawn);
@@ -85,10 +93,13 @@ impl Ways {
         closes
     }
 
-    /// Sets what it takes to go through a half-edge of the refined mesh, either way, from a triangle whose centroid
+    /// Sets what lies at a half-edge of the refined mesh, or what it takes to go through it, either way, from a triangle whose centroid
     /// lies in the triangle `base` of the map.
     fn measure(&mut self, map: &PlanarMap, h: HalfEdge, base: usize) {
         let mesh = map.refined();
+        if let Some(side) = mesh.side(h) {
+            self.triangle_of_side[side.index()] = h.triangle() as u32;
+        }
         let Some(twin) = mesh.passage(h).filter(|&twin| h < twin) else { return };
         let [a, b] = mesh.segment(h);
         let [from, to] = [h, twin].map(|h| centroid(mesh, h.triangle()));

@@ -68,7 +68,7 @@ impl Rooms {
         }
         let hall_of = halls(&are_beside_border, &doors);
         let shapes = Shapes::new(map, room_of, &areas_du2);
-        let hall_part = |room| if shapes.contain(room) { CLOSED_HALL } else { HALL };
+        let hall_part = |room| if shapes.contains(room) { CLOSED_HALL } else { HALL };
         let hall_parts = (0..room_count as u32).map(hall_part).collect();
         Self { areas_du2, are_beside_border, doors, plain_doors, hall_of, hall_parts, shapes }
     }

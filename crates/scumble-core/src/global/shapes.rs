@@ -1,7 +1,7 @@
 //! Closed shapes: regions of the map with lines all around, so that nothing runs out of them onto the page.
 //!
 //! Once colours have half of one, they have its corners too, behind whatever gap: nobody leaves a hole between a loose
-//! scale and the outline of a fish. A larger part behind a narrow gap may well be a thing of its own.
+//! scale and the outline of a fish. A larger room behind a narrow gap may well be a thing of its own.
 
 use super::pockets::{Door, doors};
 use crate::planar_map::PlanarMap;
@@ -12,7 +12,7 @@ const MOSTLY: f64 = 0.5;
 /// A corner has less than this part of the area of its shape.
 const CORNER: f64 = 1.0 / 6.0;
 
-/// Shape of a room at the border of the page, or open to it through no line.
+/// The shape of a room from which the border of the page is reached without crossing a line.
 const NONE: u32 = u32::MAX;
 
 /// The closed shapes of a map.
@@ -48,19 +48,21 @@ impl Shapes {
     }
 
     /// Whether a room is in a closed shape.
-    pub(super) fn contain(&self, room: u32) -> bool {
+    pub(super) fn contains(&self, room: u32) -> bool {
         self.of_rooms[room as usize] != NONE
     }
 
-    /// The doors to the corners of those shapes that colours, who have these rooms, have for the most part; in ascending
-    /// order.
+    /// The doors into the corners that colours, which have these rooms, do not have yet of shapes that they have for the most
+    /// part; in ascending order.
     pub(super) fn corner_doors(&self, are_colored: &[bool]) -> impl Iterator<Item = Door> {
+        // There are no more shapes than rooms.
         let mut parts = vec![0.0; self.of_rooms.len()];
-        for room in (0..are_colored.len()).filter(|&room| are_colored[room] && self.contain(room as u32)) {
+        for room in (0..are_colored.len()).filter(|&room| are_colored[room] && self.contains(room as u32)) {
             parts[self.of_rooms[room] as usize] += self.parts[room];
         }
-        let goes_in = move |room: u32| are_colored[room as usize] || self.parts[room as usize] < CORNER;
         let is_mostly = move |room: u32| parts[self.of_rooms[room as usize] as usize] > MOSTLY;
-        self.doors.iter().copied().filter(move |&[from, to]| is_mostly(from) && goes_in(from) && goes_in(to))
+        let is_corner = |room: u32| !are_colored[room as usize] && self.parts[room as usize] < CORNER;
+        let leads = move |[from, to]: Door| is_corner(to) && (are_colored[from as usize] || is_corner(from));
+        self.doors.iter().copied().filter(move |&door| is_mostly(door[0]) && leads(door))
     }
 }

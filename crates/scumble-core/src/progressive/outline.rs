@@ -4,14 +4,14 @@ use kurbo::Point;
 
 use super::rooms::Rooms;
 use crate::planar_map::PlanarMap;
-use crate::triangulation::{HalfEdge, SideId, Triangulation};
+use crate::triangulation::SideId;
 
 /// What does not change while scribbles do: for each side its neighbours along the border of its region, which lies
 /// to the left. Outlines turn around the tips of open curves from one side to the other.
 #[derive(Clone, Debug)]
 pub(super) struct Outline {
-    /// Per side; `None` for the outer sides of the frame, which face no triangle.
-    half_edges: Vec<Option<HalfEdge>>,
+    /// Per side; `None` for the outer sides of the frame.
+    triangles: Vec<Option<u32>>,
     /// Per side the one that begins where it ends.
     next: Vec<SideId>,
     prev: Vec<SideId>,
@@ -26,7 +26,7 @@ impl Outline {
         let mesh = map.triangulation();
         let itself: Vec<_> = (0..map.side_count()).map(|side| SideId(side as u32)).collect();
         let mut outline = Self {
-            half_edges: vec![None; map.side_count()],
+            triangles: vec![None; map.side_count()],
             next: itself.clone(),
             prev: itself,
             regions: mesh.regions().0,
@@ -34,8 +34,8 @@ impl Outline {
         };
         for h in mesh.half_edges() {
             let Some(side) = mesh.side(h) else { continue };
-            outline.half_edges[side.index()] = Some(h);
-            if let Some(next) = side_after(mesh, h) {
+            outline.triangles[side.index()] = Some(h.triangle() as u32);
+            if let Some(next) = mesh.side_after(h, |_| true) {
                 outline.next[side.index()] = next;
                 outline.prev[next.index()] = side;
             }
@@ -60,22 +60,13 @@ impl Outline {
 
     /// The triangle that a side belongs to; `None` for the outer sides of the frame.
     pub(super) fn triangle_of_side(&self, side: SideId) -> Option<usize> {
-        self.half_edges[side.index()].map(HalfEdge::triangle)
+        self.triangles[side.index()].map(|triangle| triangle as usize)
     }
 
     /// The region that a side borders on; `None` for the outer sides of the frame.
     pub(super) fn region_of_side(&self, side: SideId) -> Option<u32> {
         self.triangle_of_side(side).map(|triangle| self.regions[triangle])
     }
-}
-
-/// Turns around the end of a side, within its region, to the next one.
-fn side_after(mesh: &Triangulation, h: HalfEdge) -> Option<SideId> {
-    let mut out = h.next();
-    while mesh.side(out).is_none() {
-        out = mesh.twin(out)?.next();
-    }
-    mesh.side(out)
 }
 
 /// Where a side begins and ends, its region to the left.
