@@ -56,6 +56,8 @@ pub struct Global {
     flood: Flood,
     /// What is at hand to a scribble.
     at_hand: Flood,
+    /// What is nearest to it.
+    nearest: Flood,
     beyond: Beyond,
     shown: Option<Shown>,
 }
@@ -89,8 +91,10 @@ impl Engine for Global {
         }
         let mut labels = self.flood.labels.clone();
         self.beyond.follow(map, &ground.ways, &self.ranks, &self.flood, &mut labels);
-        for (label, &at_hand) in labels.iter_mut().zip(&self.at_hand.labels).filter(|(_, at)| **at != NONE) {
-            *label = at_hand;
+        for flood in [&self.at_hand, &self.nearest] {
+            for (label, &near) in labels.iter_mut().zip(&flood.labels).filter(|(_, near)| **near != NONE) {
+                *label = near;
+            }
         }
         if let Some(crossing) = &ground.crossing {
             crossing.cross(&mut labels, &self.ranks);
@@ -120,6 +124,7 @@ impl Global {
         self.let_in(&ranks);
         self.flood.run(map, &ways.costs, &ranks);
         self.at_hand.run(map, &ways.lengths, &ranks);
+        self.nearest.run(map, &ways.lengths, &ranks);
         self.ranks = ranks;
     }
 
@@ -129,6 +134,7 @@ impl Global {
             claim.let_in(|seed| {
                 self.flood.reach(seed.triangle, seed.cost, label, ranks);
                 self.at_hand.reach(seed.triangle, seed.at_hand, label, ranks);
+                self.nearest.reach(seed.triangle, seed.nearest, label, ranks);
             });
         }
     }
@@ -178,6 +184,7 @@ impl Global {
     fn dry(&mut self, map: &PlanarMap) {
         self.flood = Flood::new(map, Cost::MAX);
         self.at_hand = Flood::new(map, claim::at_hand_limit());
+        self.nearest = self.at_hand.clone();
         self.beyond.reset(map);
         self.claims.iter_mut().for_each(Claim::stay_out);
     }

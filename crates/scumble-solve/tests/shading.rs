@@ -109,13 +109,14 @@ fn along_a_stroke_a_pen_changes_how_wide_or_how_strong_it_is() {
     let colors = |pressure: &PenPressure| {
         let stroke = pressed(shade(BLUE, 1.0, 60.0, &way), 1.0, pressure);
         let pixels = pixels(&field(&document(vec![fill(YELLOW, (280.0, 500.0)), stroke])));
-        [(300.0, 385.0), (330.0, 385.0), (300.0, 610.0), (330.0, 610.0)].map(|at| color_at(&pixels, at)[2])
+        [(300.0, 385.0), (330.0, 385.0), (300.0, 610.0), (330.0, 610.0)]
+            .map(|at| i32::from(color_at(&pixels, at)[2]))
     };
     let rising = vec![0.2, 1.0];
     let even = colors(&PenPressure::Even);
     let wide = colors(&PenPressure::Radius(rising.clone()));
     assert!(wide[0] > 250 && wide[1] + 15 < even[1], "thin at first: {wide:?} {even:?}");
-    assert!(wide[2] > 250 && even[3].abs_diff(wide[3]) < 10, "as wide as it can be: {wide:?} {even:?}");
+    assert!(wide[2] > 250 && (even[3] - wide[3]).abs() < 10, "as wide as it can be: {wide:?} {even:?}");
     let strong = colors(&PenPressure::Strength(rising));
     assert!(strong[0] + 40 < even[0] && strong[2] > 250, "{strong:?} {even:?}");
 }

@@ -15,8 +15,8 @@ const HOLD: f64 = 3.0;
 
 /// What lies around a sample within this many times its distance from the drawn lines is at hand, and [`BESIDE_DU`]
 /// more: the nearest line is, so that a careful dab near a line has its say. Where two meet, the one that was drawn in
-/// the open has that much of a start. With 1 every dab would keep its place; more takes from a dab what lies between it
-/// and another in the open, and parts a room better on the quality set.
+/// the open has that much of a start: that parts a room better on the quality set. What is *nearest* is the same without
+/// a start. It comes last, so that no dab is without effect.
 const AT_HAND: f64 = 1.5;
 
 /// At hand around any sample, in du: about a triangle of the refined mesh.
@@ -26,9 +26,12 @@ const BESIDE_DU: f64 = 12.0;
 const LONGEST_START_DU: f64 = AT_HAND * OPEN_DU;
 
 /// A room counts as meant where the scribble has at least this part of the samples that it has in the room where it has
-/// most: less is a hand that slipped, or that set the pen down beside the shape. Around the shapes of the page half of
-/// all samples must lie: running out is worse than stopping short.
+/// most: less is a hand that slipped, or that set the pen down beside the shape. In rooms around the one that was drawn in
+/// half of all samples must lie: running out is worse than stopping short.
 const MEANT: f64 = 1.0 / 3.0;
+
+/// A room lies around another, as far as one can tell, if it is at the border of the page, or so many times as large.
+const AROUND: f64 = 8.0;
 
 /// A pen on the ink of a line and this close to its middle, in du, may as well be on the other side of it.
 const ON_LINE_DU: f64 = 4.0;
@@ -51,13 +54,14 @@ pub(super) struct Seed {
     pub(super) cost: Cost,
     /// In the flood over what is at hand; see [`at_hand_limit`].
     pub(super) at_hand: Cost,
+    /// In the flood over what is nearest to it.
+    pub(super) nearest: Cost,
 }
 
 impl Seed {
     fn new(triangle: usize, distance_du: f64) -> Self {
-        let start_du = AT_HAND * distance_du.clamp(0.0, OPEN_DU);
-        let at_hand = length(LONGEST_START_DU - start_du);
-        Self { triangle, cost: cost(0.0, HOLD * distance_du), at_hand }
+        let start = |part: f64| length(LONGEST_START_DU - part * distance_du.clamp(0.0, OPEN_DU));
+        Self { triangle, cost: cost(0.0, HOLD * distance_du), at_hand: start(AT_HAND), nearest: start(1.0) }
     }
 }
 
@@ -69,7 +73,7 @@ pub(super) fn at_hand_limit() -> Cost {
 /// The samples in one room.
 #[derive(Clone, Debug, Default)]
 struct Visit {
-    is_at_border: bool,
+    area_du2: f64,
     seeds: Vec<Seed>,
     /// How many of them have been let in.
     let_in: usize,
@@ -91,7 +95,7 @@ impl Claim {
             let place = if is_on_lines { shown_by_lines(map, ways, p, [base, *triangle]) } else { *triangle };
             let room = ways.room_of[place];
             let visit = visits.entry(room);
-            visit.is_at_border = ways.rooms.is_at_border(room);
+            visit.area_du2 = ways.rooms.area_du2(room);
             visit.seeds.push(Seed::new(place, distance_du));
         });
     }
@@ -123,13 +127,17 @@ impl Claim {
     }
 
     fn meant(&self) -> Meant {
-        let counts = |is_at_border| {
-            let visits = self.visits.values().filter(move |visit| visit.is_at_border == is_at_border);
-            visits.map(|visit| visit.seeds.len())
-        };
-        let is_page = counts(true).sum::<usize>() >= counts(false).sum();
-        let most = counts(false).chain(counts(true).filter(|_| is_page)).max().unwrap_or(0);
-        Meant { least: (MEANT * most as f64).ceil() as usize, is_page }
+        let within = self.visits.values().filter(|visit| visit.area_du2.is_finite());
+        let main =
+            within.max_by(|a, b| a.seeds.len().cmp(&b.seeds.len()).then(b.area_du2.total_cmp(&a.area_du2)));
+        let mut meant = Meant::any(main.map_or(f64::INFINITY, |main| AROUND * main.area_du2));
+        let all: usize = self.visits.values().map(|visit| visit.seeds.len()).sum();
+        let around = self.visits.values().filter(|visit| meant.is_around(visit));
+        let around: usize = around.map(|visit| visit.seeds.len()).sum();
+        meant.are_around = 2 * around >= all;
+        let counts = self.visits.values().filter(|visit| meant.may_be(visit)).map(|visit| visit.seeds.len());
+        meant.least = (MEANT * counts.max().unwrap_or(0) as f64).ceil() as usize;
+        meant
     }
 }
 
@@ -156,12 +164,27 @@ fn shown_by_lines(map: &PlanarMap, ways: &Ways, p: Point, [base, triangle]: [usi
 struct Meant {
     /// Number of samples in a room from which on it is.
     least: usize,
-    /// Whether rooms at the border of the page may be.
-    is_page: bool,
+    /// Rooms that are larger lie around the one that was drawn in, in du².
+    largest_du2: f64,
+    /// Whether those may be meant.
+    are_around: bool,
 }
 
 impl Meant {
+    /// Any room.
+    fn any(largest_du2: f64) -> Self {
+        Self { least: 0, largest_du2, are_around: true }
+    }
+
+    fn is_around(&self, visit: &Visit) -> bool {
+        visit.area_du2 > self.largest_du2
+    }
+
+    fn may_be(&self, visit: &Visit) -> bool {
+        self.are_around || !self.is_around(visit)
+    }
+
     fn contains(&self, visit: &Visit) -> bool {
-        visit.seeds.len() >= self.least && (self.is_page || !visit.is_at_border)
+        visit.seeds.len() >= self.least && self.may_be(visit)
     }
 }
