@@ -28,7 +28,7 @@ import { Tracing } from "./tracing.js";
 const SOLVERS = ["automatic", "mesh", "gpu"];
 
 /** What is said of when it is done. */
-const DOINGS = ["scribble-added", "scribbles-erased", "scribbles-rubbed", "scribble-dropped", "eraser-turned", "selected", "edited"];
+const DOINGS = ["scribbles-erased", "scribbles-rubbed", "scribble-dropped", "eraser-turned", "selected", "edited"];
 
 /** Where the arrow keys go. @type {Record<string, [number, number]>} */
 const ARROWS = { Left: [-1, 0], Right: [1, 0], Up: [0, -1], Down: [0, 1] };
