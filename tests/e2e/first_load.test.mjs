@@ -15,7 +15,7 @@ before(async () => {
 });
 after(() => session.close());
 
-test("the first load takes at most 387 KB, all from the page's own folder, with one wasm build", async (t) => {
+test("the first load takes at most 395 KB, all from the page's own folder, with one wasm build", async (t) => {
   const tab = await session.newTab();
   /** @type {Set<string>} */
   const urls = new Set();
