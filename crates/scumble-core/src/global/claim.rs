@@ -127,23 +127,32 @@ impl Claim {
     }
 
     fn meant(&self) -> Meant {
+        let near_du2 = self.near_du2();
+        let [all, near] = [f64::INFINITY, near_du2].map(|largest_du2| self.sample_count(largest_du2));
+        let largest_du2 = if all >= 2 * near { f64::INFINITY } else { near_du2 };
+        let counts = self.visits.values().filter(|visit| visit.area_du2 <= largest_du2);
+        let most = counts.map(|visit| visit.seeds.len()).max().unwrap_or(0);
+        Meant { least: (MEANT * most as f64).ceil() as usize, largest_du2 }
+    }
+
+    /// Rooms that are larger lie around the one that was drawn in, in du².
+    fn near_du2(&self) -> f64 {
         let within = self.visits.values().filter(|visit| visit.area_du2.is_finite());
         let main =
             within.max_by(|a, b| a.seeds.len().cmp(&b.seeds.len()).then(b.area_du2.total_cmp(&a.area_du2)));
-        let mut meant = Meant::any(main.map_or(f64::INFINITY, |main| AROUND * main.area_du2));
-        let all: usize = self.visits.values().map(|visit| visit.seeds.len()).sum();
-        let around = self.visits.values().filter(|visit| meant.is_around(visit));
-        let around: usize = around.map(|visit| visit.seeds.len()).sum();
-        meant.are_around = 2 * around >= all;
-        let counts = self.visits.values().filter(|visit| meant.may_be(visit)).map(|visit| visit.seeds.len());
-        meant.least = (MEANT * counts.max().unwrap_or(0) as f64).ceil() as usize;
-        meant
+        main.map_or(f64::INFINITY, |main| AROUND * main.area_du2)
+    }
+
+    /// The number of samples in rooms that are no larger.
+    fn sample_count(&self, largest_du2: f64) -> usize {
+        let rooms = self.visits.values().filter(|visit| visit.area_du2 <= largest_du2);
+        rooms.map(|visit| visit.seeds.len()).sum()
     }
 }
 
 /// The triangle of the refined mesh that a point on lines stands for: of those on either side the one in the smallest
-/// room, but none that lies all under ink. A stroke over a line is for what the line shows. The point lies in these triangles
-/// of the map and of the refined mesh.
+/// room, but none that lies all under ink. A stroke over a line is for what the line shows. The point lies in these
+/// triangles of the map and of the refined mesh.
 fn shown_by_lines(map: &PlanarMap, ways: &Ways, p: Point, [base, triangle]: [usize; 2]) -> usize {
     let size = |triangle: usize| {
         let room = ways.room_of[triangle];
@@ -164,27 +173,12 @@ fn shown_by_lines(map: &PlanarMap, ways: &Ways, p: Point, [base, triangle]: [usi
 struct Meant {
     /// Number of samples in a room from which on it is.
     least: usize,
-    /// Rooms that are larger lie around the one that was drawn in, in du².
+    /// The largest of them, in du².
     largest_du2: f64,
-    /// Whether those may be meant.
-    are_around: bool,
 }
 
 impl Meant {
-    /// Any room.
-    fn any(largest_du2: f64) -> Self {
-        Self { least: 0, largest_du2, are_around: true }
-    }
-
-    fn is_around(&self, visit: &Visit) -> bool {
-        visit.area_du2 > self.largest_du2
-    }
-
-    fn may_be(&self, visit: &Visit) -> bool {
-        self.are_around || !self.is_around(visit)
-    }
-
     fn contains(&self, visit: &Visit) -> bool {
-        visit.seeds.len() >= self.least && self.may_be(visit)
+        visit.seeds.len() >= self.least && visit.area_du2 <= self.largest_du2
     }
 }

@@ -80,8 +80,8 @@ impl Ways {
         ways
     }
 
-    /// Opens the gaps that lead into the pockets and corners of what was drawn, pairs of a colour and a room in ascending order, and
-    /// closes all others; says whether any of them was open.
+    /// Opens the gaps that lead into the pockets and corners of what was drawn, pairs of a colour and a room in ascending
+    /// order, and closes all others; says whether any of them was open.
     pub(super) fn open_to(&mut self, map: &PlanarMap, drawn: &[[u32; 2]]) -> bool {
         let doors = self.rooms.open_doors(drawn);
         let mut closes = false;
@@ -93,8 +93,8 @@ impl Ways {
         closes
     }
 
-    /// Sets what lies at a half-edge of the refined mesh, or what it takes to go through it, either way, from a triangle whose centroid
-    /// lies in the triangle `base` of the map.
+    /// Sets what lies at a half-edge of the refined mesh, or what it takes to go through it, either way, from a triangle
+    /// whose centroid lies in the triangle `base` of the map.
     fn measure(&mut self, map: &PlanarMap, h: HalfEdge, base: usize) {
         let mesh = map.refined();
         if let Some(side) = mesh.side(h) {

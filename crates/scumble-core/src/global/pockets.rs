@@ -10,6 +10,8 @@
 //! through wide gaps, but no further: how large the place is that it comes from, nobody knows. Only where a plain gap
 //! lies between a line and the border, it goes on along that, as the sky does behind what stands before it.
 //!
+//! A narrow gap opens only for the corners of a closed shape.
+//!
 //! Rooms that hang together through wide gaps, none of them open to the border, are a *hall*. Once colours have most of
 //! one, they have all of it: nobody leaves a hole. Where lines are all around, a part of it is enough.
 //!
@@ -48,8 +50,6 @@ pub(super) struct Rooms {
     plain_doors: Vec<Door>,
     /// Per room its hall, by one of the rooms in it.
     hall_of: Vec<u32>,
-    /// Per room the part of its hall that colours must have to have all of it.
-    hall_parts: Vec<f64>,
     shapes: Shapes,
 }
 
@@ -68,9 +68,7 @@ impl Rooms {
         }
         let hall_of = halls(&are_beside_border, &doors);
         let shapes = Shapes::new(map, room_of, &areas_du2);
-        let hall_part = |room| if shapes.contains(room) { CLOSED_HALL } else { HALL };
-        let hall_parts = (0..room_count as u32).map(hall_part).collect();
-        Self { areas_du2, are_beside_border, doors, plain_doors, hall_of, hall_parts, shapes }
+        Self { areas_du2, are_beside_border, doors, plain_doors, hall_of, shapes }
     }
 
     /// The doors that colours go through, in ascending order; `drawn` are pairs of a colour and a room that it was drawn
@@ -99,7 +97,7 @@ impl Rooms {
     fn colored_halls(&self, are_taken: &[bool]) -> Vec<bool> {
         let mut free_du2 = vec![0.0; are_taken.len()];
         for (room, &hall) in self.hall_of.iter().enumerate() {
-            let part = self.hall_parts[hall as usize];
+            let part = if self.shapes.contains(hall) { CLOSED_HALL } else { HALL };
             free_du2[hall as usize] += self.areas_du2[room] * if are_taken[room] { part - 1.0 } else { part };
         }
         free_du2.iter().map(|&free_du2| free_du2 < 0.0).collect()
