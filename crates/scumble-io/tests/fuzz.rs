@@ -128,7 +128,12 @@ fn packed(bytes: &[u8]) -> String {
 }
 
 fn links() -> Vec<String> {
-    let links = include_str!("fixtures/v1.0/links.txt").lines();
+    let versions = [
+        include_str!("fixtures/v1.0/links.txt"),
+        include_str!("fixtures/v1.1/links.txt"),
+        include_str!("fixtures/v1.2/links.txt"),
+    ];
+    let links = versions.into_iter().flat_map(str::lines);
     links.map(|line| line.split_once(' ').unwrap().1.to_owned()).collect()
 }
 
@@ -254,6 +259,7 @@ fn palettes() {
 fn scribbles() {
     let seeds = [
         br##"{"scribbles":[{"color":"#e6194b","width":1.5,"points":[[38,50],[46,54]]},{"color":"none","width":2,"points":[[9,9]]}]}"##.to_vec(),
+        br##"{"scribbles":[{"color":"#ffffff","width":3,"kind":"shade","strength":0.8,"crosses":true,"pressure":"strength","points":[[8,5,0.1],[16,24,0.7]]}]}"##.to_vec(),
     ];
     let page = page();
     for run in runs(5000) {
