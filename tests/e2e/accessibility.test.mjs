@@ -1,8 +1,8 @@
 // axe, by Deque, looks at the page in each of its states: nothing serious or critical.
 import assert from "node:assert/strict";
 import { readFile } from "node:fs/promises";
-import { after, before, describe, test } from "node:test";
-import { start } from "./harness.mjs";
+import { describe, test } from "node:test";
+import { useSession } from "./harness.mjs";
 
 /** @typedef {import("./harness.mjs").Editor} Editor */
 
@@ -86,12 +86,7 @@ const THEMES = [
 
 for (const [browser, themes] of THEMES) {
   describe(`axe in ${browser}`, () => {
-    /** @type {Awaited<ReturnType<typeof start>>} */
-    let session;
-    before(async () => {
-      session = await start(browser);
-    });
-    after(() => session.close());
+    const session = useSession(browser);
 
     for (const [name, [width, height], states] of /** @type {const} */ ([
       ["a wide window", WIDE, STATES],

@@ -1,7 +1,7 @@
 // Files that are no drawings: the page says so, and the drawing that is open stays as it is.
 import assert from "node:assert/strict";
-import { after, before, describe, test } from "node:test";
-import { makeFolder, start } from "./harness.mjs";
+import { describe, test } from "node:test";
+import { makeFolder, useSession } from "./harness.mjs";
 
 const svg = (/** @type {string} */ inside, box = "0 0 100 100") =>
   `<svg xmlns="http://www.w3.org/2000/svg" viewBox="${box}">${inside}</svg>`;
@@ -34,13 +34,8 @@ const BAD_FILES = {
 };
 
 describe("files that are no drawings", () => {
-  /** @type {Awaited<ReturnType<typeof start>>} */
-  let session;
+  const session = useSession("chromium");
   const folder = makeFolder();
-  before(async () => {
-    session = await start("chromium");
-  });
-  after(() => session.close());
 
   for (const [name, content] of Object.entries(BAD_FILES)) {
     test(name, async () => {

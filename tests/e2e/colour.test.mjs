@@ -2,8 +2,8 @@
 // with keys alone.
 import assert from "node:assert/strict";
 import { readFile } from "node:fs/promises";
-import { after, before, describe, test } from "node:test";
-import { makeFolder, start } from "./harness.mjs";
+import { describe, test } from "node:test";
+import { makeFolder, useSession } from "./harness.mjs";
 import { distance, hex } from "./picture.mjs";
 
 /** @typedef {[number, number]} Point */
@@ -86,13 +86,8 @@ const NAME = ".field input";
 
 for (const browser of /** @type {const} */ (["chromium", "firefox"])) {
   describe(`colour in ${browser}`, () => {
-    /** @type {Awaited<ReturnType<typeof start>>} */
-    let session;
+    const session = useSession(browser);
     const folder = makeFolder();
-    before(async () => {
-      session = await start(browser);
-    });
-    after(() => session.close());
 
     const open = async () => {
       const editor = await session.open("cpu");

@@ -1,8 +1,8 @@
 // Scribbling, as a user does it, in every renderer: colour where it belongs and nowhere else, sharp at every zoom.
 import assert from "node:assert/strict";
 import { readFile } from "node:fs/promises";
-import { after, before, describe, test } from "node:test";
-import { start, TARGETS } from "./harness.mjs";
+import { describe, test } from "node:test";
+import { TARGETS, useSession } from "./harness.mjs";
 import { assertSame, hex, PAPER, Picture } from "./picture.mjs";
 
 /** @typedef {[number, number]} Point */
@@ -21,12 +21,7 @@ const WHITE = hex(PAPER);
 
 for (const { browser, renderer } of TARGETS) {
   describe(`${renderer} in ${browser}`, () => {
-    /** @type {Awaited<ReturnType<typeof start>>} */
-    let session;
-    before(async () => {
-      session = await start(browser);
-    });
-    after(() => session.close());
+    const session = useSession(browser);
 
     const openRooms = async () => {
       const editor = await session.open(renderer);

@@ -1,7 +1,7 @@
 // What can be done with scribbles once they are there, and a scribble of no colour.
 import assert from "node:assert/strict";
-import { after, before, describe, test } from "node:test";
-import { start } from "./harness.mjs";
+import { describe, test } from "node:test";
+import { useSession } from "./harness.mjs";
 import { distance, hex, PAPER } from "./picture.mjs";
 
 /** @typedef {[number, number]} Point */
@@ -16,12 +16,7 @@ const BLUE = "#3b82f6";
 const WHITE = hex(PAPER);
 
 describe("editing", () => {
-  /** @type {Awaited<ReturnType<typeof start>>} */
-  let session;
-  before(async () => {
-    session = await start("chromium");
-  });
-  after(() => session.close());
+  const session = useSession("chromium");
 
   /** @param {string} drawing */
   const open = async (drawing) => {

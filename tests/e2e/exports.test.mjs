@@ -1,7 +1,7 @@
 // Export: pictures for other programs show what the canvas shows, and an SVG opens again as the work that it was.
 import assert from "node:assert/strict";
-import { after, before, describe, test } from "node:test";
-import { makeFolder, start } from "./harness.mjs";
+import { describe, test } from "node:test";
+import { makeFolder, useSession } from "./harness.mjs";
 import { Picture, assertSame } from "./picture.mjs";
 
 /** @typedef {import("./harness.mjs").Editor} Editor */
@@ -67,13 +67,8 @@ async function shown(editor, size) {
 
 for (const browser of /** @type {const} */ (["chromium", "firefox"])) {
   describe(`exports in ${browser}`, () => {
-    /** @type {Awaited<ReturnType<typeof start>>} */
-    let session;
+    const session = useSession(browser);
     const folder = makeFolder();
-    before(async () => {
-      session = await start(browser);
-    });
-    after(() => session.close());
 
     const shaded = async () => {
       const editor = await session.open("cpu");
@@ -148,12 +143,7 @@ for (const browser of /** @type {const} */ (["chromium", "firefox"])) {
 
 for (const browser of /** @type {const} */ (["chromium", "firefox"])) {
   describe(`the dialog of exports in ${browser}`, () => {
-    /** @type {Awaited<ReturnType<typeof start>>} */
-    let session;
-    before(async () => {
-      session = await start(browser);
-    });
-    after(() => session.close());
+    const session = useSession(browser);
 
     const open = async () => {
       const editor = await session.open("cpu");

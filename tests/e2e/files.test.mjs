@@ -2,8 +2,8 @@
 // what goes wrong leaves the work as it is.
 import assert from "node:assert/strict";
 import { readFile } from "node:fs/promises";
-import { after, before, describe, test } from "node:test";
-import { makeFolder, start } from "./harness.mjs";
+import { describe, test } from "node:test";
+import { makeFolder, useSession } from "./harness.mjs";
 import { assertSame, hex } from "./picture.mjs";
 
 /** @typedef {import("./harness.mjs").Editor} Editor */
@@ -47,12 +47,7 @@ const content = async (editor, name) =>
 
 for (const browser of /** @type {const} */ (["chromium", "firefox"])) {
   describe(`files in ${browser}`, () => {
-    /** @type {Awaited<ReturnType<typeof start>>} */
-    let session;
-    before(async () => {
-      session = await start(browser);
-    });
-    after(() => session.close());
+    const session = useSession(browser);
 
     const scribbled = async () => {
       const editor = await session.open("cpu");
@@ -126,13 +121,8 @@ for (const browser of /** @type {const} */ (["chromium", "firefox"])) {
 }
 
 describe("files without the browser's dialogs", () => {
-  /** @type {Awaited<ReturnType<typeof start>>} */
-  let session;
+  const session = useSession("chromium");
   const folder = makeFolder();
-  before(async () => {
-    session = await start("chromium");
-  });
-  after(() => session.close());
 
   /** @param {string} name @param {string | object} content */
   const file = (name, content) => folder.write(name, typeof content === "string" ? content : JSON.stringify(content));

@@ -1,19 +1,14 @@
 // What the first visit costs: every file that the page asks for until it can be used, each as gzip would send it.
 import assert from "node:assert/strict";
 import { readFile } from "node:fs/promises";
-import { after, before, test } from "node:test";
+import { test } from "node:test";
 import { gzipSync } from "node:zlib";
-import { Editor, start } from "./harness.mjs";
+import { Editor, useSession } from "./harness.mjs";
 
 /** Of which the grid solver takes 29,000, so that it is there when a picture is wanted at once. */
 const LIMIT_BYTES = 400_000;
 
-/** @type {Awaited<ReturnType<typeof start>>} */
-let session;
-before(async () => {
-  session = await start("chromium");
-});
-after(() => session.close());
+const session = useSession("chromium");
 
 test("the first load takes at most 400 KB, all from the page's own folder, with one wasm build", async (t) => {
   const tab = await session.newTab();

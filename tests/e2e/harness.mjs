@@ -59,14 +59,14 @@ export function makeFolder() {
 }
 
 /**
- * A browser and a server for the tests of one file. The page is served from a path of its own, as on a host that
- * serves more than one.
+ * A browser and a server. The page is served from a path of its own, as on a host that serves more than one.
  *
  * @param {Target["browser"]} name
  */
 export async function start(name) {
-  const { server, url } = await serve(DIST, { base: "/some/where/" });
+  // A server that is left behind where no browser comes up would keep the tests from ending.
   const browser = await launch(name);
+  const { server, url } = await serve(DIST, { base: "/some/where/" });
   return {
     url,
     newTab: () => browser.open(),
@@ -83,6 +83,17 @@ export async function start(name) {
       server.close();
     },
   };
+}
+
+/**
+ * A browser and a server for the tests of one `describe` or file, in which this is to be called.
+ * @param {Target["browser"]} name
+ */
+export function useSession(name) {
+  const session = /** @type {Awaited<ReturnType<typeof start>>} */ ({});
+  before(async () => void Object.assign(session, await start(name)));
+  after(() => session.close());
+  return session;
 }
 
 export class Editor {

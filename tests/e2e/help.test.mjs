@@ -1,7 +1,7 @@
 // Help: what it lists is what there is, as each shortcut does something; those of a single key can be turned off.
 import assert from "node:assert/strict";
-import { after, before, describe, test } from "node:test";
-import { Editor, start } from "./harness.mjs";
+import { describe, test } from "node:test";
+import { Editor, useSession } from "./harness.mjs";
 
 /** @typedef {[number, number]} Point */
 
@@ -56,12 +56,7 @@ async function changes(editor, before) {
 
 for (const browser of /** @type {const} */ (["chromium", "firefox"])) {
   describe(`help in ${browser}`, () => {
-    /** @type {Awaited<ReturnType<typeof start>>} */
-    let session;
-    before(async () => {
-      session = await start(browser);
-    });
-    after(() => session.close());
+    const session = useSession(browser);
 
     const open = async () => {
       const editor = await session.open("cpu");

@@ -1,7 +1,7 @@
 // What other programs write: diffusion curves open as a picture, a palette becomes that of the drawing that is shown.
 import assert from "node:assert/strict";
-import { after, before, describe, test } from "node:test";
-import { makeFolder, start } from "./harness.mjs";
+import { describe, test } from "node:test";
+import { makeFolder, useSession } from "./harness.mjs";
 import { hex } from "./picture.mjs";
 
 const points = Array.from({ length: 4 }, (_, i) => `<control_point x="50" y="${-1 + 34 * i}" />`).join("");
@@ -20,13 +20,8 @@ const PALETTE = "GIMP Palette\nName: Sea\n  1   2   3\tDeep\n 59 130 246\tShallo
 
 for (const browser of /** @type {const} */ (["chromium", "firefox"])) {
   describe(`imports in ${browser}`, () => {
-    /** @type {Awaited<ReturnType<typeof start>>} */
-    let session;
+    const session = useSession(browser);
     const folder = makeFolder();
-    before(async () => {
-      session = await start(browser);
-    });
-    after(() => session.close());
 
     test("diffusion curves open as the picture that they are", async () => {
       const editor = await session.open("cpu");

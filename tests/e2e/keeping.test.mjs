@@ -1,8 +1,8 @@
 // What the browser keeps: the page comes up with the drawing that was open last, and has the others in a list. What is
 // damaged there stays out of the way.
 import assert from "node:assert/strict";
-import { after, before, describe, test } from "node:test";
-import { start } from "./harness.mjs";
+import { describe, test } from "node:test";
+import { useSession } from "./harness.mjs";
 
 /** The longer sides of the viewBoxes of the drawings here. */
 const ROOMS = 200;
@@ -36,12 +36,7 @@ const tamper = (changes) => `new Promise((done, fail) => {
 
 for (const browser of /** @type {const} */ (["chromium", "firefox"])) {
   describe(`what ${browser} keeps`, () => {
-    /** @type {Awaited<ReturnType<typeof start>>} */
-    let session;
-    before(async () => {
-      session = await start(browser);
-    });
-    after(() => session.close());
+    const session = useSession(browser);
 
     const scribbled = async () => {
       const editor = await session.open("cpu");

@@ -1,7 +1,7 @@
 // How the page lies in its window: the canvas has the room, and every control can be reached, from a wide screen to a phone.
 import assert from "node:assert/strict";
-import { after, before, describe, test } from "node:test";
-import { start } from "./harness.mjs";
+import { before, describe, test } from "node:test";
+import { useSession } from "./harness.mjs";
 
 /** @typedef {import("./harness.mjs").Editor} Editor */
 
@@ -54,16 +54,13 @@ const isOpen = (editor, id) => editor.tab.evaluate(`document.getElementById("${i
 
 for (const browser of /** @type {const} */ (["chromium", "firefox"])) {
   describe(`the layout in ${browser}`, () => {
-    /** @type {Awaited<ReturnType<typeof start>>} */
-    let session;
+    const session = useSession(browser);
     /** @type {Editor} */
     let editor;
     before(async () => {
-      session = await start(browser);
       editor = await session.open("cpu");
       await editor.openDrawing("rooms");
     });
-    after(() => session.close());
 
     for (const [width, height, share] of WINDOWS) {
       test(`${width} by ${height}: the canvas has the room, and all controls can be reached`, async () => {

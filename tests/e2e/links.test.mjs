@@ -1,7 +1,7 @@
 // Share links: what is shared opens as it was in either browser, beside what is there; a bad link leaves that alone.
 import assert from "node:assert/strict";
-import { after, before, describe, test } from "node:test";
-import { Editor, makeFolder, start } from "./harness.mjs";
+import { describe, test } from "node:test";
+import { Editor, makeFolder, useSession } from "./harness.mjs";
 import { assertSame } from "./picture.mjs";
 
 /** The longer sides of the viewBoxes of the drawings here. */
@@ -32,12 +32,7 @@ const warned = (editor) => editor.tab.waitFor(`!document.getElementById("alert")
 
 for (const browser of /** @type {const} */ (["chromium", "firefox"])) {
   describe(`links in ${browser}`, () => {
-    /** @type {Awaited<ReturnType<typeof start>>} */
-    let session;
-    before(async () => {
-      session = await start(browser);
-    });
-    after(() => session.close());
+    const session = useSession(browser);
 
     /** Opens a link in a tab of its own, with the renderer of the tests. @param {string} link */
     const opened = async (link) => {
@@ -123,13 +118,8 @@ for (const browser of /** @type {const} */ (["chromium", "firefox"])) {
 }
 
 describe("the dialog of links", () => {
-  /** @type {Awaited<ReturnType<typeof start>>} */
-  let session;
+  const session = useSession("chromium");
   const folder = makeFolder();
-  before(async () => {
-    session = await start("chromium");
-  });
-  after(() => session.close());
 
   /**
    * An editor with a drawing that has a palette of so many colours: each takes some four characters of a link.

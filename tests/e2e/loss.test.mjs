@@ -1,8 +1,8 @@
 // A graphics device that is lost, in the middle of a stroke and of a solution, again and again: the picture comes back, and
 // with the stroke in hand. LOSSES=20 in the environment asks for more losses than the usual few.
 import assert from "node:assert/strict";
-import { after, before, describe, test } from "node:test";
-import { Editor, start } from "./harness.mjs";
+import { describe, test } from "node:test";
+import { Editor, useSession } from "./harness.mjs";
 
 /** @typedef {[number, number]} Point */
 
@@ -35,12 +35,7 @@ const WATCH = `
 
 for (const renderer of /** @type {const} */ (["webgpu", "webgl"])) {
   describe(`${renderer}, lost`, () => {
-    /** @type {Awaited<ReturnType<typeof start>>} */
-    let session;
-    before(async () => {
-      session = await start("chromium");
-    });
-    after(() => session.close());
+    const session = useSession("chromium");
 
     /** @param {string} solver */
     const open = async (solver) => {

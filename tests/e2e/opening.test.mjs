@@ -1,22 +1,19 @@
 // The ways by which a drawing comes into the page, beside the file dialog: dropped, pasted, chosen from the samples.
 import assert from "node:assert/strict";
 import { readFile } from "node:fs/promises";
-import { after, before, describe, test } from "node:test";
-import { drawing, start } from "./harness.mjs";
+import { before, describe, test } from "node:test";
+import { drawing, useSession } from "./harness.mjs";
 
 describe("opening a drawing", () => {
-  /** @type {Awaited<ReturnType<typeof start>>} */
-  let session;
+  const session = useSession("chromium");
   /** @type {import("./harness.mjs").Editor} */
   let editor;
   /** @type {string} */
   let svg;
   before(async () => {
     svg = JSON.stringify(await readFile(drawing("rooms.svg"), "utf8"));
-    session = await start("chromium");
     editor = await session.open("cpu");
   });
-  after(() => session.close());
 
   test("a file dropped on the page", () =>
     editor.until("Opened rooms", () => editor.tab.evaluate(`{

@@ -1,8 +1,8 @@
 // The picture at the top of the README: a sample of the page, coloured by hand. `cargo xtask picture` writes it anew.
 import assert from "node:assert/strict";
 import { writeFile } from "node:fs/promises";
-import { after, before, test } from "node:test";
-import { start } from "./harness.mjs";
+import { test } from "node:test";
+import { useSession } from "./harness.mjs";
 import { hex } from "./picture.mjs";
 
 /** The longer side of the goldfish's viewBox. */
@@ -30,12 +30,7 @@ const COLORED = [
   [[120, 152], "#ffffff"],
 ];
 
-/** @type {Awaited<ReturnType<typeof start>>} */
-let session;
-before(async () => {
-  session = await start("chromium");
-});
-after(() => session.close());
+const session = useSession("chromium");
 
 test("a sample can be coloured with the palette", async () => {
   const editor = await session.open("webgpu");

@@ -1,6 +1,6 @@
 // The three renderers show the same picture.
-import { after, before, describe, test } from "node:test";
-import { start } from "./harness.mjs";
+import { before, describe, test } from "node:test";
+import { start, useSession } from "./harness.mjs";
 import { assertSame } from "./picture.mjs";
 
 /** The longer side of the viewBox of `drawings/shading.svg`. */
@@ -27,15 +27,12 @@ async function shaded(session, renderer) {
 }
 
 describe("the same picture from every renderer", () => {
-  /** @type {Awaited<ReturnType<typeof start>>} */
-  let session;
+  const session = useSession("chromium");
   /** @type {import("./picture.mjs").Picture} */
   let expected;
   before(async () => {
-    session = await start("chromium");
     expected = await shaded(session, "cpu");
   });
-  after(() => session.close());
 
   test("webgpu", async () => assertSame(await shaded(session, "webgpu"), expected));
   test("webgl", async () => assertSame(await shaded(session, "webgl"), expected));

@@ -1,8 +1,8 @@
 // Selecting scribbles and lines, and what is done with them: with the mouse, a finger, and from the keyboard alone; and the
 // eraser that takes parts.
 import assert from "node:assert/strict";
-import { after, before, describe, test } from "node:test";
-import { start } from "./harness.mjs";
+import { describe, test } from "node:test";
+import { useSession } from "./harness.mjs";
 import { hex, PAPER } from "./picture.mjs";
 
 /** @typedef {[number, number]} Point */
@@ -28,12 +28,7 @@ const WIDTHS = [320, 360, 800, 1280, 1600];
 
 for (const browser of /** @type {const} */ (["chromium", "firefox"])) {
   describe(`selecting in ${browser}`, () => {
-    /** @type {Awaited<ReturnType<typeof start>>} */
-    let session;
-    before(async () => {
-      session = await start(browser);
-    });
-    after(() => session.close());
+    const session = useSession(browser);
 
     /** A red room, a blue pillar, and the tool that selects. */
     const open = async () => {

@@ -1,7 +1,7 @@
 // The settings of a drawing: each changes the picture, and undo takes it back.
 import assert from "node:assert/strict";
-import { after, before, describe, test } from "node:test";
-import { start } from "./harness.mjs";
+import { describe, test } from "node:test";
+import { useSession } from "./harness.mjs";
 import { hex, PAPER } from "./picture.mjs";
 
 /** @typedef {[number, number]} Point */
@@ -15,12 +15,7 @@ const RED = "#e5484d";
 const WHITE = hex(PAPER);
 
 describe("settings", () => {
-  /** @type {Awaited<ReturnType<typeof start>>} */
-  let session;
-  before(async () => {
-    session = await start("chromium");
-  });
-  after(() => session.close());
+  const session = useSession("chromium");
 
   /**
    * A drawing with a red scribble in its left part.

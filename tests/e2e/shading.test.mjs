@@ -1,7 +1,7 @@
 // Scribbles that shade: where their colour shows, by which controls, with the pointer and from the keyboard.
 import assert from "node:assert/strict";
-import { after, before, describe, test } from "node:test";
-import { start } from "./harness.mjs";
+import { describe, test } from "node:test";
+import { useSession } from "./harness.mjs";
 import { distance, hex, PAPER } from "./picture.mjs";
 
 /** @typedef {[number, number]} Point */
@@ -22,12 +22,7 @@ const BLUE = /** @type {[number, number, number]} */ ([0x3b, 0x82, 0xf6]);
 const UNSEEN = 2;
 
 describe("shading", () => {
-  /** @type {Awaited<ReturnType<typeof start>>} */
-  let session;
-  before(async () => {
-    session = await start("chromium");
-  });
-  after(() => session.close());
+  const session = useSession("chromium");
 
   /**
    * A room filled with red, and a brush that shades.

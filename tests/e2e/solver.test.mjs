@@ -1,7 +1,7 @@
 // The solver of the picture on the canvas: both make the same one, and the page says where it takes the other.
 import assert from "node:assert/strict";
-import { after, before, describe, test } from "node:test";
-import { start } from "./harness.mjs";
+import { describe, test } from "node:test";
+import { useSession } from "./harness.mjs";
 import { distance, hex } from "./picture.mjs";
 
 /** @typedef {[number, number]} Point */
@@ -54,14 +54,9 @@ function assertAlike(actual, expected) {
 }
 
 describe("the solver", () => {
-  /** @type {Awaited<ReturnType<typeof start>>} */
-  let session;
+  const session = useSession("chromium");
   /** @type {Editor} */
   let editor;
-  before(async () => {
-    session = await start("chromium");
-  });
-  after(() => session.close());
 
   /**
    * A test with a page that is closed after it: what draws without a graphics card draws for one at a time.

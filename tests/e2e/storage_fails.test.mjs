@@ -1,7 +1,7 @@
 // A storage that fails, in each of its ways: the page works all the same, says that nothing is kept, and offers a file.
 import assert from "node:assert/strict";
-import { after, before, describe, test } from "node:test";
-import { start } from "./harness.mjs";
+import { describe, test } from "node:test";
+import { useSession } from "./harness.mjs";
 
 /** The longer side of the viewBox of the drawing. */
 const ROOMS = 200;
@@ -72,12 +72,7 @@ const IN_BOTH = ["is not there", "takes it back"];
 
 for (const browser of /** @type {const} */ (["chromium", "firefox"])) {
   describe(`${browser}'s storage`, () => {
-    /** @type {Awaited<ReturnType<typeof start>>} */
-    let session;
-    before(async () => {
-      session = await start(browser);
-    });
-    after(() => session.close());
+    const session = useSession(browser);
 
     /** @param {string} script that runs before the page's own */
     const scribbled = async (script) => {

@@ -1,7 +1,7 @@
 // Two tabs with the same drawing: neither writes over what the other has done, with the browser's locks or without.
 import assert from "node:assert/strict";
-import { after, before, describe, test } from "node:test";
-import { Editor, start } from "./harness.mjs";
+import { describe, test } from "node:test";
+import { Editor, useSession } from "./harness.mjs";
 
 /** The longer side of the viewBox of the drawing. */
 const ROOMS = 200;
@@ -30,12 +30,7 @@ const clicks = (/** @type {number} */ count) => `(async () => {
 
 for (const browser of /** @type {const} */ (["chromium", "firefox"])) {
   describe(`two tabs of ${browser}`, () => {
-    /** @type {Awaited<ReturnType<typeof start>>} */
-    let session;
-    before(async () => {
-      session = await start(browser);
-    });
-    after(() => session.close());
+    const session = useSession(browser);
 
     /** @param {string} script that runs before the page's own */
     const twoTabs = async (script) => {

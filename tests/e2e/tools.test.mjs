@@ -1,8 +1,8 @@
 // The tools that change nothing of the drawing, picking a colour and moving the view, and the layers that are shown: with
 // the pointer, by their keys, and with the cursor that tells them apart.
 import assert from "node:assert/strict";
-import { after, before, describe, test } from "node:test";
-import { start } from "./harness.mjs";
+import { describe, test } from "node:test";
+import { useSession } from "./harness.mjs";
 import { distance, hex, PAPER } from "./picture.mjs";
 
 /** @typedef {[number, number]} Point */
@@ -17,12 +17,7 @@ const RED = "#e5484d";
 
 for (const browser of /** @type {const} */ (["chromium", "firefox"])) {
   describe(`tools in ${browser}`, () => {
-    /** @type {Awaited<ReturnType<typeof start>>} */
-    let session;
-    before(async () => {
-      session = await start(browser);
-    });
-    after(() => session.close());
+    const session = useSession(browser);
 
     /** A red room, and blue at hand. */
     const open = async () => {

@@ -3,9 +3,9 @@
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { readFile } from "node:fs/promises";
-import { after, before, describe, test } from "node:test";
+import { describe, test } from "node:test";
 import { PNG } from "pngjs";
-import { TARGETS, makeFolder, start } from "./harness.mjs";
+import { TARGETS, makeFolder, useSession } from "./harness.mjs";
 import { Picture, distance, hex } from "./picture.mjs";
 
 /** @typedef {import("./harness.mjs").Editor} Editor */
@@ -60,12 +60,7 @@ const hasControls = (editor) => editor.tab.evaluate(`document.getElementById("tr
 
 for (const { browser, renderer } of TARGETS) {
   describe(`a picture to trace, ${renderer} in ${browser}`, () => {
-    /** @type {Awaited<ReturnType<typeof start>>} */
-    let session;
-    before(async () => {
-      session = await start(browser);
-    });
-    after(() => session.close());
+    const session = useSession(browser);
 
     test("it lies under colours and lines, faded as it is said, and goes where the page goes", async () => {
       const editor = await session.open(renderer);
@@ -135,13 +130,8 @@ function assertNear(actual, expected) {
 
 for (const browser of /** @type {const} */ (["chromium", "firefox"])) {
   describe(`a picture to trace, kept in ${browser}`, () => {
-    /** @type {Awaited<ReturnType<typeof start>>} */
-    let session;
+    const session = useSession(browser);
     const folder = makeFolder();
-    before(async () => {
-      session = await start(browser);
-    });
-    after(() => session.close());
 
     const traced = async () => {
       const editor = await session.open("cpu");

@@ -1,7 +1,7 @@
 // Moving the view: the drawing stays under the pointer, and nothing is drawn by it.
 import assert from "node:assert/strict";
-import { after, before, describe, test } from "node:test";
-import { start } from "./harness.mjs";
+import { before, describe, test } from "node:test";
+import { useSession } from "./harness.mjs";
 
 /** @typedef {[number, number]} Point */
 
@@ -10,16 +10,13 @@ const ROOMS = 200;
 const PLACES = /** @type {Point[]} */ ([[50, 50], [150, 50]]);
 
 describe("the view", () => {
-  /** @type {Awaited<ReturnType<typeof start>>} */
-  let session;
+  const session = useSession("chromium");
   /** @type {import("./harness.mjs").Editor} */
   let editor;
   before(async () => {
-    session = await start("chromium");
     editor = await session.open("cpu");
     await editor.openDrawing("rooms");
   });
-  after(() => session.close());
 
   /**
    * How far two places of the drawing move on the canvas by an act, in CSS pixels.
