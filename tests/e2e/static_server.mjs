@@ -29,13 +29,13 @@ const DEFAULT_PORT = 8017;
  * Starts a server; it ends with `server.close()`.
  *
  * @param {string} folder what to serve
- * @param {{port?: number, base?: string}} [options] `port` 0 is any free one; `base` is the path that the folder stands
- *   for, beginning and ending with a slash
+ * @param {{port?: number, base?: string, headers?: Record<string, string>}} [options] `port` 0 is any free one; `base` is
+ *   the path that the folder stands for, beginning and ending with a slash; `headers` go with each file
  * @returns {Promise<{server: import("node:http").Server, url: string}>}
  */
-export async function serve(folder, { port = 0, base = "/" } = {}) {
+export async function serve(folder, { port = 0, base = "/", headers = {} } = {}) {
   const server = createServer((request, response) => {
-    answer(folder, base, request.url ?? "/", response).catch(() => response.destroy());
+    answer(fileOf(folder, base, request.url ?? "/"), headers, response).catch(() => response.destroy());
   });
   await new Promise((resolve, reject) => {
     server.once("error", reject);
@@ -47,20 +47,18 @@ export async function serve(folder, { port = 0, base = "/" } = {}) {
 }
 
 /**
- * @param {string} folder
- * @param {string} base
- * @param {string} url
+ * @param {string | undefined} file
+ * @param {Record<string, string>} headers
  * @param {import("node:http").ServerResponse} response
  */
-async function answer(folder, base, url, response) {
-  const file = fileOf(folder, base, url);
+async function answer(file, headers, response) {
   const found = file !== undefined && (await stat(file).catch(() => undefined))?.isFile();
   if (!found) {
     response.writeHead(404, { "content-type": "text/plain" }).end("not found\n");
     return;
   }
   const type = MIME_TYPES[extname(file)] ?? "application/octet-stream";
-  response.writeHead(200, { "content-type": type, "cache-control": "no-cache" });
+  response.writeHead(200, { "content-type": type, "cache-control": "no-cache", ...headers });
   createReadStream(file).pipe(response);
 }
 

@@ -52,7 +52,7 @@ fn lints() -> Result<()> {
 }
 
 fn wasm_lints() -> Result<()> {
-    tools::wasm_target()?;
+    tools::rust_target(tools::WASM_TARGET)?;
     for flavour in dist::FLAVOURS {
         let package = ["clippy", "-p", "scumble-web", "--all-targets", "--target", tools::WASM_TARGET];
         let features = ["--no-default-features", "--features", flavour, "--", "-D", "warnings"];
@@ -89,7 +89,7 @@ fn javascript_types() -> Result<()> {
 }
 
 fn wasm_tests() -> Result<()> {
-    tools::wasm_target()?;
+    tools::rust_target(tools::WASM_TARGET)?;
     tools::wasm_bindgen()?;
     tools::wasm_pack()?;
     tools::browsers()?;

@@ -43,7 +43,7 @@ pub(crate) fn build() -> Result<PathBuf> {
     fs::create_dir_all(root().join("target"))?;
     let lock = fs::File::create(root().join("target/page.lock"))?;
     lock.lock()?;
-    tools::wasm_target()?;
+    tools::rust_target(tools::WASM_TARGET)?;
     tools::npm_packages()?;
     let names = [FILES].into_iter().chain(FLAVOURS);
     let packages = names.map(|name| Ok((name, package(name)?))).collect::<Result<Vec<_>>>()?;

@@ -18,7 +18,9 @@ cargo xtask test          check formatting, lints, licences and types; run every
 cargo xtask dist          build the page into dist/, which any web host can serve
 cargo xtask picture       make docs/editor.png, the picture of the editor, anew
 cargo xtask corpus [N]    take OpenMoji's black drawings, all or N of them, through the whole chain
-cargo xtask bench [ARGS]  time each stage of the chain: scumble bench, in release form";
+cargo xtask bench [ARGS]  time each stage of the chain: scumble bench, in release form
+cargo xtask bench --web SET|--made
+                          the same in Chromium, and how long the pen waits in the page";
 
 fn main() -> ExitCode {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
@@ -40,6 +42,7 @@ fn obey(arguments: &[&str]) -> Result<()> {
         ["picture"] => picture(),
         ["corpus"] => corpus(&[]),
         ["corpus", count] => corpus(&["--take", count]),
+        ["bench", "--web", what] => bench_in_browser(what),
         ["bench", arguments @ ..] => scumble("bench", arguments),
         _ => bail!("{USAGE}"),
     }
@@ -60,6 +63,18 @@ fn picture() -> Result<()> {
 fn corpus(arguments: &[&str]) -> Result<()> {
     tools::npm_packages()?;
     scumble("corpus", &[&[samples::OPENMOJI_BLACK], arguments].concat())
+}
+
+/// Times what a browser runs: the command line, compiled for WASI, whose files and clock a page can stand for.
+fn bench_in_browser(what: &str) -> Result<()> {
+    tools::browsers()?;
+    tools::rust_target(tools::WASI_TARGET)?;
+    dist::build()?;
+    let target = root().join("target/wasi");
+    let build = ["build", "--release", "-p", "scumble-cli", "--target", tools::WASI_TARGET, "--target-dir"];
+    run(cargo().args(build).arg(&target))?;
+    let program = target.join(tools::WASI_TARGET).join("release/scumble.wasm");
+    run(node().arg("tests/e2e/bench.mjs").arg(program).arg(what))
 }
 
 fn scumble(command: &str, arguments: &[&str]) -> Result<()> {

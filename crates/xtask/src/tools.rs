@@ -9,6 +9,9 @@ use std::path::Path;
 /// The target that the page is compiled for.
 pub(crate) const WASM_TARGET: &str = "wasm32-unknown-unknown";
 
+/// The target that the command line is compiled for to be timed in a browser.
+pub(crate) const WASI_TARGET: &str = "wasm32-wasip1";
+
 const WASM_PACK_VERSION: &str = "0.15.1";
 
 /// Debian's packages of browsers and their drivers, each with the program in it.
@@ -18,13 +21,13 @@ const BROWSERS: [(&str, &str); 3] =
 /// Debian's package of the Vulkan driver that needs no GPU, on which Firefox runs WebGPU.
 const VULKAN: &str = "mesa-vulkan-drivers";
 
-/// The standard library for wasm.
-pub(crate) fn wasm_target() -> Result<()> {
-    let libraries = output(command("rustc").args(["--print", "target-libdir", "--target", WASM_TARGET]));
+/// The standard library for a target.
+pub(crate) fn rust_target(target: &str) -> Result<()> {
+    let libraries = output(command("rustc").args(["--print", "target-libdir", "--target", target]));
     if libraries.is_some_and(|folder| Path::new(&folder).is_dir()) {
         return Ok(());
     }
-    run(command("rustup").args(["target", "add", WASM_TARGET]))
+    run(command("rustup").args(["target", "add", target]))
 }
 
 /// `wasm-bindgen`, whose version must be that of the crate exactly. Its own lock file is not used: it can name

@@ -1,0 +1,173 @@
+/**
+ * What `cargo xtask bench --web` prints: the tables of `scumble bench`, compiled to wasm, in Chromium; and, for the drawings
+ * of a set, how long the pen waits in the page.
+ *
+ *     node tests/e2e/bench.mjs PROGRAM.wasm SET|--made
+ */
+import { mkdtemp, readFile, readdir, rm, symlink, writeFile } from "node:fs/promises";
+import { tmpdir } from "node:os";
+import { join, resolve } from "node:path";
+import { fileURLToPath } from "node:url";
+import { Editor, start } from "./harness.mjs";
+import { launch } from "./browsers.mjs";
+import { serve } from "./static_server.mjs";
+
+/** @typedef {{[name: string]: string | Tree}} Tree the files of a folder by name, each with the address that it is had from */
+
+const WASI = fileURLToPath(new URL("../../node_modules/@bjorn3/browser_wasi_shim/dist", import.meta.url));
+
+/** With these a page's clock is as fine as it gets, 5 µs. */
+const ISOLATED = { "cross-origin-opener-policy": "same-origin", "cross-origin-embedder-policy": "require-corp" };
+
+const PAGE = `<!doctype html><script type="importmap">
+  {"imports": {"@bjorn3/browser_wasi_shim": "./wasi/index.js"}}
+</script>`;
+
+/** The pen is taken over every so many-th drawing of a set. */
+const PEN_EVERY = 10;
+
+/**
+ * Runs a program in the page, and tells what it wrote.
+ * @param {string[]} args
+ * @param {Tree} tree what it has of files
+ */
+async function runInPage(args, tree) {
+  const { ConsoleStdout, Directory, File, OpenFile, PreopenDirectory, WASI } = await import("@bjorn3/browser_wasi_shim");
+  /** @type {(tree: Tree) => Promise<Map<string, import("@bjorn3/browser_wasi_shim").Inode>>} */
+  const fetched = async (tree) => {
+    const entry = async (/** @type {string | Tree} */ at) =>
+      typeof at === "string" ? new File(await (await fetch(at)).arrayBuffer()) : new Directory(await fetched(at));
+    const pairs = Object.entries(tree).map(async ([name, at]) => /** @type {const} */ ([name, await entry(at)]));
+    return new Map(await Promise.all(pairs));
+  };
+  /** @type {string[]} */
+  const lines = [];
+  const write = () => ConsoleStdout.lineBuffered((line) => void lines.push(line));
+  const files = [new OpenFile(new File([])), write(), write(), new PreopenDirectory(".", await fetched(tree))];
+  const wasi = new WASI(["scumble", ...args], [], files);
+  const imports = { wasi_snapshot_preview1: wasi.wasiImport };
+  const { instance } = await WebAssembly.instantiateStreaming(fetch("program.wasm"), imports);
+  const code = wasi.start(/** @type {any} */ (instance));
+  if (code !== 0) throw new Error(lines.join("\n"));
+  return lines.join("\n");
+}
+
+/**
+ * @param {string} folder
+ * @param {string} at its address
+ * @returns {Promise<Tree>}
+ */
+async function treeOf(folder, at) {
+  const entries = await readdir(folder, { withFileTypes: true });
+  const pairs = entries.map(async (entry) => {
+    const [path, there] = [join(folder, entry.name), `${at}/${entry.name}`];
+    return [entry.name, entry.isDirectory() ? await treeOf(path, there) : there];
+  });
+  return Object.fromEntries(await Promise.all(pairs));
+}
+
+/**
+ * The tables of `scumble bench`.
+ * @param {string} program
+ * @param {string | undefined} set
+ */
+async function tables(program, set) {
+  const folder = await mkdtemp(join(tmpdir(), "scumble-"));
+  const links = [["program.wasm", program], ["wasi", WASI], ...(set ? [["set", set]] : [])];
+  await Promise.all(links.map(([name, target]) => symlink(target, join(folder, name))));
+  await writeFile(join(folder, "index.html"), PAGE);
+  const browser = await launch("chromium");
+  const { server, url } = await serve(folder, { headers: ISOLATED });
+  try {
+    const tab = await browser.open();
+    await tab.goto(url);
+    const args = ["bench", set ? "set" : "--made"];
+    const tree = set ? { set: await treeOf(set, "set") } : {};
+    return await tab.evaluate(`(${runInPage})(${JSON.stringify(args)}, ${JSON.stringify(tree)})`);
+  } finally {
+    await browser.close();
+    server.close();
+    await rm(folder, { recursive: true });
+  }
+}
+
+/** Notes, in the page, for each frame after a pen's move, when that move was and how long the frame's work took. */
+function noteFrames() {
+  /** @type {number | undefined} */
+  let moved_ms;
+  /** @type {[number, number][]} */
+  const frames_ms = [];
+  Object.assign(window, { frames_ms });
+  addEventListener("pointermove", (event) => void (event.buttons && (moved_ms ??= event.timeStamp)), true);
+  const ask = window.requestAnimationFrame.bind(window);
+  window.requestAnimationFrame = (act) =>
+    ask((now) => {
+      const start_ms = performance.now();
+      act(now);
+      const end_ms = performance.now();
+      if (moved_ms !== undefined) frames_ms.push([end_ms - start_ms, end_ms - moved_ms]);
+      moved_ms = undefined;
+    });
+}
+
+/**
+ * Times of frames while the scribbles of a set are drawn: of their work, and from the first move to its end.
+ * @param {string} set
+ * @param {"webgpu" | "cpu"} renderer
+ * @returns {Promise<[number, number][]>} in ms
+ */
+async function penTimes(set, renderer) {
+  const session = await start("chromium");
+  try {
+    const tab = await session.newTab();
+    await tab.prepare(`(${noteFrames})()`);
+    const editor = await Editor.open(tab, `${session.url}?renderer=${renderer}`, renderer);
+    /** @type {{id: string}[]} */
+    const entries = JSON.parse(await readFile(join(set, "index.json"), "utf8"));
+    for (const { id } of entries.filter((_, i) => i % PEN_EVERY === 0)) await scribbleAll(editor, join(set, id));
+    return await tab.evaluate("frames_ms");
+  } finally {
+    await session.close();
+  }
+}
+
+/**
+ * Opens a drawing and draws its scribbles, but for dabs.
+ * @param {Editor} editor
+ * @param {string} folder
+ */
+async function scribbleAll(editor, folder) {
+  await editor.until("Opened", () => editor.tab.chooseFiles([join(folder, "drawing.svg")]));
+  const size = /viewBox="0 0 ([\d.]+) ([\d.]+)"/.exec(await readFile(join(folder, "drawing.svg"), "utf8"));
+  const longer_side = Math.max(Number(size?.[1]), Number(size?.[2]));
+  /** @type {{scribbles: {points: [number, number][]}[]}} */
+  const { scribbles } = JSON.parse(await readFile(join(folder, "dense.json"), "utf8"));
+  for (const { points } of scribbles.filter(({ points }) => points.length > 1)) {
+    await editor.drag(await editor.place(points, longer_side));
+  }
+}
+
+/**
+ * @param {string} name
+ * @param {number[]} times_ms
+ */
+function row(name, times_ms) {
+  const sorted = [...times_ms].sort((a, b) => a - b);
+  const at = (/** @type {number} */ part) => sorted[Math.max(0, Math.ceil(part * sorted.length) - 1)] ?? 0;
+  return name.padEnd(46) + [0.5, 0.95, 1].map((part) => at(part).toFixed(2).padStart(10)).join("");
+}
+
+/** @param {string} set */
+async function printPen(set) {
+  console.log(`\n${"the pen in the page".padEnd(46)} median ms      95 %   largest`);
+  for (const renderer of /** @type {const} */ (["webgpu", "cpu"])) {
+    const times_ms = await penTimes(set, renderer);
+    console.log(row(`${renderer}: a frame's work`, times_ms.map(([work_ms]) => work_ms)));
+    console.log(row(`${renderer}: from a move to the end of its frame`, times_ms.map(([, wait_ms]) => wait_ms)));
+  }
+}
+
+const [program, what] = process.argv.slice(2);
+const set = what === "--made" ? undefined : resolve(what);
+console.log(await tables(resolve(program), set));
+if (set) await printPen(set);
