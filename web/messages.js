@@ -77,6 +77,8 @@ const english = {
   "source-so-close": "At this zoom, the mesh solver draws",
   "gap-closing": "Gap closing",
   "gap-note": "More stops colours at wider gaps between lines",
+  "show-regions": "Show regions and gaps",
+  "regions-note": "Each region in a tint, and a mark in each gap that stops colours",
   "spread": "Spread",
   "spread-note": "Colours also what nobody scribbled",
   "percent": ({ percent }) => `${percent}%`,

@@ -22,7 +22,7 @@ export function connect(act, set) {
     button.addEventListener("click", () => act(button.dataset.action ?? ""));
   }
   for (const radio of radios()) radio.addEventListener("change", () => set(radio.name, radio.value));
-  for (const setting of ["lines", "scribbles", "result", "spread", "crosses"]) {
+  for (const setting of ["lines", "scribbles", "result", "regions", "spread", "crosses"]) {
     settingOf(setting).addEventListener("change", () => set(setting, settingOf(setting).checked));
   }
   for (const setting of ["engine", "solver", "blend", "pressure"]) {
@@ -128,6 +128,10 @@ export const shown = {
   /** @param {boolean} on */
   result(on) {
     settingOf("result").checked = on;
+  },
+  /** @param {boolean} on */
+  regions(on) {
+    settingOf("regions").checked = on;
   },
   /** @param {{blend: string, engine: string, gapClosing: number, spread: boolean}} settings of the drawing */
   settings({ blend, engine, gapClosing, spread }) {

@@ -76,6 +76,18 @@ describe("settings", () => {
     assert.deepEqual(editor.tab.faults, []);
   });
 
+  test("regions and gaps are shown in place of the result", async () => {
+    const editor = await open("doorway");
+    await editor.slide("gap-closing", 100);
+    await editor.toggle("Show regions and gaps");
+    const [left, right] = await colors(editor);
+    assert.notDeepEqual(left, right);
+    assert.ok(![left, right].some((tint) => [RED, WHITE].includes(tint)), `${left} ${right}`);
+    await editor.tab.press("Shift+G");
+    assert.deepEqual(await colors(editor), [RED, WHITE]);
+    assert.deepEqual(editor.tab.faults, []);
+  });
+
   test("Spread colours what was paper", async () => {
     const editor = await open("rooms");
     assert.deepEqual(await colors(editor), [RED, WHITE]);

@@ -224,7 +224,7 @@ impl Triangulation {
     }
 
     /// The same for rooms, the parts of regions that gaps part.
-    pub(crate) fn rooms(&self) -> (Vec<u32>, usize) {
+    pub fn rooms(&self) -> (Vec<u32>, usize) {
         self.parts(|h| self.gap(h).is_none())
     }
 

@@ -78,6 +78,7 @@ pub(crate) fn command_from_js(name: &str, args: &JsValue) -> Option<Command> {
         "scribbles" => Command::Scribbles(args.as_bool()?),
         "paper" => Command::Paper(args.as_bool()?),
         "result" => Command::Result(args.as_bool()?),
+        "regions" => Command::Regions(args.as_bool()?),
         "desk" => Command::Desk(color(args)?),
         _ => Command::View(view_change(name, args)?),
     })
@@ -168,6 +169,7 @@ fn js_from_effect(effect: Effect) -> (&'static str, JsValue) {
         Effect::Scribbles(shown) => ("scribbles", shown.into()),
         Effect::Tracing(state) => ("tracing", js_from_tracing(state)),
         Effect::Result(shown) => ("result", shown.into()),
+        Effect::Regions(shown) => ("regions", shown.into()),
         Effect::Settings(settings) => ("settings", js_from_settings(settings)),
         Effect::Solver(SolverState { asked, source }) => (
             "solver",

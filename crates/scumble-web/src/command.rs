@@ -189,6 +189,8 @@ pub enum Command {
     Paper(bool),
     /// Whether the colours are shown.
     Result(bool),
+    /// Whether rooms and gaps are shown, in place of the colours.
+    Regions(bool),
     /// The colour around the page.
     Desk(Srgb8),
     /// Another view.

@@ -40,6 +40,8 @@ pub enum Effect {
     Scribbles(bool),
     /// Whether the colours are shown.
     Result(bool),
+    /// Whether rooms and gaps are shown.
+    Regions(bool),
     /// How the drawing is coloured.
     Settings(Settings),
     /// The picture under the lines. Told before the sheet whose it is.
@@ -191,6 +193,7 @@ pub(crate) struct State {
     pub(crate) lines: Option<bool>,
     pub(crate) scribbles: Option<bool>,
     pub(crate) result: Option<bool>,
+    pub(crate) regions: Option<bool>,
     pub(crate) settings: Option<Settings>,
     pub(crate) tracing: Option<TracingState>,
     pub(crate) palette: Option<Vec<Swatch>>,
@@ -216,6 +219,7 @@ impl State {
             news(self.lines, known.lines, Effect::Lines),
             news(self.scribbles, known.scribbles, Effect::Scribbles),
             news(self.result, known.result, Effect::Result),
+            news(self.regions, known.regions, Effect::Regions),
             news(self.settings, known.settings, Effect::Settings),
             news(self.solver, known.solver, Effect::Solver),
         ];

@@ -8,6 +8,7 @@
 //! | what the page can ask for | [`command`] |
 //! | what the page must know | [`effect`] |
 //! | what is selected, and its frame | `selection` |
+//! | rooms and gaps, to look at | `regions` |
 //! | which solver makes the picture | [`solver`] |
 //! | pan, zoom, fit | [`view`] |
 //! | scribbles, ink and desk over the picture | [`layers`] |
@@ -22,6 +23,7 @@ pub mod command;
 pub mod effect;
 pub mod layers;
 pub mod painting;
+mod regions;
 mod selection;
 pub mod session;
 pub mod solver;

@@ -16,6 +16,7 @@ use crate::command::{Command, Setting, Tool};
 use crate::effect::{Effect, State, TracingState};
 use crate::layers::Layers;
 use crate::painting::{Changed, Export, PAPER, Painter, Painting};
+use crate::regions::Regions;
 use crate::selection::Selection;
 use crate::solver::{Grids, Solver, SolverState, Source};
 use crate::view::Viewport;
@@ -68,6 +69,8 @@ pub struct Session {
     scribbles_shown: bool,
     paper: Option<Srgb8>,
     result_shown: bool,
+    /// What is shown in place of the result.
+    regions: Option<Regions>,
     desk: Srgb8,
     solver: Solver,
     grids: Grids,
@@ -128,6 +131,7 @@ impl Session {
             scribbles_shown: true,
             paper: Some(PAPER),
             result_shown: true,
+            regions: None,
             desk,
             solver: Solver::default(),
             grids: Grids::default(),
@@ -199,6 +203,7 @@ impl Session {
                 self.stale.view = true;
             }
             Command::Result(shown) => self.show_result(shown),
+            Command::Regions(shown) => self.show_regions(shown),
             Command::Desk(desk) => self.set_desk(desk),
             Command::View(change) => {
                 change.apply(&mut self.viewport);
@@ -210,12 +215,15 @@ impl Session {
     /// Derives what is stale and shows it; does nothing where nothing has changed. Tells whether there is more to show.
     pub fn frame(&mut self, painter: &mut dyn Painter) -> bool {
         self.refresh_colors();
+        self.refresh_regions();
         self.refresh_ink();
         if take(&mut self.stale.view) {
             let blank = Field::default();
+            let regions = self.regions.as_ref().map(Regions::field);
+            let is_result = self.result_shown && regions.is_none();
             let painting = Painting {
-                field: if self.result_shown { &self.field } else { &blank },
-                problem: self.problem.as_ref().filter(|_| self.source == Source::Grid && self.result_shown),
+                field: if is_result { &self.field } else { regions.unwrap_or(&blank) },
+                problem: self.problem.as_ref().filter(|_| self.source == Source::Grid && is_result),
                 layers: &self.layers,
                 view: self.viewport.view(),
                 paper: self.paper,
@@ -361,6 +369,7 @@ impl Session {
             lines: Some(self.lines_shown),
             scribbles: Some(self.scribbles_shown),
             result: Some(self.result_shown),
+            regions: Some(self.regions.is_some()),
             settings: Some(self.document().settings),
             tracing: Some(TracingState {
                 tracing: self.document().tracing,

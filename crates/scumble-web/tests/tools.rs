@@ -6,7 +6,7 @@ mod page;
 use kurbo::Point;
 use scumble_core::{Paint, Srgb8};
 use scumble_web::brush::{Ink, Kind, ModeChange};
-use scumble_web::command::{Command, Phase, Tool, ViewChange};
+use scumble_web::command::{Command, Phase, Setting, Tool, ViewChange};
 use scumble_web::effect::Effect;
 
 use page::{DESK, Page, SQUARE};
@@ -166,4 +166,41 @@ fn the_picture_without_its_colours_has_lines_and_scribbles_alone() {
     page.session.command(Command::Result(true));
     assert_eq!(page.color_at(INSIDE), RED);
     assert_eq!(page.color_at((60.0, 700.0)), BLUE);
+}
+
+/// A room of 512 × 512 du with a doorway of 64 du into another one, at x = 512 du.
+const DOORWAY: &[u8] = br##"<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 1024 512">
+    <path fill="none" stroke="#000" stroke-width="4" d="M512 0V224M512 288V512"/>
+</svg>"##;
+
+#[test]
+fn rooms_and_gaps_are_shown_in_place_of_the_colours_and_follow_gap_closing() {
+    let mut page = Page::open(DOORWAY);
+    let rooms = [(256.0, 256.0), (768.0, 256.0)];
+    page.session.command(Command::Set(Setting::GapClosing(1.0)));
+    page.stroke(RED, &[rooms[0], (256.0, 300.0)]);
+    page.session.command(Command::Scribbles(false));
+    page.session.take_effects();
+    page.session.command(Command::Regions(true));
+    assert_eq!(page.session.take_effects(), [Effect::Regions(true)]);
+    let doorway = (512.0, 256.0);
+    let [left, right] = rooms.map(|place| page.color_at(place));
+    assert!(left != right && ![left, right].contains(&RED), "{left:?} {right:?}");
+    assert!(![left, right].contains(&page.color_at(doorway)), "a mark");
+    page.session.command(Command::Set(Setting::GapClosing(0.0)));
+    let [left, right] = rooms.map(|place| page.color_at(place));
+    assert!(left == right && page.color_at(doorway) == left, "the doorway is open");
+    page.session.command(Command::Regions(false));
+    assert_eq!(page.color_at(rooms[0]), RED);
+}
+
+#[test]
+fn a_picture_for_a_list_has_the_colours_also_while_rooms_are_shown() {
+    let mut page = filled();
+    let before = page.session.thumbnail();
+    page.session.command(Command::Regions(true));
+    assert_ne!(page.color_at(INSIDE), RED);
+    assert_eq!(page.session.thumbnail(), before);
+    page.session.command(Command::Undo);
+    assert_ne!(page.color_at(INSIDE), WHITE, "rooms have nothing to do with scribbles");
 }

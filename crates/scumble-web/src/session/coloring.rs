@@ -8,6 +8,7 @@ use scumble_solve::grid::GridProblem;
 
 use super::Session;
 use crate::effect::Effect;
+use crate::regions::Regions;
 use crate::solver::{Moment, Source};
 
 /// While a gesture is on its way, pixels of the grid are so many times wider: then it keeps up with the pen.
@@ -29,6 +30,22 @@ impl Session {
         self.result_shown = shown;
         (self.changed.field, self.changed.problem) = (true, true);
         self.stale.view = true;
+    }
+
+    /// Instead of the result or none.
+    pub(super) fn show_regions(&mut self, shown: bool) {
+        self.regions = shown.then(Regions::default);
+        (self.changed.field, self.changed.problem) = (true, true);
+        (self.stale.view, self.stale.lines) = (true, true);
+    }
+
+    pub(super) fn refresh_regions(&mut self) {
+        if let Some(regions) = &mut self.regions
+            && regions.follow(self.sheet.map_key(), self.sheet.picture.map())
+        {
+            self.changed.field = true;
+            (self.stale.view, self.stale.lines) = (true, true);
+        }
     }
 
     /// Where the picture is to come from.

@@ -45,6 +45,9 @@ impl Session {
         if self.lines_shown {
             self.layers.add_lines(drawing, self.sheet.picture.map());
         }
+        if let Some(regions) = &self.regions {
+            self.layers.add_lines(&regions.marked_gaps(drawing, self.px_per_du()), self.sheet.picture.map());
+        }
         let selected = self.selected_curves().into_iter().map(|i| &drawing.curves[i]);
         self.layers.add_lines(&marked(drawing, selected, self.px_per_du()), self.sheet.picture.map());
         self.layers.add_desk(drawing.frame(), self.desk);

@@ -8,6 +8,7 @@ use scumble_solve::Picture;
 
 use super::{Session, Stale};
 use crate::effect::{Effect, SheetState};
+use crate::regions::MapKey;
 use crate::selection::Selection;
 
 /// Lines of more pieces than this are followed only when they have come to rest.
@@ -55,6 +56,10 @@ impl Sheet {
     /// Whether there are other lines than the picture is made for.
     pub(super) fn has_stale_map(&self) -> bool {
         self.mapped != self.editor.lines_revision()
+    }
+
+    pub(super) fn map_key(&self) -> MapKey {
+        (self.number, self.mapped, self.editor.document().settings.gap_closing)
     }
 
     pub(super) fn state(&self) -> SheetState {
