@@ -48,6 +48,7 @@ export const SHORTCUTS = {
     "show-scribbles": ["Shift+B"],
     "show-result": ["Shift+R"],
     "show-regions": ["Shift+G"],
+    "hold-before": ["C"],
   },
 };
 
@@ -116,9 +117,16 @@ export function keysOf(action) {
 
 /**
  * @param {(action: string) => void} act
- * @param {(held: boolean) => void} holdSpace
+ * @param {(action: string, held: boolean) => void} hold
  */
-export function listen(act, holdSpace) {
+export function listen(act, hold) {
+  /** Actions of the keys that are held. @type {Map<string, string>} */
+  const held = new Map();
+  const release = (/** @type {string} */ key) => {
+    const action = held.get(key);
+    held.delete(key);
+    if (action) hold(action, false);
+  };
   window.addEventListener("keydown", (event) => {
     if (event.defaultPrevented || event.altKey || document.querySelector("dialog[open]")) return;
     const chord = chordOf(event);
@@ -127,14 +135,18 @@ export function listen(act, holdSpace) {
     if (!action || (usesKey(event.target, event.key) && !isCommand)) return;
     // Escape also closes what has come down from a button.
     if (event.key !== "Escape") event.preventDefault();
-    if (action === "hold-hand") holdSpace(true);
-    else if (action !== "hold-pick") act(action);
+    if (!action.startsWith("hold-")) act(action);
+    else if (!event.repeat) {
+      held.set(event.key.toLowerCase(), action);
+      hold(action, true);
+    }
   });
   window.addEventListener("keyup", (event) => {
-    if (event.key === " ") holdSpace(false);
+    release(event.key.toLowerCase());
     // A key that is held is one gesture.
     if (event.key.startsWith("Arrow")) act("settle");
   });
+  window.addEventListener("blur", () => [...held.keys()].forEach(release));
 }
 
 /** @param {KeyboardEvent} event */

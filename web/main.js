@@ -202,6 +202,15 @@ const actions = {
   },
 };
 
+/** What is done while a key is held. @type {Record<string, (held: boolean) => void>} */
+const holds = {
+  "hold-hand": (held) => pointers.holdSpace(held),
+  "hold-before": (held) => {
+    if (held) tell(say("before"));
+    engine.command("before", held);
+  },
+};
+
 /** @param {string} action */
 function act(action) {
   const [, kind, which] = /^(swatch|tool|show|arrow-Arrow|far-Shift\+Arrow)-?(.+)$/.exec(action) ?? [];
@@ -244,7 +253,7 @@ async function start() {
   const solver = new URLSearchParams(location.search).get("solver") ?? "";
   if (SOLVERS.includes(solver)) engine.command("solver", solver);
   matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => engine.command("desk", desk()));
-  listen(act, (held) => pointers.holdSpace(held));
+  listen(act, (action, held) => holds[action]?.(held));
   receive((file) => opening.file(file), (text) => opening.text(text));
   window.addEventListener("hashchange", () => void (isLink(location.hash) && opening.address()));
   window.addEventListener("beforeunload", (event) => {

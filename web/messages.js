@@ -183,6 +183,8 @@ const english = {
   "single-keys": "Shortcuts of a single key",
   "hold-pick": "Pick colour, while held",
   "hold-hand": "Hand, while held",
+  "hold-before": "Before, while held",
+  "before": "The drawing before it was coloured",
   "other-kind": "Fill or shade",
   "brush-smaller": "Smaller brush",
   "brush-larger": "Larger brush",

@@ -45,7 +45,6 @@ export class Pointers {
     on("pointercancel", (event) => this.#up(event, "cancel"));
     on("wheel", (event) => this.#wheel(event));
     on("contextmenu", (event) => event.preventDefault());
-    window.addEventListener("blur", () => this.holdSpace(false));
   }
 
   /** Drops what the pen has done since it came down, and tells whether it was. */

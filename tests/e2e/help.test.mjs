@@ -14,7 +14,7 @@ const ON_PAPER = /** @type {Point[]} */ ([[150, 70], [160, 80]]);
 const SEEN = `JSON.stringify({
   said: document.getElementById("status").textContent,
   view: document.getElementById("canvas").dataset.view,
-  chosen: [...document.querySelectorAll(":is(body > header, aside) :checked")].map((control) => control.ariaLabel ?? control.value),
+  chosen: [...document.querySelectorAll(":is(body > header, aside, #settings) :checked")].map((control) => control.ariaLabel ?? control.value),
   color: document.getElementById("color").dataset.color,
   brush: document.getElementById("brush-size").value,
   dialogs: [...document.querySelectorAll("dialog[open]")].map((dialog) => dialog.id),

@@ -88,6 +88,14 @@ describe("settings", () => {
     assert.deepEqual(editor.tab.faults, []);
   });
 
+  test("while C is held, the drawing is shown as it was before", async () => {
+    const editor = await open("rooms");
+    const after = await colors(editor);
+    await editor.tab.hold("c", async () => assert.deepEqual(await colors(editor), [WHITE, WHITE]));
+    assert.deepEqual(await colors(editor), after);
+    assert.equal(after[0], RED);
+  });
+
   test("Spread colours what was paper", async () => {
     const editor = await open("rooms");
     assert.deepEqual(await colors(editor), [RED, WHITE]);

@@ -79,6 +79,7 @@ pub(crate) fn command_from_js(name: &str, args: &JsValue) -> Option<Command> {
         "paper" => Command::Paper(args.as_bool()?),
         "result" => Command::Result(args.as_bool()?),
         "regions" => Command::Regions(args.as_bool()?),
+        "before" => Command::Before(args.as_bool()?),
         "desk" => Command::Desk(color(args)?),
         _ => Command::View(view_change(name, args)?),
     })

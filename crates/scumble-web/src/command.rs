@@ -191,6 +191,8 @@ pub enum Command {
     Result(bool),
     /// Whether rooms and gaps are shown, in place of the colours.
     Regions(bool),
+    /// Whether the drawing is shown as it was before it was coloured, to compare.
+    Before(bool),
     /// The colour around the page.
     Desk(Srgb8),
     /// Another view.

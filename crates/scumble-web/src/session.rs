@@ -71,6 +71,8 @@ pub struct Session {
     result_shown: bool,
     /// What is shown in place of the result.
     regions: Option<Regions>,
+    /// Whether nothing is shown but the lines.
+    is_before: bool,
     desk: Srgb8,
     solver: Solver,
     grids: Grids,
@@ -132,6 +134,7 @@ impl Session {
             paper: Some(PAPER),
             result_shown: true,
             regions: None,
+            is_before: false,
             desk,
             solver: Solver::default(),
             grids: Grids::default(),
@@ -204,6 +207,7 @@ impl Session {
             }
             Command::Result(shown) => self.show_result(shown),
             Command::Regions(shown) => self.show_regions(shown),
+            Command::Before(shown) => self.show_before(shown),
             Command::Desk(desk) => self.set_desk(desk),
             Command::View(change) => {
                 change.apply(&mut self.viewport);
@@ -218,9 +222,9 @@ impl Session {
         self.refresh_regions();
         self.refresh_ink();
         if take(&mut self.stale.view) {
-            let blank = Field::default();
-            let regions = self.regions.as_ref().map(Regions::field);
-            let is_result = self.result_shown && regions.is_none();
+            let (blank, changed) = (Field::default(), take(&mut self.changed));
+            let regions = self.regions_shown().map(Regions::field);
+            let is_result = self.result_shown && regions.is_none() && !self.is_before;
             let painting = Painting {
                 field: if is_result { &self.field } else { regions.unwrap_or(&blank) },
                 problem: self.problem.as_ref().filter(|_| self.source == Source::Grid && is_result),
@@ -228,7 +232,7 @@ impl Session {
                 view: self.viewport.view(),
                 paper: self.paper,
             };
-            let is_all = painter.paint(&painting, take(&mut self.changed));
+            let is_all = painter.paint(&painting, changed);
             self.was_at_once |= is_all;
             self.stale.view = !is_all || self.choice() != self.source;
         }

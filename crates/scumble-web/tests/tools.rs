@@ -204,3 +204,17 @@ fn a_picture_for_a_list_has_the_colours_also_while_rooms_are_shown() {
     page.session.command(Command::Undo);
     assert_ne!(page.color_at(INSIDE), WHITE, "rooms have nothing to do with scribbles");
 }
+
+#[test]
+fn before_is_the_drawing_without_scribbles_and_colours_whatever_is_shown() {
+    let mut page = filled();
+    for hide in [Command::Lines(true), Command::Lines(false), Command::Regions(true)] {
+        page.session.command(hide);
+        let shown = [INSIDE, ACROSS[1], ON_THE_LINE].map(|place| page.color_at(place));
+        page.session.command(Command::Before(true));
+        let before = [INSIDE, ACROSS[1], ON_THE_LINE].map(|place| page.color_at(place));
+        assert_eq!(before, [WHITE, WHITE, BLACK]);
+        page.session.command(Command::Before(false));
+        assert_eq!([INSIDE, ACROSS[1], ON_THE_LINE].map(|place| page.color_at(place)), shown);
+    }
+}

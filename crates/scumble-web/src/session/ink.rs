@@ -7,6 +7,7 @@ use scumble_core::{Curve, Drawing, Line, Rgba8, Srgb8};
 
 use super::Session;
 use crate::layers::{Layers, MARK, MARK_PX};
+use crate::regions::Regions;
 
 impl Session {
     pub(super) fn show_lines(&mut self, shown: bool) {
@@ -22,6 +23,17 @@ impl Session {
     pub(super) fn set_desk(&mut self, desk: Srgb8) {
         self.desk = desk;
         self.stale.lines = true;
+    }
+
+    /// The drawing as it was before it was coloured, or what else is to be shown.
+    pub(super) fn show_before(&mut self, shown: bool) {
+        self.is_before = shown;
+        (self.changed.field, self.changed.problem) = (true, true);
+        (self.stale.view, self.stale.lines, self.stale.scribbles) = (true, true, true);
+    }
+
+    pub(super) fn regions_shown(&self) -> Option<&Regions> {
+        self.regions.as_ref().filter(|_| !self.is_before)
     }
 
     pub(super) fn refresh_ink(&mut self) {
@@ -42,10 +54,10 @@ impl Session {
     fn draw_ink(&mut self) {
         let drawing = &self.sheet.editor.document().drawing;
         self.layers.clear_ink();
-        if self.lines_shown {
+        if self.lines_shown || self.is_before {
             self.layers.add_lines(drawing, self.sheet.picture.map());
         }
-        if let Some(regions) = &self.regions {
+        if let Some(regions) = self.regions_shown() {
             self.layers.add_lines(&regions.marked_gaps(drawing, self.px_per_du()), self.sheet.picture.map());
         }
         let selected = self.selected_curves().into_iter().map(|i| &drawing.curves[i]);
@@ -56,7 +68,8 @@ impl Session {
     }
 
     fn draw_scribbles(&mut self) {
-        let scribbles = if self.scribbles_shown { &*self.sheet.editor.document().scribbles } else { &[] };
+        let are_shown = self.scribbles_shown && !self.is_before;
+        let scribbles = if are_shown { &*self.sheet.editor.document().scribbles } else { &[] };
         let is_selected = self.sheet.editor.scribble_ids().iter().map(|id| self.selection.has(*id)).collect();
         self.layers.set_scribbles(scribbles, is_selected);
         self.changed.scribbles = true;
