@@ -166,8 +166,8 @@ impl Region {
     }
 
     /// Writes its triangles, as many as there are, or their colours alone where the rest is there since the last time.
-    pub(super) fn emit(&mut self, barriers: Barriers<'_>, is_moved: bool, triangles: &mut [FieldTriangle]) {
-        if is_moved || !self.is_shaped {
+    pub(super) fn emit(&mut self, barriers: Barriers<'_>, is_new: bool, triangles: &mut [FieldTriangle]) {
+        if is_new || !self.is_shaped {
             self.emit_shapes(barriers, triangles);
             self.is_shaped = true;
         }
