@@ -188,9 +188,9 @@ impl Region {
     }
 
     /// The unknowns of the coloured sides, with their colours.
-    fn conditions(&self) -> impl Iterator<Item = (u32, BlendColor)> {
+    fn conditions(&self) -> impl Iterator<Item = ([u32; 3], &[BlendColor; 3])> {
         let sides = self.elements().dofs.sides.iter().zip(&self.given);
-        sides.flat_map(|(side, given)| given.iter().flat_map(|colors| side.dofs.into_iter().zip(*colors)))
+        sides.filter_map(|(side, given)| Some((side.dofs, given.as_ref()?)))
     }
 
     /// Whether these are the colours of the last look at the sides.
