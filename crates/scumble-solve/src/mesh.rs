@@ -62,7 +62,7 @@ pub struct MeshSolver {
     /// Of the largest factor that was of no use any more.
     memory: Vec<f64>,
     field: Field,
-    /// How many triangles of the field are those of each region; none where the regions are others.
+    /// How many triangles of the field are those of each region; none are where the regions are others.
     emitted: Vec<usize>,
 }
 
@@ -177,24 +177,45 @@ impl MeshSolver {
         self.spread(blend)
     }
 
-    /// Puts the triangles of the regions that changed into their places in the field; all, where places moved.
+    /// Puts the triangles of the regions that changed into the field; those of the others go along to where they are now.
     fn emit(&mut self, is_changed: &[bool]) {
         let counts: Vec<_> = self.regions.iter().map(Region::emitted_count).collect();
-        let is_moved = counts != self.emitted;
-        let mut triangles = mem::take(&mut self.field.triangles);
-        triangles.resize(counts.iter().sum(), FieldTriangle::default());
-        let mut rest = &mut triangles[..];
+        let mut before = mem::replace(&mut self.emitted, counts);
+        before.resize(self.emitted.len(), 0);
+        move_parts(&mut self.field.triangles, &before, &self.emitted);
+        let mut rest = &mut self.field.triangles[..];
         let barriers = Barriers { mesh: &self.mesh, closed_gaps: &self.closed_gaps };
-        for ((region, &count), &is_changed) in self.regions.iter_mut().zip(&counts).zip(is_changed) {
-            let (own, others) = rest.split_at_mut(count);
-            if is_changed || is_moved {
-                region.emit(barriers, is_moved, own);
+        for (i, region) in self.regions.iter_mut().enumerate() {
+            let (own, others) = rest.split_at_mut(self.emitted[i]);
+            let is_new = before[i] != own.len();
+            if is_changed[i] || is_new {
+                region.emit(barriers, is_new, own);
             }
             rest = others;
         }
-        self.field.triangles = triangles;
-        self.emitted = counts;
     }
+}
+
+/// Makes room in a list for other parts: those that are as long as before move to where they begin now.
+fn move_parts(list: &mut Vec<FieldTriangle>, before: &[usize], now: &[usize]) {
+    let total: usize = now.iter().sum();
+    list.resize(total.max(list.len()), FieldTriangle::default());
+    let mut starts = [0; 2];
+    let mut to_the_right = Vec::new();
+    for (&before, &now) in before.iter().zip(now) {
+        let [from, to] = starts;
+        starts = [from + before, to + now];
+        if before == now && to < from {
+            list.copy_within(from..from + now, to);
+        } else if before == now && to > from {
+            to_the_right.push((from, to, now));
+        }
+    }
+    // From the last on, so that none is written over before it is moved.
+    for (from, to, count) in to_the_right.into_iter().rev() {
+        list.copy_within(from..from + count, to);
+    }
+    list.truncate(total);
 }
 
 /// Where two lists differ, each taken to go on with `false`.
@@ -220,6 +241,25 @@ mod tests {
         let (last, first) = (map.steps(2).last().expect("a step"), map.steps(3).first().expect("a step"));
         let nodes = [map.ends(last.left)[1], map.ends(first.left)[0]];
         map.with_gaps(vec![Gap { nodes, is_wide: false, is_plain: false }])
+    }
+
+    #[test]
+    fn parts_that_are_as_long_as_before_move_whatever_moves_beside_them() {
+        let counts = [[2, 0], [3, 3], [0, 5], [1, 1], [4, 4], [0, 0], [9, 1], [2, 2], [1, 9], [3, 3]];
+        let [before, now] = [0, 1].map(|side| counts.map(|both| both[side]));
+        let part = |i: usize| FieldTriangle { side_edges: i as u32, ..FieldTriangle::default() };
+        let list = |counts: &[usize]| -> Vec<_> {
+            counts.iter().enumerate().flat_map(|(i, &count)| vec![part(i); count]).collect()
+        };
+        for [before, now] in [[before, now], [now, before]] {
+            let mut moved = list(&before);
+            move_parts(&mut moved, &before, &now);
+            assert_eq!(moved.len(), now.iter().sum());
+            let expected = list(&now);
+            let kept =
+                |i: &usize| before[expected[*i].side_edges as usize] == now[expected[*i].side_edges as usize];
+            (0..moved.len()).filter(kept).for_each(|i| assert_eq!(moved[i], expected[i], "{i}"));
+        }
     }
 
     #[test]

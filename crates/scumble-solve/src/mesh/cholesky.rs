@@ -90,14 +90,12 @@ impl Places<'_> {
     }
 
     fn add_element(&self, rows: &[u32; 6], element: &Matrix, matrix: &mut Dense<'_>) {
-        let places =
-            rows.map(|row| self.of_row.get(row as usize).map_or(usize::MAX, |&place| place as usize));
+        let places = rows.map(|row| self.of_row.get(row as usize).copied());
         let mut entries = element.iter();
-        for (j, &place) in places.iter().enumerate() {
-            for (&other, entry) in places[j..].iter().zip(entries.by_ref()) {
-                let [first, last] = if place < other { [place, other] } else { [other, place] };
-                if last != usize::MAX {
-                    matrix.column(first)[last - first] += entry;
+        for j in 0..6 {
+            for (k, entry) in (j..6).zip(entries.by_ref()) {
+                if let (Some(a), Some(b)) = (places[j], places[k]) {
+                    *matrix.entry(a.min(b) as usize, a.max(b) as usize) += entry;
                 }
             }
         }
@@ -132,6 +130,13 @@ struct Dense<'a> {
 impl<'a> Dense<'a> {
     fn new(front: &Front, pivots: &'a mut [f64], left: &'a mut [f64]) -> Self {
         Self { size: front.size(), pivot_count: front.pivots.len(), pivots, left }
+    }
+
+    fn entry(&mut self, first: usize, last: usize) -> &mut f64 {
+        match first.checked_sub(self.pivot_count) {
+            None => &mut self.pivots[start(self.size, first) + last - first],
+            Some(k) => &mut self.left[start(self.size - self.pivot_count, k) + last - first],
+        }
     }
 
     fn column(&mut self, j: usize) -> &mut [f64] {

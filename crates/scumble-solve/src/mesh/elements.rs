@@ -93,13 +93,16 @@ impl Elements {
         self.system.and_then(|(_, system)| system.into_memory())
     }
 
-    /// What sources of some colours add to the right-hand side: an unknown, and how much.
-    pub(super) fn loads(&self, sources: &[SoftSource]) -> impl Iterator<Item = (u32, BlendColor)> {
+    /// What sources of some colours add to the right-hand side, element by element: its unknowns, what each has of the colour,
+    /// and that.
+    pub(super) fn loads(
+        &self,
+        sources: &[SoftSource],
+    ) -> impl Iterator<Item = ([u32; 6], [f64; 6], BlendColor)> {
         let loads = self.shade.iter().flat_map(|shade| &shade.loads);
-        loads.flat_map(|load| {
+        loads.map(|load| {
             let dofs = self.dofs.of_triangle[load.element as usize];
-            let color = sources[load.source as usize].color;
-            dofs.into_iter().zip(load.values).map(move |(dof, value)| (dof, color.map(|c| value * c)))
+            (dofs, load.values, sources[load.source as usize].color)
         })
     }
 

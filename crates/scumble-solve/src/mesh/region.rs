@@ -22,7 +22,7 @@ pub(super) struct Region {
     shaded: Option<(Vec<SoftSource>, Elements)>,
     /// The colours of its sides, as of the last look at them.
     given: Vec<Option<[BlendColor; 3]>>,
-    /// Whether no side is coloured, as of the same look.
+    /// Whether sources shade it and no side is coloured, as of the same look.
     is_paper: bool,
     coloring: Coloring,
     /// The colour of each unknown, where the region is neither paper nor flat.
@@ -47,7 +47,7 @@ impl Region {
     pub(super) fn new(dofs: Dofs) -> Self {
         Self {
             given: vec![None; dofs.sides.len()],
-            is_paper: true,
+            is_paper: false,
             base: Elements::new(dofs),
             cells: None,
             shaded: None,
@@ -93,7 +93,8 @@ impl Region {
         colors: &SideColors,
         sources: Vec<SoftSource>,
     ) -> Option<Vec<f64>> {
-        let is_paper = self.base.dofs.sides.iter().all(|side| color(colors, side).is_none());
+        let is_paper =
+            !sources.is_empty() && self.base.dofs.sides.iter().all(|side| color(colors, side).is_none());
         let memory = self.shade(mesh, sources, is_paper);
         if !self.is_given(colors) {
             self.given = self.elements().dofs.sides.iter().map(|side| given(side, colors)).collect();
@@ -112,8 +113,7 @@ impl Region {
     }
 
     fn shade(&mut self, mesh: &Triangulation, sources: Vec<SoftSource>, is_paper: bool) -> Option<Vec<f64>> {
-        let was_paper = mem::replace(&mut self.is_paper, is_paper);
-        let is_same = is_paper == was_paper || sources.is_empty();
+        let is_same = mem::replace(&mut self.is_paper, is_paper) == is_paper;
         if self.sources() == sources && is_same {
             return None;
         }
@@ -166,8 +166,8 @@ impl Region {
     }
 
     /// Writes its triangles, as many as there are, or their colours alone where the rest is there since the last time.
-    pub(super) fn emit(&mut self, barriers: Barriers<'_>, is_moved: bool, triangles: &mut [FieldTriangle]) {
-        if is_moved || !self.is_shaped {
+    pub(super) fn emit(&mut self, barriers: Barriers<'_>, is_new: bool, triangles: &mut [FieldTriangle]) {
+        if is_new || !self.is_shaped {
             self.emit_shapes(barriers, triangles);
             self.is_shaped = true;
         }
@@ -188,9 +188,9 @@ impl Region {
     }
 
     /// The unknowns of the coloured sides, with their colours.
-    fn conditions(&self) -> impl Iterator<Item = (u32, BlendColor)> {
+    fn conditions(&self) -> impl Iterator<Item = ([u32; 3], &[BlendColor; 3])> {
         let sides = self.elements().dofs.sides.iter().zip(&self.given);
-        sides.flat_map(|(side, given)| given.iter().flat_map(|colors| side.dofs.into_iter().zip(*colors)))
+        sides.filter_map(|(side, given)| Some((side.dofs, given.as_ref()?)))
     }
 
     /// Whether these are the colours of the last look at the sides.
@@ -202,7 +202,7 @@ impl Region {
 
     /// The colours that are given: by sides, by sources, and by the paper where these are on it.
     fn colors(&self) -> impl Iterator<Item = BlendColor> {
-        let paper = (self.is_paper && self.shaded.is_some()).then_some([0.0; 4]);
+        let paper = self.is_paper.then_some([0.0; 4]);
         let sources = self.sources().iter().map(|source| source.color);
         self.given.iter().flatten().flatten().copied().chain(sources).chain(paper)
     }

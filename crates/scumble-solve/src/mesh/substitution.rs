@@ -50,6 +50,10 @@ impl<'a> Columns<'a> {
         local: &mut Vec<BlendColor>,
     ) {
         let pivots = front.pivots.start as usize..front.pivots.end as usize;
+        // Of regions that are coloured at their sides alone, that is half of the factor.
+        if values[pivots.clone()].as_flattened().iter().all(|&value| value == 0.0) {
+            return;
+        }
         local.clear();
         local.extend_from_slice(&values[pivots.clone()]);
         local.resize(self.size, [0.0; 4]);

@@ -70,26 +70,30 @@ impl System {
         &self.place_of
     }
 
-    /// The values of all unknowns, from those of the fixed ones, the mean where one has two, and from loads; `None` before
-    /// the system is factored.
-    pub(super) fn solve(
+    /// The values of all unknowns, from those of the fixed ones, the mean where one has two, and from loads, each a colour by
+    /// what an unknown has of it; `None` before the system is factored.
+    pub(super) fn solve<'a>(
         &self,
-        fixed: impl Iterator<Item = (u32, BlendColor)>,
-        loads: impl Iterator<Item = (u32, BlendColor)>,
+        fixed: impl Iterator<Item = ([u32; 3], &'a [BlendColor; 3])>,
+        loads: impl Iterator<Item = ([u32; 6], [f64; 6], BlendColor)>,
     ) -> Option<Vec<BlendColor>> {
         let factor = self.factor.as_ref()?;
         let mut values = vec![[0.0; 4]; self.place_of.len()];
         let (sums, fixed_values) = values.split_at_mut(self.fronts.row_count());
         let mut is_known = vec![false; fixed_values.len()];
-        for (dof, value) in fixed {
-            let i = self.place_of[dof as usize] as usize - sums.len();
-            fixed_values[i] = if is_known[i] { mean(fixed_values[i], value) } else { value };
-            is_known[i] = true;
+        for (dofs, colors) in fixed {
+            for (dof, &value) in dofs.into_iter().zip(colors) {
+                let i = self.place_of[dof as usize] as usize - sums.len();
+                fixed_values[i] = if is_known[i] { mean(fixed_values[i], value) } else { value };
+                is_known[i] = true;
+            }
         }
         self.couplings.subtract(fixed_values, sums);
-        for (dof, load) in loads {
-            if let Some(sum) = sums.get_mut(self.place_of[dof as usize] as usize) {
-                add(sum, 1.0, load);
+        for (dofs, parts, color) in loads {
+            for (dof, part) in dofs.into_iter().zip(parts) {
+                if let Some(sum) = sums.get_mut(self.place_of[dof as usize] as usize) {
+                    add(sum, part, color);
+                }
             }
         }
         factor.solve(&self.fronts, sums);
