@@ -21,8 +21,9 @@ import { copyLink, isLink, sendLink, showLink } from "./share.js";
 import { showSelection } from "./selection.js";
 import { putAside } from "./storage.js";
 import { connectSwatches, shownSwatches, swatch } from "./swatches.js";
-import { areLinesShown, connect, done, failed, shown, showName, showUnkept, tell, toggle, warn } from "./toolbar.js";
+import { areLinesShown, connect, done, failed, shown, showName, showUnkept, showUpdate, tell, toggle, warn } from "./toolbar.js";
 import { Tracing } from "./tracing.js";
+import { followVersions, takeVersion } from "./versions.js";
 
 /** What the address may ask for. */
 const SOLVERS = ["automatic", "mesh", "gpu"];
@@ -195,6 +196,8 @@ const actions = {
   "edit-palette": () => colors.show("edit-palette"),
   dismiss: () => warn(""),
   "dismiss-unkept": () => showUnkept(""),
+  update: takeVersion,
+  "dismiss-update": () => showUpdate(false),
   help: showHelp,
   drop: () => {
     // Escape closes what is open, and does no more.
@@ -253,6 +256,7 @@ async function start() {
   window.addEventListener("pagehide", () => keeper.hurry());
   document.addEventListener("visibilitychange", () => document.hidden && keeper.hurry());
   await opening.begin(samples.list()).catch(failed);
+  followVersions(() => showUpdate(true));
 }
 
 start();

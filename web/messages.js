@@ -192,6 +192,9 @@ const english = {
   "far-": "… ten times as far",
   "zoom-reset": "Zoom to 100%",
   "dismiss": "Dismiss",
+  "update-ready": "A new version is ready",
+  "reload": "Reload",
+  "later-update": "Not now",
   "close": "Close",
   "samples-credit": "Drawings marked OpenMoji are by openmoji.org, licence CC BY-SA 4.0. The others are Scumble’s own.",
 

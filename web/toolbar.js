@@ -207,3 +207,8 @@ export function showUnkept(fails) {
   control("unkept").hidden = fails === "";
   /** @type {HTMLElement} */ (control("unkept").querySelector("p")).textContent = fails && say(`unkept-${fails}`);
 }
+
+/** @param {boolean} isReady whether the page has another version to go on with */
+export function showUpdate(isReady) {
+  control("update").hidden = !isReady;
+}

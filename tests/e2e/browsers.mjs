@@ -62,6 +62,7 @@ const VIEWPORT = { width: 1200, height: 800 };
  * @property {(script: string) => Promise<unknown>} prepare runs a script in each page that is opened from now on, before its own
  * @property {(width_px: number, height_px: number) => Promise<unknown>} resize its window
  * @property {(bytes: number) => Promise<unknown>} limitStorage
+ * @property {() => Promise<void>} toFront
  * @property {() => Promise<Tab>} beside another page with the same history
  * @property {() => Promise<void>} close
  */
@@ -147,6 +148,7 @@ async function chromiumTab(page) {
       const devtools = await page.context().newCDPSession(page);
       await devtools.send("Storage.overrideQuotaForOrigin", { origin: new URL(page.url()).origin, quotaSize: bytes });
     },
+    toFront: () => page.bringToFront(),
     beside: async () => chromiumTab(await page.context().newPage()),
     close: () => page.close(),
   };
@@ -237,6 +239,7 @@ function puppeteerTab(page) {
     limitStorage: async () => {
       throw new Error("storage is limited in Chromium");
     },
+    toFront: () => page.bringToFront(),
     beside: async () => puppeteerTab(await page.browserContext().newPage()),
     close: () => page.close(),
   };
