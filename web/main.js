@@ -7,6 +7,7 @@ import { Drawings, isKept, isUnsaved, stem } from "./drawings.js";
 import { Engine } from "./engine.js";
 import { cancelExport, copyPicture, saveExport, setSize, showExport } from "./export.js";
 import { choose, keep, receive } from "./files.js";
+import { beginFirstSteps, followFirstSteps, showFirstSteps, skipFirstSteps } from "./first_steps.js";
 import { formats } from "./formats.js";
 import { showHelp } from "./help.js";
 import { Keeper } from "./keeper.js";
@@ -54,6 +55,7 @@ const handlers = {
     shownSwatches.color(color);
     followed.color(color);
     colors.follow();
+    followFirstSteps("color");
   },
   palette: both(shownSwatches.palette, () => colors.follow()),
   "brush-size": both(shown["brush-size"], followed["brush-size"]),
@@ -77,12 +79,12 @@ const handlers = {
   opened: ({ notes }) => done(say(notes === "" ? "opened" : "opened-in-part", { name: drawings.shown.name, notes })),
   "scribble-added": (values) => {
     colors.used();
-    done(say("scribble-added", values));
+    doing("scribble-added", values);
   },
   ...Object.fromEntries(
     [...DOINGS, "picked", "undone", "redone"].map((key) => [
       key,
-      (values) => done(say(key, values)),
+      (values) => doing(key, values),
     ]),
   ),
   failed: (values) => warn(say("failed", values)),
@@ -94,6 +96,15 @@ const handlers = {
     if (id && revision === 0) putAside(id).catch(console.warn);
   },
 };
+
+/**
+ * Says what was done.
+ * @param {string} key
+ * @param {any} values
+ */
+function doing(key, values) {
+  done(followFirstSteps(key) ? say("steps-done") : say(key, values));
+}
 
 /**
  * @param {(value: any) => void} first
@@ -199,9 +210,15 @@ const actions = {
   update: takeVersion,
   "dismiss-update": () => showUpdate(false),
   help: showHelp,
+  "first-steps": () => {
+    closeOpen();
+    showFirstSteps();
+  },
+  "skip-steps": skipFirstSteps,
   drop: () => {
     // Escape closes what is open, and does no more.
-    if (!pointers.cancel() && !document.querySelector(":popover-open")) engine.command("select-none");
+    if (pointers.cancel() || document.querySelector(":popover-open") || skipFirstSteps()) return;
+    engine.command("select-none");
   },
 };
 
@@ -255,7 +272,7 @@ async function start() {
   });
   window.addEventListener("pagehide", () => keeper.hurry());
   document.addEventListener("visibilitychange", () => document.hidden && keeper.hurry());
-  await opening.begin(samples.list()).catch(failed);
+  await opening.begin(samples.list(), beginFirstSteps).catch(failed);
   followVersions(() => showUpdate(true));
 }
 

@@ -19,7 +19,7 @@ before(async () => {
 after(() => session.close());
 
 test("the first load takes at most 400 KB, all from the page's own folder, with one wasm build", async (t) => {
-  const tab = await session.newTab();
+  const tab = await session.newTab({ isFirst: true });
   /** @type {Set<string>} */
   const urls = new Set();
   tab.onRequest((url) => urls.add(url));

@@ -74,7 +74,7 @@ export async function start(name) {
   const browser = await launch(name);
   return {
     url,
-    newTab: () => browser.open(),
+    newTab: browser.open,
     /** The page in a tab, as it comes up again. @param {Tab} tab */
     reopen: (tab) => Editor.open(tab, `${url}?renderer=cpu`, "cpu"),
     /**
