@@ -12,7 +12,8 @@ import { formats } from "./formats.js";
 import { showHelp } from "./help.js";
 import { Keeper } from "./keeper.js";
 import { listen } from "./keys.js";
-import { label, say } from "./messages.js";
+import { chooseLanguage, chosenLanguage, languageOf } from "./language.js";
+import { say, speak } from "./messages.js";
 import { Opening } from "./opening.js";
 import { png } from "./png.js";
 import { Pointers } from "./pointer.js";
@@ -21,8 +22,8 @@ import { Samples } from "./samples.js";
 import { copyLink, isLink, sendLink, showLink } from "./share.js";
 import { showSelection } from "./selection.js";
 import { putAside } from "./storage.js";
-import { connectSwatches, shownSwatches, swatch } from "./swatches.js";
-import { areLinesShown, connect, done, failed, shown, showName, showUnkept, showUpdate, tell, toggle, warn } from "./toolbar.js";
+import { connectSwatches, labelSwatches, shownSwatches, swatch } from "./swatches.js";
+import { areLinesShown, connect, done, failed, labelControls, shown, showName, showUnkept, showUpdate, tell, toggle, warn } from "./toolbar.js";
 import { Tracing } from "./tracing.js";
 import { followVersions, takeVersion } from "./versions.js";
 
@@ -250,8 +251,30 @@ function followSize() {
   tellSize();
 }
 
+const languages = /** @type {HTMLSelectElement} */ (document.getElementById("language"));
+
+/** Says everything that is there in the language that was chosen. */
+async function followLanguage() {
+  chooseLanguage(languages.value);
+  try {
+    await speak(languageOf(languages.value));
+  } catch (fault) {
+    console.warn(fault);
+    return failed(new Error(say("error-language")));
+  }
+  labelControls();
+  labelSwatches();
+  colors.forget();
+  nameShown();
+  samples.label();
+  tell("");
+}
+
 async function start() {
-  label(document);
+  languages.value = chosenLanguage();
+  languages.addEventListener("change", followLanguage);
+  await speak(languageOf(languages.value)).catch(console.warn);
+  labelControls();
   connectSwatches((color) => engine.command("color", color));
   connect(act, (command, args) => engine.command(command, args));
   try {
