@@ -47,6 +47,7 @@ export const SHORTCUTS = {
     "show-lines": ["Shift+L"],
     "show-scribbles": ["Shift+B"],
     "show-result": ["Shift+R"],
+    "full-screen": ["F"],
   },
 };
 

@@ -9,6 +9,7 @@ import { cancelExport, copyPicture, saveExport, setSize, showExport } from "./ex
 import { choose, keep, receive } from "./files.js";
 import { beginFirstSteps, followFirstSteps, showFirstSteps, skipFirstSteps } from "./first_steps.js";
 import { formats } from "./formats.js";
+import { connectFullScreen, turnFullScreen } from "./full_screen.js";
 import { showHelp } from "./help.js";
 import { Keeper } from "./keeper.js";
 import { listen } from "./keys.js";
@@ -24,6 +25,7 @@ import { showSelection } from "./selection.js";
 import { putAside } from "./storage.js";
 import { connectSwatches, labelSwatches, shownSwatches, swatch } from "./swatches.js";
 import { areLinesShown, connect, done, failed, labelControls, shown, showName, showUnkept, showUpdate, tell, toggle, warn } from "./toolbar.js";
+import { connectBar, connectRadios } from "./toolbars.js";
 import { Tracing } from "./tracing.js";
 import { followVersions, takeVersion } from "./versions.js";
 
@@ -211,6 +213,7 @@ const actions = {
   update: takeVersion,
   "dismiss-update": () => showUpdate(false),
   help: showHelp,
+  "full-screen": turnFullScreen,
   "first-steps": () => {
     closeOpen();
     showFirstSteps();
@@ -276,6 +279,9 @@ async function start() {
   await speak(languageOf(languages.value)).catch(console.warn);
   labelControls();
   connectSwatches((color) => engine.command("color", color));
+  connectBar(/** @type {HTMLElement} */ (document.getElementById("bar")));
+  connectRadios(/** @type {HTMLElement} */ (document.getElementById("tools")));
+  connectFullScreen();
   connect(act, (command, args) => engine.command(command, args));
   try {
     await engine.start(desk());
