@@ -34,6 +34,11 @@ export class Panels {
     panel.showPopover();
   }
 
+  remove() {
+    this.#pickerPanel.remove();
+    this.#palettePanel.remove();
+  }
+
   follow() {
     this.#showColor();
     this.#palette.follow();

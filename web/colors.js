@@ -69,6 +69,12 @@ export class Colors {
     this.#panels?.used();
   }
 
+  /** Has the panels made anew when they are opened next, in the language of the page. */
+  forget() {
+    this.#panels?.remove();
+    this.#panels = this.#loading = undefined;
+  }
+
   async #load() {
     const { Panels } = await import("./color_panels.js");
     return new Panels(this.#shell());

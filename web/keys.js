@@ -49,6 +49,7 @@ export const SHORTCUTS = {
     "show-result": ["Shift+R"],
     "show-regions": ["Shift+G"],
     "hold-before": ["C"],
+    "full-screen": ["F"],
   },
 };
 
@@ -61,13 +62,18 @@ const ACTIONS = new Map(
   ),
 );
 
+const isMac = /Mac|iP/.test(navigator.platform);
+
+/** How keys are called in the language of the page, where that is not as in the table. @type {[string, string][]} */
+let names = [];
+
 /** What a chord is on the keys of other machines, and keys that have signs. @type {[string, string][]} */
 const SIGNS = [
   ["ArrowLeft", "←"],
   ["ArrowRight", "→"],
   ["ArrowUp", "↑"],
   ["ArrowDown", "↓"],
-  ...(/Mac|iP/.test(navigator.platform) ? /** @type {[string, string][]} */ ([["Ctrl+", "⌘"], ["Shift+", "⇧"], ["Alt", "⌥"]]) : []),
+  ...(isMac ? /** @type {[string, string][]} */ ([["Ctrl+", "⌘"], ["Shift+", "⇧"], ["Alt", "⌥"]]) : []),
 ];
 
 /** Where the browser keeps that shortcuts of a single key are off, for those who dictate or rest on the keyboard. */
@@ -106,7 +112,12 @@ function isOn(chord) {
 
 /** How a chord is written on this machine's keys. @param {string} chord */
 export function written(chord) {
-  return SIGNS.reduce((text, [key, sign]) => text.replace(key, sign), chord);
+  return [...SIGNS, ...names].reduce((text, [key, sign]) => text.replace(key, sign), chord);
+}
+
+/** @param {[string, string][]} called keys of the table and what they are called; a Mac's have signs in all languages */
+export function nameKeys(called) {
+  names = called;
 }
 
 /** The chord of an action, as it is written; nothing where there is none that is on. @param {string} action */

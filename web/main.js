@@ -7,11 +7,14 @@ import { Drawings, isKept, isUnsaved, stem } from "./drawings.js";
 import { Engine } from "./engine.js";
 import { cancelExport, copyPicture, saveExport, setSize, showExport } from "./export.js";
 import { choose, keep, receive } from "./files.js";
+import { beginFirstSteps, followFirstSteps, showFirstSteps, skipFirstSteps } from "./first_steps.js";
 import { formats } from "./formats.js";
+import { connectFullScreen, turnFullScreen } from "./full_screen.js";
 import { showHelp } from "./help.js";
 import { Keeper } from "./keeper.js";
 import { listen } from "./keys.js";
-import { label, say } from "./messages.js";
+import { chooseLanguage, chosenLanguage, languageOf } from "./language.js";
+import { say, speak } from "./messages.js";
 import { Opening } from "./opening.js";
 import { png } from "./png.js";
 import { Pointers } from "./pointer.js";
@@ -20,9 +23,11 @@ import { Samples } from "./samples.js";
 import { copyLink, isLink, sendLink, showLink } from "./share.js";
 import { showSelection } from "./selection.js";
 import { putAside } from "./storage.js";
-import { connectSwatches, shownSwatches, swatch } from "./swatches.js";
-import { areLinesShown, connect, done, failed, shown, showName, showUnkept, tell, toggle, warn } from "./toolbar.js";
+import { connectSwatches, labelSwatches, shownSwatches, swatch } from "./swatches.js";
+import { areLinesShown, connect, done, failed, labelControls, shown, showName, showUnkept, showUpdate, tell, toggle, warn } from "./toolbar.js";
+import { connectBar, connectRadios } from "./toolbars.js";
 import { Tracing } from "./tracing.js";
+import { followVersions, takeVersion } from "./versions.js";
 
 /** What the address may ask for. */
 const SOLVERS = ["automatic", "mesh", "gpu"];
@@ -53,6 +58,7 @@ const handlers = {
     shownSwatches.color(color);
     followed.color(color);
     colors.follow();
+    followFirstSteps("color");
   },
   palette: both(shownSwatches.palette, () => colors.follow()),
   "brush-size": both(shown["brush-size"], followed["brush-size"]),
@@ -76,12 +82,12 @@ const handlers = {
   opened: ({ notes }) => done(say(notes === "" ? "opened" : "opened-in-part", { name: drawings.shown.name, notes })),
   "scribble-added": (values) => {
     colors.used();
-    done(say("scribble-added", values));
+    doing("scribble-added", values);
   },
   ...Object.fromEntries(
     [...DOINGS, "picked", "undone", "redone"].map((key) => [
       key,
-      (values) => done(say(key, values)),
+      (values) => doing(key, values),
     ]),
   ),
   failed: (values) => warn(say("failed", values)),
@@ -93,6 +99,15 @@ const handlers = {
     if (id && revision === 0) putAside(id).catch(console.warn);
   },
 };
+
+/**
+ * Says what was done.
+ * @param {string} key
+ * @param {any} values
+ */
+function doing(key, values) {
+  done(followFirstSteps(key) ? say("steps-done") : say(key, values));
+}
 
 /**
  * @param {(value: any) => void} first
@@ -195,10 +210,19 @@ const actions = {
   "edit-palette": () => colors.show("edit-palette"),
   dismiss: () => warn(""),
   "dismiss-unkept": () => showUnkept(""),
+  update: takeVersion,
+  "dismiss-update": () => showUpdate(false),
   help: showHelp,
+  "full-screen": turnFullScreen,
+  "first-steps": () => {
+    closeOpen();
+    showFirstSteps();
+  },
+  "skip-steps": skipFirstSteps,
   drop: () => {
     // Escape closes what is open, and does no more.
-    if (!pointers.cancel() && !document.querySelector(":popover-open")) engine.command("select-none");
+    if (pointers.cancel() || document.querySelector(":popover-open") || skipFirstSteps()) return;
+    engine.command("select-none");
   },
 };
 
@@ -239,9 +263,34 @@ function followSize() {
   tellSize();
 }
 
+const languages = /** @type {HTMLSelectElement} */ (document.getElementById("language"));
+
+/** Says everything that is there in the language that was chosen. */
+async function followLanguage() {
+  chooseLanguage(languages.value);
+  try {
+    await speak(languageOf(languages.value));
+  } catch (fault) {
+    console.warn(fault);
+    return failed(new Error(say("error-language")));
+  }
+  labelControls();
+  labelSwatches();
+  colors.forget();
+  nameShown();
+  samples.label();
+  tell("");
+}
+
 async function start() {
-  label(document);
+  languages.value = chosenLanguage();
+  languages.addEventListener("change", followLanguage);
+  await speak(languageOf(languages.value)).catch(console.warn);
+  labelControls();
   connectSwatches((color) => engine.command("color", color));
+  connectBar(/** @type {HTMLElement} */ (document.getElementById("bar")));
+  connectRadios(/** @type {HTMLElement} */ (document.getElementById("tools")));
+  connectFullScreen();
   connect(act, (command, args) => engine.command(command, args));
   try {
     await engine.start(desk());
@@ -261,7 +310,8 @@ async function start() {
   });
   window.addEventListener("pagehide", () => keeper.hurry());
   document.addEventListener("visibilitychange", () => document.hidden && keeper.hurry());
-  await opening.begin(samples.list()).catch(failed);
+  await opening.begin(samples.list(), beginFirstSteps).catch(failed);
+  followVersions(() => showUpdate(true));
 }
 
 start();

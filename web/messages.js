@@ -1,9 +1,12 @@
-// Every word that the page shows: a table from keys to texts. A text that needs values is a function of them.
+// Every word that the page shows: a table from keys to texts. A text that needs values is a function of them. English is
+// here; what is spoken in its place is fetched.
 
-import { keysOf } from "./keys.js";
+import { keysOf, nameKeys } from "./keys.js";
 
-/** @type {Record<string, string | ((values: any) => string)>} */
-const english = {
+/** @typedef {Record<string, string | ((values: any) => string)>} Table */
+
+/** @type {Table} */
+export const english = {
   "app": "Scumble",
   "group-file": "File",
   "group-history": "History",
@@ -64,6 +67,8 @@ const english = {
   "scribbles": "Scribbles",
   "result": "Result",
   "settings": "Settings",
+  "language": "Language",
+  "language-auto": "As the browser",
   "engine": "Engine",
   "engine-note": "Global reads all scribbles at once, Progressive one after the other",
   "engine-global": "Global",
@@ -90,6 +95,11 @@ const english = {
   "zoom-out": "Zoom out",
   "zoom": ({ percent }) => `Zoom ${percent}%`,
   "fit": "Fit",
+  "bar": "File, view and help",
+  "full-screen": "Full screen",
+  "full-screen-on": "Full screen; Escape ends it",
+  "full-screen-off": "No longer full screen",
+  "full-screen-not": "The browser does not give the page the whole screen",
   "tools": "Tools",
   "tool-scribble": "Scribble",
   "tool-erase": "Erase",
@@ -180,6 +190,14 @@ const english = {
   "guide-1": "Pick a colour and scribble inside a shape: the colour fills it. Nothing need be neat. Shade adds soft light and shadow where you draw.",
   "guide-2": "Where a colour goes wrong, scribble there in the right one, or erase what led astray, or move it (Select). Gap closing, in Settings, is for lines with gaps.",
   "guide-3": "The wheel or two fingers move the picture; Ctrl and the wheel, or a pinch, zoom. Undo takes back anything. Your work is kept in this browser; Export makes the picture.",
+  "show-steps": "Show the first steps",
+  "first-steps": "First steps",
+  "step": ({ place, text }) => `Step ${place} of 3: ${text}`,
+  "step-1": "Pick a colour",
+  "step-2": "Scribble inside a shape",
+  "step-3": "Add another colour, or Undo it",
+  "steps-done": "That is how to colour. Open takes drawings of your own",
+  "skip": "Skip",
   "single-keys": "Shortcuts of a single key",
   "hold-pick": "Pick colour, while held",
   "hold-hand": "Hand, while held",
@@ -196,6 +214,9 @@ const english = {
   "far-": "… ten times as far",
   "zoom-reset": "Zoom to 100%",
   "dismiss": "Dismiss",
+  "update-ready": "A new version is ready",
+  "reload": "Reload",
+  "later-update": "Not now",
   "close": "Close",
   "samples-credit": "Drawings marked OpenMoji are by openmoji.org, licence CC BY-SA 4.0. The others are Scumble’s own.",
 
@@ -212,6 +233,23 @@ const english = {
   "slate": "Slate",
   "white": "White",
   "no-colour": "No colour",
+
+  "sample-Goldfish": "Goldfish",
+  "sample-Pear": "Pear",
+  "sample-Sphere": "Sphere",
+  "sample-Teapot with flowers": "Teapot with flowers",
+  "sample-Butterfly": "Butterfly",
+  "sample-Apple": "Apple",
+  "sample-Turtle": "Turtle",
+  "sample-Sunflower": "Sunflower",
+  "sample-Tropical fish": "Tropical fish",
+  "sample-Teddy bear": "Teddy bear",
+  "sample-Frog": "Frog",
+  "sample-Person": "Person",
+  "sample-Birthday cake": "Birthday cake",
+  "sample-Umbrella": "Umbrella",
+  "sample-Rocket": "Rocket",
+  "sample-House with garden": "House with garden",
 
   "untitled": "Untitled",
   "title": ({ name, unsaved }) => `${unsaved ? "• " : ""}${name} – Scumble`,
@@ -258,6 +296,7 @@ const english = {
   "error-gone": "the drawing is no longer there",
   "error-storage": "the browser does not give out the drawings that it keeps; check whether the page may store data",
   "error-panel": "the panel could not be loaded; check the connection and load the page again",
+  "error-language": "the language could not be loaded; check the connection and try again",
   "error-samples": "the samples could not be loaded; check the connection and load the page again",
   "error-start": "Scumble could not start in this browser; a current Chrome, Edge, Firefox or Safari will do.",
   "error-stopped": "Scumble has run into a fault and stopped. Load the page again to go on.",
@@ -291,13 +330,27 @@ function figure(number) {
   return number.toLocaleString("en");
 }
 
+/** The table that is spoken. @type {Table} */
+let table = english;
+
+/**
+ * Has the page say everything in a language from now on.
+ * @param {string} language en or de
+ */
+export async function speak(language) {
+  const spoken = language === "de" ? await import("./german.js") : { german: english, keys: [] };
+  table = spoken.german;
+  nameKeys(spoken.keys);
+  document.documentElement.lang = language;
+}
+
 /**
  * The text of a key. An unknown key is shown as it is, so that a gap in the table is seen.
  * @param {string} key
  * @param {Record<string, unknown>} [values]
  */
 export function say(key, values = {}) {
-  const text = english[key] ?? key;
+  const text = table[key] ?? key;
   return typeof text === "function" ? text(values) : text;
 }
 

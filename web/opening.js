@@ -82,14 +82,15 @@ export class Opening {
    * Opens the link in the address, or else what was open last, or else a sample; unless something has been opened
    * meanwhile.
    * @param {Promise<import("./samples.js").Sample[]>} samples
+   * @param {() => void} isNew called where it was a sample, as nobody has worked here
    */
-  async begin(samples) {
+  async begin(samples, isNew) {
     const fault = isLink(location.hash) ? await this.address() : undefined;
     if (this.#asked > 0 && !fault) return;
     const ticket = this.#asked;
     // A storage that does not work is told of when there is something to keep.
     const ids = await lastIds().catch((fault) => (console.warn(fault), []));
-    if (ticket === this.#asked) await this.#first(ids, samples, fault);
+    if (ticket === this.#asked) await this.#first(ids, samples, fault, isNew);
   }
 
   /**
@@ -97,8 +98,9 @@ export class Opening {
    * @param {string[]} ids
    * @param {Promise<import("./samples.js").Sample[]>} samples
    * @param {unknown} fault what has gone wrong before
+   * @param {() => void} isNew
    */
-  async #first(ids, samples, fault) {
+  async #first(ids, samples, fault, isNew) {
     for (const id of ids) {
       const own = await this.kept(id);
       if (!own) return fault && failed(fault);
@@ -108,8 +110,11 @@ export class Opening {
     const ticket = this.#asked;
     const [sample] = await samples;
     if (ticket !== this.#asked) return undefined;
-    await this.sample(sample);
-    return fault ? failed(fault) : tell(say("start"));
+    const own = await this.sample(sample);
+    if (fault) return failed(fault);
+    if (own) return undefined;
+    isNew();
+    return tell(say("start"));
   }
 
   /**

@@ -90,7 +90,7 @@ async function removed(id) {
  */
 function note(entry, isShown) {
   if (isShown) return say("open-now");
-  return entry.isAside ? say("damaged") : new Date(entry.seen).toLocaleString();
+  return entry.isAside ? say("damaged") : new Date(entry.seen).toLocaleString(document.documentElement.lang);
 }
 
 /**

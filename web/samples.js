@@ -10,6 +10,8 @@ const FOLDER = new URL("../samples/", import.meta.url);
 export class Samples {
   #dialog = /** @type {HTMLDialogElement} */ (document.getElementById("samples"));
   #open;
+  /** As the list has them, in English. @type {Sample[]} */
+  #samples = [];
 
   /** @param {(sample: Sample) => unknown} open */
   constructor(open) {
@@ -21,7 +23,13 @@ export class Samples {
    * @returns {Promise<Sample[]>}
    */
   async list() {
-    const samples = /** @type {Sample[]} */ (await fetched("index.json", (response) => response.json()));
+    this.#samples = /** @type {Sample[]} */ (await fetched("index.json", (response) => response.json()));
+    return this.label();
+  }
+
+  /** Shows them by their names in the language of the page. */
+  label() {
+    const samples = this.#samples.map((sample) => ({ ...sample, name: say(`sample-${sample.name}`) }));
     this.#dialog.querySelector("ul")?.replaceChildren(...samples.map((sample) => this.#item(sample)));
     return samples;
   }
@@ -50,7 +58,6 @@ export class Samples {
     item.append(button, credit);
     return item;
   }
-
 }
 
 /**

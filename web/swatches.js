@@ -43,7 +43,7 @@ const RECENT = "scumble-recent-colors";
 const NAMES = new Map(USUAL.map(([key, color]) => [color, key]));
 
 /** The palette that is shown: the drawing's own, or the usual one. @type {Swatch[]} */
-let palette = [];
+let palette = usual();
 
 /** The last first. @type {string[]} */
 let recent = keptRecent();
@@ -55,15 +55,20 @@ const part = (/** @type {string} */ id) => /** @type {HTMLElement} */ (document.
 
 /** @param {(color: string) => void} pick */
 export function connectSwatches(pick) {
-  fill("tones", Object.keys(TONES).map((tone) => ({ color: tone, label: say(tone) })));
-  shownSwatches.palette([]);
-  fillRecent();
+  labelSwatches();
   for (const list of lists()) {
     list.addEventListener("click", ({ target }) => {
       const color = target instanceof HTMLElement && target.dataset.color;
       if (color) pick(color);
     });
   }
+}
+
+/** Calls all swatches what they are called in the language of the page. */
+export function labelSwatches() {
+  fill("tones", Object.keys(TONES).map((tone) => ({ color: tone, label: say(tone) })));
+  fillPalette();
+  fillRecent();
 }
 
 function lists() {
@@ -119,10 +124,8 @@ export const shownSwatches = {
   /** @param {string[]} own of the drawing: colours and names in turn; without any the usual one is shown */
   palette(own) {
     const ours = own.flatMap((color, i) => (i % 2 === 0 && color !== NO_COLOR ? [{ color, name: own[i + 1] }] : []));
-    palette = ours.length === 0 ? USUAL.map(([, color]) => ({ color, name: "" })) : ours;
-    const shown = palette.slice(0, MOST_SWATCHES);
-    const items = shown.map((swatch, i) => ({ color: swatch.color, label: nameOf(swatch), shortcut: `swatch-${i + 1}` }));
-    fill("palette", [...items, { color: NO_COLOR, label: say("no-colour"), shortcut: "swatch-0" }]);
+    palette = ours.length === 0 ? usual() : ours;
+    fillPalette();
   },
   /** @param {string} color #rrggbb, none, or a tone */
   color(color) {
@@ -132,6 +135,16 @@ export const shownSwatches = {
     press();
   },
 };
+
+function usual() {
+  return USUAL.map(([, color]) => ({ color, name: "" }));
+}
+
+function fillPalette() {
+  const shown = palette.slice(0, MOST_SWATCHES);
+  const items = shown.map((swatch, i) => ({ color: swatch.color, label: nameOf(swatch), shortcut: `swatch-${i + 1}` }));
+  fill("palette", [...items, { color: NO_COLOR, label: say("no-colour"), shortcut: "swatch-0" }]);
+}
 
 function fillRecent() {
   part("recent-colors").hidden = recent.length === 0;

@@ -1,6 +1,6 @@
 // The controls around the canvas. They show what the module says and ask it for changes; they keep no state.
 
-import { name, say } from "./messages.js";
+import { label, name, say } from "./messages.js";
 
 const control = (/** @type {string} */ id) => /** @type {HTMLElement} */ (document.getElementById(id));
 const input = (/** @type {string} */ id) => /** @type {HTMLInputElement} */ (control(id));
@@ -9,12 +9,14 @@ const buttonOf = (/** @type {string} */ action) =>
 const settingOf = (/** @type {string} */ setting) =>
   /** @type {HTMLInputElement} */ (document.querySelector(`[data-setting="${setting}"]`));
 
+/** Settings in percent, with where their figures stand. */
+const FIGURES = [["gap-closing", "gap-figure"], ["strength", "strength-figure"], ["tracing-opacity", "tracing-figure"]];
+
 /**
  * @param {(action: string) => void} act for a button
  * @param {(command: string, args?: unknown) => void} set for a value
  */
 export function connect(act, set) {
-  shown.zoom(1);
   document.addEventListener("mousedown", keepFocus);
   // Before what is chosen there is done, so that the focus comes back to what is still to be seen.
   control("files").addEventListener("click", () => control("files").togglePopover(false), true);
@@ -28,9 +30,7 @@ export function connect(act, set) {
   for (const setting of ["engine", "solver", "blend", "pressure"]) {
     settingOf(setting).addEventListener("change", () => set(setting, settingOf(setting).value));
   }
-  connectSlider(settingOf("gap-closing"), set);
-  connectSlider(settingOf("strength"), set);
-  connectSlider(settingOf("tracing-opacity"), set);
+  for (const [setting] of FIGURES) connectSlider(settingOf(setting), set);
   input("brush-size").addEventListener("input", () => set("brush-size", input("brush-size").valueAsNumber));
   settled(input("brush-size"), set);
 }
@@ -52,6 +52,16 @@ function connectSlider(slider, set) {
  */
 function settled(slider, set) {
   for (const kind of ["change", "pointerup", "blur"]) slider.addEventListener(kind, () => set("settle"));
+}
+
+/** The zoom as it was shown last: 1 where a drawing unit is a CSS pixel. */
+let zoomShown = 1;
+
+/** Says in the language of the page what the controls are, and what they are at. */
+export function labelControls() {
+  label(document);
+  shown.zoom(zoomShown);
+  for (const [setting, figure] of FIGURES) showPercent(settingOf(setting), control(figure), settingOf(setting).valueAsNumber);
 }
 
 /** The radio buttons of the tools, and of what a scribble does. */
@@ -154,6 +164,7 @@ export const shown = {
   },
   /** @param {number} zoom 1 where a drawing unit is a CSS pixel */
   zoom(zoom) {
+    zoomShown = zoom;
     const percent = Math.round(zoom * 100);
     control("zoom").textContent = say("percent", { percent });
     name(control("zoom"), say("zoom", { percent }));
@@ -210,4 +221,9 @@ export function failed(fault) {
 export function showUnkept(fails) {
   control("unkept").hidden = fails === "";
   /** @type {HTMLElement} */ (control("unkept").querySelector("p")).textContent = fails && say(`unkept-${fails}`);
+}
+
+/** @param {boolean} isReady whether the page has another version to go on with */
+export function showUpdate(isReady) {
+  control("update").hidden = !isReady;
 }

@@ -38,6 +38,8 @@ const STATES = {
   "the palette": (editor) => shown(editor, "Edit palette"),
   share: (editor) => opened(editor, "Share", "share"),
   help: (editor) => opened(editor, "Help", "help"),
+  "the first steps": (editor) => editor.tab.evaluate(`document.querySelector('[data-action="first-steps"]').click()`),
+  "another version": (editor) => editor.tab.evaluate(`document.getElementById("update").hidden = false`),
   "a warning": (editor) =>
     editor.tab.evaluate(`document.getElementById("alert").hidden = false; document.querySelector("#alert p").textContent = "Mind."`),
 };

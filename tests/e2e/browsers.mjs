@@ -37,6 +37,15 @@ const withoutDialogs = () => {
   Object.assign(window, { showOpenFilePicker: undefined, showSaveFilePicker: undefined });
 };
 
+/** The guide of the first visit has been seen, where a test does not say otherwise. */
+const asSeen = () => {
+  try {
+    localStorage.setItem("scumble-first-steps", "yes");
+  } catch {
+    // The blank page keeps nothing.
+  }
+};
+
 /** What draws without a graphics card takes its time on a busy machine. */
 const PATIENCE_MS = 120_000;
 
@@ -62,13 +71,14 @@ const VIEWPORT = { width: 1200, height: 800 };
  * @property {(script: string) => Promise<unknown>} prepare runs a script in each page that is opened from now on, before its own
  * @property {(width_px: number, height_px: number) => Promise<unknown>} resize its window
  * @property {(bytes: number) => Promise<unknown>} limitStorage
+ * @property {() => Promise<void>} toFront
  * @property {() => Promise<Tab>} beside another page with the same history
  * @property {() => Promise<void>} close
  */
 
 /**
  * @typedef {object} Browser
- * @property {() => Promise<Tab>} open a page without a history
+ * @property {(options?: {isFirst?: boolean}) => Promise<Tab>} open a page without a history; `isFirst` leaves it to it that nobody was there
  * @property {() => Promise<void>} close
  */
 
@@ -90,7 +100,11 @@ export function launch(name) {
 async function launchChromium() {
   const browser = await chromium.launch({ executablePath: "/usr/bin/chromium", args: CHROMIUM_FLAGS });
   return {
-    open: async () => chromiumTab(await (await browser.newContext({ viewport: VIEWPORT })).newPage()),
+    open: async ({ isFirst = false } = {}) => {
+      const page = await (await browser.newContext({ viewport: VIEWPORT })).newPage();
+      if (!isFirst) await page.addInitScript(asSeen);
+      return chromiumTab(page);
+    },
     close: () => browser.close(),
   };
 }
@@ -147,6 +161,7 @@ async function chromiumTab(page) {
       const devtools = await page.context().newCDPSession(page);
       await devtools.send("Storage.overrideQuotaForOrigin", { origin: new URL(page.url()).origin, quotaSize: bytes });
     },
+    toFront: () => page.bringToFront(),
     beside: async () => chromiumTab(await page.context().newPage()),
     close: () => page.close(),
   };
@@ -156,7 +171,11 @@ async function chromiumTab(page) {
 async function launchFirefox() {
   const browser = await puppeteer.launch({ ...FIREFOX, defaultViewport: VIEWPORT });
   return {
-    open: async () => puppeteerTab(await (await browser.createBrowserContext()).newPage()),
+    open: async ({ isFirst = false } = {}) => {
+      const page = await (await browser.createBrowserContext()).newPage();
+      if (!isFirst) await page.evaluateOnNewDocument(asSeen);
+      return puppeteerTab(page);
+    },
     close: () => browser.close(),
   };
 }
@@ -173,9 +192,11 @@ export async function launchIn(name, folder) {
     userDataDir: folder,
     defaultViewport: VIEWPORT,
   });
+  const page = await browser.newPage();
+  await page.evaluateOnNewDocument(asSeen);
   const process = /** @type {import("node:child_process").ChildProcess} */ (browser.process());
   return {
-    tab: puppeteerTab(await browser.newPage()),
+    tab: puppeteerTab(page),
     kill: async () => {
       const gone = once(process, "exit");
       process.kill("SIGKILL");
@@ -237,6 +258,7 @@ function puppeteerTab(page) {
     limitStorage: async () => {
       throw new Error("storage is limited in Chromium");
     },
+    toFront: () => page.bringToFront(),
     beside: async () => puppeteerTab(await page.browserContext().newPage()),
     close: () => page.close(),
   };

@@ -3,7 +3,7 @@
  * pointer, and judged by screenshots of its canvas.
  */
 import assert from "node:assert/strict";
-import { mkdtemp, rm, writeFile } from "node:fs/promises";
+import { mkdtemp, readdir, rm, writeFile } from "node:fs/promises";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { after, before } from "node:test";
@@ -24,6 +24,11 @@ export const TARGETS = [
 ];
 
 export const DIST = fileURLToPath(new URL("../../dist", import.meta.url));
+
+/** The folder of the version that was built, below `DIST`. */
+export async function version() {
+  return String((await readdir(DIST)).find((name) => name.startsWith("v-")));
+}
 
 /** Longer side of any page in drawing units. */
 const PAGE_DU = 1024;
@@ -69,7 +74,7 @@ export async function start(name) {
   const { server, url } = await serve(DIST, { base: "/some/where/" });
   return {
     url,
-    newTab: () => browser.open(),
+    newTab: browser.open,
     /** The page in a tab, as it comes up again. @param {Tab} tab */
     reopen: (tab) => Editor.open(tab, `${url}?renderer=cpu`, "cpu"),
     /**

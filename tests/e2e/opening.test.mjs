@@ -1,8 +1,9 @@
 // The ways by which a drawing comes into the page, beside the file dialog: dropped, pasted, chosen from the samples.
 import assert from "node:assert/strict";
 import { readFile } from "node:fs/promises";
+import { join } from "node:path";
 import { before, describe, test } from "node:test";
-import { drawing, useSession } from "./harness.mjs";
+import { DIST, drawing, useSession, version } from "./harness.mjs";
 
 describe("opening a drawing", () => {
   const session = useSession("chromium");
@@ -31,7 +32,7 @@ describe("opening a drawing", () => {
 
   test("each sample, with the credit that it asks for", async () => {
     /** @type {{name: string, credit: string}[]} */
-    const samples = JSON.parse(await readFile(new URL("../../dist/samples/index.json", import.meta.url), "utf8"));
+    const samples = JSON.parse(await readFile(join(DIST, await version(), "samples/index.json"), "utf8"));
     assert.equal(samples.filter(({ credit }) => credit === "OpenMoji, CC BY-SA 4.0").length, 12);
     assert.ok(samples.length >= 14);
     for (const { name } of samples) await editor.openSample(name);

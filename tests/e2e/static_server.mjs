@@ -26,16 +26,28 @@ const MIME_TYPES = {
 const DEFAULT_PORT = 8017;
 
 /**
+ * In place of the page's service worker: one that takes itself, and what was there before it, away. Who works on the page
+ * wants to see what was built last.
+ */
+const NO_WORKER = `
+  addEventListener("install", () => skipWaiting());
+  addEventListener("activate", (event) => event.waitUntil(registration.unregister()));
+`;
+
+/**
  * Starts a server; it ends with `server.close()`.
  *
  * @param {string} folder what to serve
- * @param {{port?: number, base?: string, headers?: Record<string, string>}} [options] `port` 0 is any free one; `base` is
- *   the path that the folder stands for, beginning and ending with a slash; `headers` go with each file
+ * @param {{port?: number, base?: string, headers?: Record<string, string>, isKept?: boolean}} [options] `port` 0 is any free
+ *   one; `base` is the path that the folder stands for, beginning and ending with a slash; `headers` go with each file;
+ *   `isKept` is whether browsers keep the page, by its worker
  * @returns {Promise<{server: import("node:http").Server, url: string}>}
  */
-export async function serve(folder, { port = 0, base = "/", headers = {} } = {}) {
+export async function serve(folder, { port = 0, base = "/", headers = {}, isKept = false } = {}) {
   const server = createServer((request, response) => {
-    answer(fileOf(folder, base, request.url ?? "/"), headers, response).catch(() => response.destroy());
+    const { url = "/" } = request;
+    if (!isKept && url === `${base}worker.js`) return void response.writeHead(200, { "content-type": MIME_TYPES[".js"] }).end(NO_WORKER);
+    answer(fileOf(folder, base, url), headers, response).catch(() => response.destroy());
   });
   await new Promise((resolve, reject) => {
     server.once("error", reject);

@@ -81,7 +81,7 @@ pub(crate) fn fetch_lines(work: &mut Work, samples: Option<&Path>) -> anyhow::Re
     };
     let Some(samples) = samples else {
         bail!(
-            "it is a colouring of the sample {name}; name the folder with the samples: --samples dist/samples"
+            "it is a colouring of the sample {name}; name the folder with the samples: --samples dist/*/samples"
         );
     };
     let path = samples.join(name);

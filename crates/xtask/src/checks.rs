@@ -82,7 +82,7 @@ fn corpus() -> Result<()> {
 
 fn javascript_types() -> Result<()> {
     tools::npm_packages()?;
-    for project in ["web", "tests/e2e"] {
+    for project in ["web", "web/offline", "tests/e2e"] {
         run(node().args(["node_modules/typescript/bin/tsc", "--project", project]))?;
     }
     Ok(())

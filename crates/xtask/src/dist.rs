@@ -2,14 +2,16 @@
 //!
 //! | path | what |
 //! |---|---|
-//! | `index.html` | as in the repository |
-//! | `web/` | icon, style sheet, and all scripts, minified: as one, but for those that are fetched when they are needed |
+//! | `index.html` | as in the repository, but that it names files of the version's folder |
+//! | `worker.js` | the service worker, which keeps all files of this version |
+//! | `v-…/` | the version's folder, with all of the following; see [`version`] |
+//! | `web/` | icons, what makes the page installable, style sheet, and all scripts, minified: as one, but for those that are fetched when they are needed |
 //! | `pkg/webgpu/`, `pkg/webgl/` | the editor as wasm, built twice, each with its JavaScript |
 //! | `pkg/files/` | what only files and links need, likewise |
 //! | `samples/` | the drawings that the page offers, with `index.json` and licences |
 
 use crate::process::{cargo, command, node, root, run};
-use crate::{samples, tools};
+use crate::{icons, samples, tools, version};
 use anyhow::{Context, Result};
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -51,12 +53,13 @@ pub(crate) fn build() -> Result<PathBuf> {
     if dist.exists() {
         fs::remove_dir_all(&dist)?;
     }
-    write_web(&root().join("web"), &dist.join("web"))?;
-    fs::copy(root().join("index.html"), dist.join("index.html"))?;
+    let files = dist.join("files");
+    write_web(&root().join("web"), &files.join("web"))?;
     for (name, package) in packages {
-        copy_files(files_in(&package)?, &dist.join("pkg").join(name))?;
+        copy_files(files_in(&package)?, &files.join("pkg").join(name))?;
     }
-    samples::collect(&dist.join("samples"))?;
+    samples::collect(&files.join("samples"))?;
+    version::seal(&dist, &files)?;
     Ok(dist)
 }
 
@@ -125,7 +128,8 @@ pub(crate) fn files_in(folder: &Path) -> Result<Vec<PathBuf>> {
 
 /// Writes the page's own files, scripts and styles minified.
 fn write_web(from: &Path, to: &Path) -> Result<()> {
-    copy_files([from.join("icon.svg")], to)?;
+    copy_files([from.join("icon.svg"), from.join("manifest.webmanifest")], to)?;
+    icons::write(&from.join("icon.svg"), to)?;
     minify(to, &[from.join("main.js"), from.join("style.css")])
 }
 

@@ -4,9 +4,11 @@
 
 mod checks;
 mod dist;
+mod icons;
 mod process;
 mod samples;
 mod tools;
+mod version;
 
 use anyhow::{Result, bail};
 use process::{cargo, node, root, run};

@@ -1,0 +1,127 @@
+// The second language: its table has what the first has, the page says all of it, and its longer words fit.
+import assert from "node:assert/strict";
+import { readFile } from "node:fs/promises";
+import { after, before, describe, test } from "node:test";
+import { DIST, Editor, start, version } from "./harness.mjs";
+
+/** Has a browser want German. */
+const GERMAN = `Object.defineProperty(navigator, "languages", { get: () => ["de-AT", "en"] })`;
+
+const page = () => readFile(new URL("../../index.html", import.meta.url), "utf8");
+
+test("both tables have the same keys, and every label of the page", async () => {
+  // The tables tell the keys of a Mac by the browser.
+  Object.assign(globalThis, { navigator: globalThis.navigator ?? { platform: "" } });
+  const [{ english }, { german }] = await Promise.all([import("../../web/messages.js"), import("../../web/german.js")]);
+  assert.deepEqual(Object.keys(german).sort(), Object.keys(english).sort());
+  for (const [key, text] of Object.entries(english)) assert.equal(typeof german[key], typeof text, key);
+  const used = [...(await page()).matchAll(/data-(?:text|label)="([^"]+)"/g)].map(([, key]) => key);
+  assert.ok(used.length > 100);
+  assert.deepEqual(used.filter((key) => !(key in english)), []);
+});
+
+test("each sample has a name in the tables", async () => {
+  const { english } = await import("../../web/messages.js");
+  const samples = JSON.parse(await readFile(`${DIST}/${await version()}/samples/index.json`, "utf8"));
+  for (const { name } of samples) assert.equal(english[`sample-${name}`], name);
+});
+
+for (const browser of /** @type {const} */ (["chromium", "firefox"])) {
+  describe(`German in ${browser}`, () => {
+    /** @type {Awaited<ReturnType<typeof start>>} */
+    let session;
+    before(async () => {
+      session = await start(browser);
+    });
+    after(() => session.close());
+
+    const openGerman = async () => {
+      const tab = await session.newTab({ isFirst: true });
+      await tab.prepare(GERMAN);
+      return Editor.open(tab, `${session.url}?renderer=cpu`, "cpu");
+    };
+
+    /** @param {Editor} editor @returns {Promise<string>} */
+    const lang = (editor) => editor.tab.evaluate("document.documentElement.lang");
+
+    test("who wants it has it from the start, and every label is German", async () => {
+      const editor = await openGerman();
+      assert.equal(await lang(editor), "de");
+      assert.equal(await editor.name(), "Goldfisch");
+      const { german } = await import("../../web/german.js");
+      const labels = /** @type {[string, string][]} */ (await editor.tab.evaluate(`
+        [...document.querySelectorAll("[data-text]")].map((element) => [element.dataset.text, element.textContent])
+          .concat([...document.querySelectorAll("[data-label]")].map((element) => [element.dataset.label, element.ariaLabel]))`));
+      for (const [key, text] of labels) assert.equal(text, german[key], key);
+      const names = await editor.tab.evaluate(`[...document.querySelectorAll("#palette button")].map((swatch) => swatch.title).slice(0, 2)`);
+      assert.deepEqual(names, ["Rot (1)", "Orange (2)"]);
+      assert.equal(await editor.tab.evaluate(`document.querySelector('[data-action="undo"]').title`), "Rückgängig (Strg+Z)");
+      assert.deepEqual(editor.tab.faults, []);
+    });
+
+    test("Settings has both, and what was chosen stays", async () => {
+      const tab = await session.newTab();
+      /** @type {string[]} */
+      const urls = [];
+      tab.onRequest((url) => urls.push(url));
+      const editor = await Editor.open(tab, `${session.url}?renderer=cpu`, "cpu");
+      const isFetched = () => urls.some((url) => url.includes("/web/german"));
+      assert.equal(await lang(editor), "en");
+      assert.ok(!isFetched(), "nobody wants it");
+      await editor.click("Colour");
+      await tab.waitFor(`document.querySelector(".colors:popover-open") !== null`);
+      await tab.press("Escape");
+      await editor.choose("Language", "de");
+      await tab.waitFor(`document.documentElement.lang === "de"`);
+      assert.ok(isFetched());
+      await tab.press("Escape");
+      assert.equal(await tab.evaluate(`document.getElementById("zoom").textContent`).then((text) => /\d\u00a0%$/.test(String(text))), true);
+      await editor.click("Farbe");
+      await tab.waitFor(`document.querySelector(".colors:popover-open h2")?.textContent === "Farbe"`);
+      await tab.press("Escape");
+      const again = await Editor.open(tab, `${session.url}?renderer=cpu`, "cpu");
+      assert.equal(await lang(again), "de");
+      await again.choose("Sprache", "en");
+      await tab.waitFor(`document.documentElement.lang === "en"`);
+      assert.equal(await tab.evaluate(`document.querySelector('[data-action="open"]').ariaLabel`), "Open");
+      assert.deepEqual(tab.faults, []);
+    });
+
+    test("its words fit, from a phone to a wide window", async () => {
+      const editor = await openGerman();
+      for (const [width, height] of /** @type {const} */ ([[320, 568], [360, 640], [600, 400], [841, 600], [1257, 700], [1280, 800], [1501, 900]])) {
+        await editor.tab.resize(width, height);
+        await editor.tab.evaluate(`document.getElementById("tracing-button").hidden = false`);
+        assert.equal(await editor.tab.evaluate("document.documentElement.scrollWidth"), width);
+        const beyond = await editor.tab.evaluate(`
+          [...document.querySelectorAll(":is(body > header, #steps) *")]
+            .filter((part) => part.checkVisibility() && !part.closest("svg, .unseen"))
+            .filter((part) => part.getBoundingClientRect().right > innerWidth)
+            .map((part) => part.outerHTML.slice(0, 80))`);
+        assert.deepEqual(beyond, [], `${width} by ${height}`);
+        const cut = await editor.tab.evaluate(`
+          [...document.querySelectorAll("aside .kinds")].filter((group) => group.scrollWidth > group.clientWidth).map((group) => group.ariaLabel)`);
+        assert.deepEqual(cut, [], `${width} by ${height}`);
+        for (const id of ["help", "export", "share", "samples", "recent"]) {
+          const [inner, outer] = /** @type {number[]} */ (await editor.tab.evaluate(`{
+            const dialog = document.getElementById("${id}");
+            dialog.showModal();
+            const widths = [dialog.scrollWidth, dialog.clientWidth];
+            dialog.close();
+            widths;
+          }`));
+          assert.ok(inner <= outer, `${id} at ${width}: ${inner} in ${outer}`);
+        }
+        await editor.tab.evaluate(`document.getElementById("settings").showPopover()`);
+        const settings = await editor.tab.evaluate(`{
+          const panel = document.getElementById("settings");
+          const widths = [panel.scrollWidth <= panel.clientWidth, panel.getBoundingClientRect().left >= 0];
+          panel.hidePopover();
+          widths;
+        }`);
+        assert.deepEqual(settings, [true, true], `settings at ${width}`);
+      }
+      assert.deepEqual(editor.tab.faults, []);
+    });
+  });
+}
