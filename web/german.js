@@ -207,7 +207,7 @@ export const german = {
   "single-keys": "Kürzel aus einer einzelnen Taste",
   "hold-pick": "Farbe aufnehmen, solange gehalten",
   "hold-hand": "Hand, solange gehalten",
-  "hold-before": "Vorher, solange gedrückt",
+  "hold-before": "Vorher, solange gehalten",
   "before": "Die Zeichnung, bevor sie Farben hatte",
   "other-kind": "Füllen oder tönen",
   "brush-smaller": "Kleinerer Pinsel",
