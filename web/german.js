@@ -89,7 +89,7 @@ export const german = {
   "gap-closing": "Lücken schließen",
   "gap-note": "Mehr hält Farben an breiteren Lücken zwischen Linien auf",
   "show-regions": "Bereiche und Lücken zeigen",
-  "regions-note": "Jeder Bereich in einem Ton, und eine Marke in jeder Lücke, die Farben aufhält",
+  "regions-note": "Jeder Bereich in einem Ton, und eine Marke in jeder Lücke, die Farben aufhält; blass, wo sie weitergehen können",
   "spread": "Ausbreiten",
   "spread-note": "Färbt auch, wo niemand gekritzelt hat",
   "percent": ({ percent }) => `${percent}\u00a0%`,

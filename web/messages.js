@@ -83,7 +83,7 @@ export const english = {
   "gap-closing": "Gap closing",
   "gap-note": "More stops colours at wider gaps between lines",
   "show-regions": "Show regions and gaps",
-  "regions-note": "Each region in a tint, and a mark in each gap that stops colours",
+  "regions-note": "Each region in a tint, and a mark in each gap that stops colours; faint where they may go on",
   "spread": "Spread",
   "spread-note": "Colours also what nobody scribbled",
   "percent": ({ percent }) => `${percent}%`,

@@ -16,7 +16,8 @@ const HUE_STEP: f64 = 137.507_764;
 /// Marks are this wide, in device pixels.
 const GAP_PX: f64 = 2.5;
 
-const GAP_COLOR: Rgba8 = Rgba8([0xc8, 0x10, 0x2e, 0xff]);
+/// Where a colour ends, and, fainter, where it may go on into a small room.
+const GAP_COLORS: [Rgba8; 2] = [Rgba8([0xc8, 0x10, 0x2e, 0xff]), Rgba8([0xc8, 0x10, 0x2e, 0x50])];
 
 /// Of which drawing a map is, which lines that has, and how readily gaps count as closed.
 pub(crate) type MapKey = (u32, u32, f64);
@@ -26,7 +27,8 @@ pub(crate) type MapKey = (u32, u32, f64);
 pub(crate) struct Regions {
     of: Option<MapKey>,
     field: Field,
-    gaps: Vec<Line>,
+    /// With their colours.
+    gaps: Vec<(Line, Rgba8)>,
 }
 
 impl Regions {
@@ -35,12 +37,11 @@ impl Regions {
         let is_other = self.of.replace(key) != Some(key);
         if is_other {
             self.field = tinted(map);
-            let point = |node: u32| map.triangulation().points()[node as usize];
-            self.gaps = map
-                .gaps()
-                .iter()
-                .map(|Gap { nodes: [from, to], .. }| Line::new(point(*from), point(*to)))
-                .collect();
+            let mark = |gap: &Gap| {
+                let [from, to] = gap.nodes.map(|node| map.triangulation().points()[node as usize]);
+                (Line::new(from, to), GAP_COLORS[usize::from(gap.is_wide)])
+            };
+            self.gaps = map.gaps().iter().map(mark).collect();
         }
         is_other
     }
@@ -52,8 +53,11 @@ impl Regions {
 
     /// The gaps, as lines that are to be seen at this many device pixels a du.
     pub(crate) fn marked_gaps(&self, page: &Drawing, px_per_du: f64) -> Drawing {
-        let line = drawing::Line { stroke: Stroke::new(GAP_PX / px_per_du), color: GAP_COLOR };
-        let mark = |gap: &Line| Curve { path: gap.to_path(0.0), line: Some(line.clone()) };
+        let stroke = Stroke::new(GAP_PX / px_per_du);
+        let mark = |&(gap, color): &(Line, Rgba8)| {
+            let line = drawing::Line { stroke: stroke.clone(), color };
+            Curve { path: gap.to_path(0.0), line: Some(line) }
+        };
         Drawing { curves: self.gaps.iter().map(mark).collect(), ..Drawing::new(page.page) }
     }
 }
