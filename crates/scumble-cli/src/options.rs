@@ -161,6 +161,8 @@ fn path(value: &std::ffi::OsStr) -> Result<PathBuf, std::convert::Infallible> {
 fn color(mut arguments: Arguments) -> anyhow::Result<ColorOptions> {
     let scribbles = arguments.opt_value_from_os_str("--scribbles", path).map_err(advise)?;
     let output = picture(&mut arguments)?;
+    let is_png = works::extension(&output) == "png";
+    ensure!(is_png, "{} cannot be written; name a file that ends in .png", output.display());
     let save = arguments.opt_value_from_os_str("--save", path).map_err(advise)?;
     save.as_deref().map(works::check_writable).transpose()?;
     let settings = settings(&mut arguments)?;
@@ -273,6 +275,8 @@ fn settings(arguments: &mut Arguments) -> anyhow::Result<Settings> {
     let blend = arguments.opt_value_from_fn("--blend", blend).map_err(advise)?;
     let engine = arguments.opt_value_from_fn("--engine", engine).map_err(advise)?;
     let reach = reach(arguments)?;
+    let is_global = engine != Some(EngineKind::Progressive);
+    ensure!(is_global || !reach.spread, "only --engine global spreads; leave out --spread or --engine");
     Ok(Settings { blend: blend.unwrap_or(reach.blend), engine: engine.unwrap_or(reach.engine), ..reach })
 }
 

@@ -134,7 +134,7 @@ impl fmt::Display for ScribbleNotes {
             (self.bad_widths, "scribble of unusable width", "scribbles of unusable width"),
             (self.no_points, "scribble without points", "scribbles without points"),
             (self.off_page, "scribble off the page", "scribbles off the page"),
-            (self.far_points, "point far outside the page", "points far outside the page"),
+            (self.far_points, "stretch far outside the page", "stretches far outside the page"),
         ];
         write_counts(f, "left out: ", &counts)
     }
@@ -159,6 +159,6 @@ mod tests {
         let notes = ImportNotes { texts: 1, images: 2, ..ImportNotes::default() };
         assert_eq!(notes.to_string(), "left out: 1 text, 2 images");
         let notes = ScribbleNotes { off_page: 2, far_points: 1, ..ScribbleNotes::default() };
-        assert_eq!(notes.to_string(), "left out: 2 scribbles off the page, 1 point far outside the page");
+        assert_eq!(notes.to_string(), "left out: 2 scribbles off the page, 1 stretch far outside the page");
     }
 }

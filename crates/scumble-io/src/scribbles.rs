@@ -32,6 +32,7 @@ const REACH_DU: f64 = LONGER_SIDE_DU;
 const MAX_PAGES: u32 = 500;
 
 #[derive(Deserialize)]
+#[serde(expecting = "an object with \"scribbles\"")]
 struct FileText {
     scribbles: Vec<ScribbleText>,
     #[serde(flatten)]
@@ -39,6 +40,7 @@ struct FileText {
 }
 
 #[derive(Deserialize)]
+#[serde(expecting = "a scribble: an object with \"color\", \"width\" and \"points\"")]
 struct ScribbleText {
     color: String,
     width: f64,

@@ -38,15 +38,11 @@ fn drawings_that_are_none() {
 
 #[test]
 fn a_picture_never_takes_the_place_of_its_drawing() {
-    let folder = Folder::new("over-input").with("d.svg", CIRCLE).with("s.json", INSIDE);
-    for output in ["d.svg", "./s.json"] {
-        refused_call(
-            &folder,
-            &["color", "d.svg", "--scribbles", "s.json", "-o", output],
-            "name another file",
-        );
+    let folder = Folder::new("over-input").with("d.png", CIRCLE).with("s.png", INSIDE);
+    for output in ["d.png", "./s.png"] {
+        refused_call(&folder, &["color", "d.png", "--scribbles", "s.png", "-o", output], "name another file");
     }
-    assert_eq!(folder.read("d.svg"), CIRCLE.as_bytes());
+    assert_eq!(folder.read("d.png"), CIRCLE.as_bytes());
 }
 
 #[test]
@@ -116,6 +112,7 @@ fn calls_that_make_no_sense() {
         (&["--engine", "magic"], "global or progressive"),
         (&["--solver", "magic"], "mesh, gpu, cpu-grid or jeschke"),
         (&["--solver", "cpu-grid", "--timings"], "leave out --solver"),
+        (&["--spread", "--engine", "progressive"], "only --engine global spreads"),
         (&["--gap-closing", "1.5"], "from 0 to 1"),
         (&["--gap-closing", "NaN"], "from 0 to 1"),
         (&["--gap-closing", "wide"], "from 0 to 1"),
@@ -145,6 +142,7 @@ fn calls_that_make_no_sense() {
         "no/o.png cannot be written",
     );
     refused_call(&folder, &["color", "d.svg", "--scribbles", "s.json", "-o", "."], "cannot be written");
+    refused_call(&folder, &["color", "d.svg", "--scribbles", "s.json", "-o", "o.jpg"], "ends in .png");
     refused_call(&folder, &["corpus", ".", "--take", "0"], "above zero");
     refused_call(&folder, &["corpus", "nowhere"], "nowhere cannot be read");
     refused_call(&folder, &["bench", "nowhere"], "cannot be read");
