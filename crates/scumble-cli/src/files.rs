@@ -5,7 +5,7 @@ use std::fs::{self, File};
 use std::io::{Read, Write};
 use std::path::{Path, PathBuf};
 
-use anyhow::Context;
+use anyhow::{Context, ensure};
 
 /// The bytes of a file, or one byte more than may be read of it.
 ///
@@ -25,7 +25,10 @@ pub(crate) fn read(path: &Path) -> anyhow::Result<Vec<u8>> {
 /// # Errors
 /// When the file cannot be written; then nothing is left behind.
 pub(crate) fn write(path: &Path, bytes: &[u8]) -> anyhow::Result<()> {
-    let is_special = fs::metadata(path).is_ok_and(|data| !data.is_file());
+    let there = fs::metadata(path);
+    let is_read_only = there.as_ref().is_ok_and(|data| data.permissions().readonly());
+    ensure!(!is_read_only, "{} cannot be written: it is read-only; name another file", path.display());
+    let is_special = there.is_ok_and(|data| !data.is_file());
     let written = if is_special {
         fs::OpenOptions::new().write(true).open(path).and_then(|mut file| file.write_all(bytes))
     } else {

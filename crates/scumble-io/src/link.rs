@@ -18,6 +18,9 @@ const VERSION: u32 = 1;
 /// Bytes of the checksum, which comes last.
 const CHECK: usize = 4;
 
+/// What a sentence or a mail puts behind a link.
+const AFTER_LINKS: [char; 12] = ['.', ',', ';', ':', '!', '?', ')', ']', '>', '"', '\'', '='];
+
 /// A link and what its parts take.
 #[derive(Clone, Debug)]
 pub struct Link {
@@ -55,7 +58,7 @@ pub fn read_link(link: &str) -> Result<Work, LinkError> {
     if fragment.len() >= MAX_LINK {
         return Err(LinkError::TooLong);
     }
-    let bytes = base64::bytes(text, base64::URL).ok_or(LinkError::Damaged)?;
+    let bytes = base64::bytes(text.trim_end_matches(AFTER_LINKS), base64::URL).ok_or(LinkError::Damaged)?;
     let (packed, check) = bytes.split_last_chunk::<CHECK>().ok_or(LinkError::Damaged)?;
     if checksum(packed).to_be_bytes() != *check {
         return Err(LinkError::Damaged);

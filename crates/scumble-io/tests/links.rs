@@ -86,7 +86,9 @@ fn a_link_is_found_behind_any_address() {
     let link = links().next().unwrap();
     let expected = write_file(&read_link(link).unwrap());
     for before in ["https://example.org/scumble/", "  file:///a.html?b=c.d"] {
-        assert_eq!(write_file(&read_link(&format!("{before}{link}\n")).unwrap()), expected);
+        for after in ["\n", ".", ").", "=", "\" "] {
+            assert_eq!(write_file(&read_link(&format!("{before}{link}{after}")).unwrap()), expected);
+        }
     }
 }
 

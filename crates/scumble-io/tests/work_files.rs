@@ -210,6 +210,8 @@ fn damage_is_told_with_its_line() {
         (",\n\n\"scribbles\": [{\"color\": \"#ff0000\", \"width\": 1, \"points\": [[1]]}]", "more numbers"),
         (",\n\n\"scribbles\": [{\"color\": \"#ff0000\", \"width\": 1, \"points\": []}]", "points"),
         (",\n\n\"scribbles\": [{\"color\": \"#ff0000\", \"width\": 1, \"points\": [[1, 1e10]]}]", "between"),
+        (",\n\n\"color_points\": [{\"curve\": -1, \"side\": \"left\", \"at\": 1}]", "counted from 0"),
+        (",\n\n\"color_points\": [{\"curve\": 0.5, \"side\": \"left\", \"at\": 1}]", "counted from 0"),
         (",\n\n\"settings\": {\"engine\": \"quantum\"}", "that this version knows"),
         (",\n\n\"settings\": {\"spread\": 1}", "true or false"),
         (",\n\n\"sample\": \"../../secret\"", "plain file name"),

@@ -3,10 +3,11 @@
 //! Lines and scribbles are loose overlapping triangles, which painters paint once per place. Solid areas are the
 //! regions of the planar map that lie inside them, so that they meet the colour field without a gap.
 
+mod areas;
 mod soup;
 
-use kurbo::{BezPath, Cap, Join, PathEl, Point, Rect, Shape as _, Stroke};
-use scumble_core::{Drawing, Fill, Line, Paint, PlanarMap, Rgba8, Scribble, Srgb8, Triangulation};
+use kurbo::{BezPath, Cap, Join, PathEl, Point, Shape as _, Stroke};
+use scumble_core::{Drawing, Line, Paint, PlanarMap, Rgba8, Scribble, Srgb8};
 
 use crate::scene::Shape;
 use soup::{Pen, Soup, Stop};
@@ -25,7 +26,7 @@ pub fn line_shapes(drawing: &Drawing, map: &PlanarMap, tolerance_du: f64) -> Vec
     let lines = drawing.curves.iter().filter_map(|curve| {
         curve.line.as_ref().map(|line| line_shape(&curve.path, line, tolerance_du.max(LEAST_TOLERANCE_DU)))
     });
-    let mut shapes = fill_shapes(&drawing.fills, map.triangulation());
+    let mut shapes = areas::shapes(drawing, map);
     shapes.extend(lines.filter(|shape| !shape.triangles.is_empty()));
     shapes
 }
@@ -124,57 +125,12 @@ fn corner(point: Point) -> Stop {
     Stop { point, is_corner: true }
 }
 
-/// A region of the map.
-struct Region {
-    /// A point well inside it: the centroid of its largest triangle.
-    inner: Point,
-    triangles: Soup,
-}
-
-fn fill_shapes(fills: &[Fill], mesh: &Triangulation) -> Vec<Shape> {
-    if fills.is_empty() {
-        return Vec::new();
-    }
-    let regions = regions(mesh);
-    let shapes = fills.iter().map(|fill| Shape { triangles: filled(fill, &regions), color: fill.color });
-    shapes.filter(|shape| !shape.triangles.is_empty()).collect()
-}
-
-/// The triangles of the regions inside a fill.
-fn filled(fill: &Fill, regions: &[Region]) -> Soup {
-    let bounds = fill.path.bounding_box();
-    let inside = regions.iter().filter(|region| is_inside(fill, bounds, region.inner));
-    inside.flat_map(|region| region.triangles.iter().copied()).collect()
-}
-
-fn is_inside(fill: &Fill, bounds: Rect, p: Point) -> bool {
-    bounds.contains(p) && {
-        let winding = fill.path.winding(p);
-        if fill.even_odd { winding % 2 != 0 } else { winding != 0 }
-    }
-}
-
-fn regions(mesh: &Triangulation) -> Vec<Region> {
-    let (region_of, count) = mesh.regions();
-    let mut regions: Vec<_> = (0..count).map(|_| (0.0, Point::ORIGIN, Soup::new())).collect();
-    for (t, &region) in region_of.iter().enumerate() {
-        let [a, b, c] = mesh.corners(t);
-        let area = (b - a).cross(c - a);
-        let (largest, inner, triangles) = &mut regions[region as usize];
-        if area > *largest {
-            (*largest, *inner) = (area, a + ((b - a) + (c - a)) / 3.0);
-        }
-        triangles.push([a, b, c].map(|p| [p.x as f32, p.y as f32]));
-    }
-    regions.into_iter().map(|(_, inner, triangles)| Region { inner, triangles }).collect()
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::{Field, Scene, View, paint};
-    use kurbo::{Affine, Circle, Dashes};
-    use scumble_core::{Curve, Sampling, ScribbleKind};
+    use kurbo::{Affine, Circle, Dashes, Rect};
+    use scumble_core::{Curve, Fill, Sampling, ScribbleKind};
 
     const INK: Rgba8 = Rgba8([10, 20, 30, 200]);
 
@@ -281,8 +237,11 @@ mod tests {
         let outlines = ["M 100 100 H 300 V 300 H 100 Z", "M 150 150 H 250 V 250 H 150 Z", "M 0 200 H 1024"];
         let curves = || outlines.map(|o| Curve { line: None, ..curve(o, Stroke::default()) }).to_vec();
         for (even_odd, expected) in [(false, 40_000.0), (true, 30_000.0)] {
-            let shapes = shapes(curves(), vec![Fill { path: path.clone(), even_odd, color: INK }]);
-            assert!((area(&shapes[0].triangles) - expected).abs() < 1.0);
+            for present in 0..=outlines.len() {
+                let curves = curves().into_iter().take(present).collect();
+                let shapes = shapes(curves, vec![Fill { path: path.clone(), even_odd, color: INK }]);
+                assert!((area(&shapes[0].triangles) - expected).abs() < 1.0, "{present} of its outlines");
+            }
         }
     }
 

@@ -156,3 +156,15 @@ fn a_picture_that_is_there_stays_as_it_was() {
     refused_call(&folder, &["color", "d.svg", "--scribbles", "s.json", "-o", "o.png"], "is empty");
     assert_eq!(folder.read("o.png"), b"old");
 }
+
+#[test]
+fn what_may_not_be_written_to_stays_as_it_was() {
+    let folder =
+        Folder::new("bad-read-only").with("d.svg", CIRCLE).with("s.json", INSIDE).with("o.png", "old");
+    let path = folder.path().join("o.png");
+    let mut permissions = std::fs::metadata(&path).unwrap().permissions();
+    permissions.set_readonly(true);
+    std::fs::set_permissions(&path, permissions).unwrap();
+    refused_call(&folder, &["color", "d.svg", "--scribbles", "s.json", "-o", "o.png"], "is read-only");
+    assert_eq!(folder.read("o.png"), b"old");
+}

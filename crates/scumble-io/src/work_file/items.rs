@@ -177,7 +177,7 @@ fn color_point(json: &mut Json, mut keeper: Keeper) -> Result<ColorPoint, Fault>
     let mut point = ColorPoint { curve: 0, is_left: true, at_du: 0.0, color: Paint::Clear };
     json.members(&mut |json, member| {
         match &*member.name {
-            "curve" => point.curve = json.number()? as u32,
+            "curve" => point.curve = curve_number(json)?,
             "side" => point.is_left = named(json, &SIDES)?,
             "at" => point.at_du = json.number()?,
             "color" => point.color = paint(json)?,
@@ -186,6 +186,15 @@ fn color_point(json: &mut Json, mut keeper: Keeper) -> Result<ColorPoint, Fault>
         Ok(())
     })?;
     Ok(point)
+}
+
+fn curve_number(json: &mut Json) -> Result<u32, Fault> {
+    let number = json.number()?;
+    if number >= 0.0 && number.fract() == 0.0 {
+        Ok(number as u32)
+    } else {
+        json.fault("a curve's place, counted from 0, before this")
+    }
 }
 
 fn positive(json: &mut Json) -> Result<f64, Fault> {
