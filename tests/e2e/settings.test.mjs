@@ -9,7 +9,7 @@ import { hex, PAPER } from "./picture.mjs";
 /** The longer side of the viewBox of the drawings here. */
 const SIDE = 200;
 const IN_LEFT_ROOM = /** @type {Point[]} */ ([[30, 30], [50, 60], [70, 40]]);
-const ROOMS = /** @type {Point[]} */ ([[20, 80], [180, 80]]);
+const ROOMS = /** @type {Point[]} */ ([[20, 80], [115, 80]]);
 
 const RED = "#e5484d";
 const WHITE = hex(PAPER);
