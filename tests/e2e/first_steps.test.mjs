@@ -1,7 +1,7 @@
 // The guide of the first visit: three steps that go on as they are done, in nobody's way, and never twice.
 import assert from "node:assert/strict";
-import { after, before, describe, test } from "node:test";
-import { Editor, start } from "./harness.mjs";
+import { describe, test } from "node:test";
+import { Editor, useSession } from "./harness.mjs";
 
 /** The longer side of the goldfish's viewBox, and ways in it. */
 const GOLDFISH = 400;
@@ -18,12 +18,7 @@ const heard = (editor) => editor.tab.evaluate(`document.querySelector("#steps [r
 
 for (const browser of /** @type {const} */ (["chromium", "firefox"])) {
   describe(`the first visit in ${browser}`, () => {
-    /** @type {Awaited<ReturnType<typeof start>>} */
-    let session;
-    before(async () => {
-      session = await start(browser);
-    });
-    after(() => session.close());
+    const session = useSession(browser);
 
     const visit = async (more = "") => Editor.open(await session.newTab({ isFirst: true }), `${session.url}?renderer=cpu${more}`, "cpu");
 

@@ -1,8 +1,8 @@
 // The second language: its table has what the first has, the page says all of it, and its longer words fit.
 import assert from "node:assert/strict";
 import { readFile } from "node:fs/promises";
-import { after, before, describe, test } from "node:test";
-import { DIST, Editor, start, version } from "./harness.mjs";
+import { describe, test } from "node:test";
+import { DIST, Editor, useSession, version } from "./harness.mjs";
 
 /** Has a browser want German. */
 const GERMAN = `Object.defineProperty(navigator, "languages", { get: () => ["de-AT", "en"] })`;
@@ -28,12 +28,7 @@ test("each sample has a name in the tables", async () => {
 
 for (const browser of /** @type {const} */ (["chromium", "firefox"])) {
   describe(`German in ${browser}`, () => {
-    /** @type {Awaited<ReturnType<typeof start>>} */
-    let session;
-    before(async () => {
-      session = await start(browser);
-    });
-    after(() => session.close());
+    const session = useSession(browser);
 
     const openGerman = async () => {
       const tab = await session.newTab({ isFirst: true });

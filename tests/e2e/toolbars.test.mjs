@@ -1,7 +1,7 @@
 // Toolbars are one stop of Tab each, and the whole screen is to be had.
 import assert from "node:assert/strict";
-import { after, before, describe, test } from "node:test";
-import { start } from "./harness.mjs";
+import { describe, test } from "node:test";
+import { useSession } from "./harness.mjs";
 
 /** @typedef {import("./harness.mjs").Editor} Editor */
 
@@ -24,12 +24,7 @@ const focus = (editor, name) =>
 
 for (const browser of /** @type {const} */ (["chromium", "firefox"])) {
   describe(`toolbars in ${browser}`, () => {
-    /** @type {Awaited<ReturnType<typeof start>>} */
-    let session;
-    before(async () => {
-      session = await start(browser);
-    });
-    after(() => session.close());
+    const session = useSession(browser);
 
     test("the bar is one stop of Tab, and the arrow keys, Home and End go through it", async () => {
       const editor = await session.open("cpu");

@@ -1,6 +1,7 @@
 //! Solid areas: the regions of a planar map that lie inside a fill.
 //!
-//! The outlines of fills are curves of the drawing. A file may have fills whose outlines are none: these get a map of their own.
+//! The outlines of fills are curves of the drawing, also where no line is drawn along them. A file that was written by hand may
+//! have fills of which that is not so: these get a map of their own.
 
 use kurbo::{BezPath, PathEl, Point, Rect, Shape as _};
 use scumble_core::{Curve, Drawing, Fill, PlanarMap, Sampling, Triangulation};
