@@ -86,9 +86,9 @@ fn row(picture: &mut Picture, mut boundary: Boundary, view: &View, half: bool) -
     let mesh = levels(&centers::colors(picture.mesh().solve(&boundary, blend)?, view), blend);
     let mut solver = GridSolver::new(&constraints);
     let steps = solver.solve(TOLERANCE);
-    let grid = levels(solver.pixels(), blend);
+    let grid = levels(&solver.pixels(), blend);
     (0..FURTHER_STEPS).for_each(|_| solver.step());
-    let iteration = Spread::of(&grid, &levels(solver.pixels(), blend), |_| true).largest();
+    let iteration = Spread::of(&grid, &levels(&solver.pixels(), blend), |_| true).largest();
     let away = |i: usize| zones[i] == Zone::Away;
     Ok(Row {
         steps,

@@ -1,10 +1,12 @@
-//! Soft sources: what shading scribbles add to the equation that spreads colours.
+//! Soft sources: what shading scribbles lay over the picture.
 //!
-//! Along its stroke a source of radius `R`, weight `w` and colour `c` turns Laplace's equation into
-//! `−Δu + (w / R²) χ (u − c) = 0`, where `χ = (1 − d² / R²)²` at the distance `d < R` from the stroke, and zero beyond
-//! (screened Poisson equation). Where a pen varied `R` or `w` along the stroke, the term is the greatest that any place of
-//! the stroke gives, as if it were drawn in dabs. The solution stays between the colours that are given and has no crease. Where sources
-//! overlap, their terms add up.
+//! Along its stroke a source of radius `R`, weight `w` and colour `c` draws a layer over the picture to its colour, and the rest of
+//! the plane draws it back to nothing: `−Δu + u / ℓ² + (w / R²) χ (u − c) = 0` (screened Poisson equation), where
+//! `χ = (1 − d² / R²)²` at the distance `d < R` from the stroke and zero beyond, and `ℓ = R − d / 2`. So the layer ends
+//! softly at the distance `2 R`, whatever the region is like; nothing flows through lines. The same equation with ones in place of
+//! colours gives its cover `α`, and the picture under it shows by `1 − α`. It stays between the colours that are given and has no
+//! crease. Where a pen varied `R` or `w` along the stroke, all is the greatest that any place of the stroke gives, as if it
+//! were drawn in dabs. Where sources overlap, their terms add up, and the greatest `ℓ` counts.
 
 use std::cmp::Ordering;
 
@@ -12,7 +14,7 @@ use kurbo::Point;
 
 use crate::color::{Blend, BlendColor};
 use crate::drawing::LONGER_SIDE_DU;
-use crate::scribble::Scribble;
+use crate::scribble::{Scribble, Shading};
 use crate::sort;
 
 /// A soft source along a stroke.
@@ -22,15 +24,15 @@ pub struct SoftSource {
     pub points: Vec<Point>,
     /// Distance from the stroke at which it ends, in du; within [`RADII_DU`].
     pub radius_du: f64,
-    /// How strong it is against its surroundings; positive.
+    /// How strong it is against its surroundings; positive. See [`weight`].
     pub weight: f64,
     /// Its colour, in the blend space.
     pub color: BlendColor,
     /// Whether it shows in all regions within its radius, or only in the one that it begins in, or that
     /// most of it lies in where it leaves that at once.
     pub crosses: bool,
-    /// For each point the parts that are left of radius and strength there, within `0..=1`, and linear in between; empty
-    /// where all is left. The weight goes with the third power of strength.
+    /// For each point the parts that are left of the radius and of the root of the weight there, within `0..=1`, and linear in
+    /// between; empty where all is left.
     pub parts: Vec<[f64; 2]>,
 }
 
@@ -40,9 +42,14 @@ pub const RADII_DU: [f64; 2] = [0.5, LONGER_SIDE_DU];
 /// Coordinates beyond this, in du, are taken as this: a thousand pages.
 const FARTHEST_DU: f64 = 1000.0 * LONGER_SIDE_DU;
 
-/// The weight at full strength. In the middle of a dab, what is at its rim shows through by 1 in 1100 then: colours that
-/// are far apart in OKLab need that to come within two levels of sRGB.
-pub const FULL_WEIGHT: f64 = 160.0;
+/// What full strength lets through of the picture under it, in the middle of a stroke: colours that are far apart in OKLab need
+/// that little to come within two levels of sRGB.
+const LEAST_LEFT: f64 = 1e-3;
+
+/// The weight of a source by what it lets through of the picture under it, in the middle of a long and even stroke: times that, over
+/// what it does not let through. By the root of what it lets through, in eighths, from the solution of the equation across
+/// the stroke.
+const WEIGHTS: [f64; 9] = [1.0, 1.320, 1.968, 2.489, 2.869, 3.143, 3.342, 3.488, 3.598];
 
 /// The sources of the scribbles that shade, in an order that does not depend on theirs. Without strength, width or
 /// place there is no source.
@@ -61,8 +68,8 @@ fn soft_source(scribble: &Scribble, blend: Blend) -> Option<SoftSource> {
     let near = |x: f64| x.clamp(-FARTHEST_DU, FARTHEST_DU);
     let finite = scribble.points.iter().enumerate().filter(|(_, p)| p.is_finite());
     let (points, mut parts): (Vec<_>, Vec<_>) =
-        finite.map(|(i, p)| (Point::new(near(p.x), near(p.y)), shading.pressure.parts(i).map(part))).unzip();
-    let has_strength = parts.iter().any(|[_, strength]| *strength > 0.0);
+        finite.map(|(i, p)| (Point::new(near(p.x), near(p.y)), parts_at(shading, i))).unzip();
+    let has_strength = parts.iter().any(|[_, root]| *root > 0.0);
     if parts.iter().all(|parts| *parts == [1.0, 1.0]) {
         parts.clear();
     }
@@ -77,16 +84,27 @@ fn soft_source(scribble: &Scribble, blend: Blend) -> Option<SoftSource> {
     })
 }
 
+/// What a pen leaves of the radius and of the root of the weight.
+fn parts_at(shading: &Shading, i: usize) -> [f64; 2] {
+    let [radius, strength] = shading.pressure.parts(i).map(part);
+    let root = (weight(strength * shading.strength) / weight(shading.strength)).sqrt();
+    [radius, if strength == 1.0 { 1.0 } else { part(root) }]
+}
+
 /// A part within its range; all for what is no number.
 fn part(part: f64) -> f64 {
     if part.is_nan() { 1.0 } else { part.clamp(0.0, 1.0) }
 }
 
-/// The weight of a source of some strength: to the eye, even steps of strength are even steps of shade. Zero for what
-/// is no number.
-fn weight(strength: f64) -> f64 {
+/// The weight with which the middle of a long and even stroke covers by its strength what is under it, to a hundredth; and by
+/// 0.999 at full strength. Zero for what is no number.
+pub fn weight(strength: f64) -> f64 {
     let strength = if strength.is_nan() { 0.0 } else { strength.clamp(0.0, 1.0) };
-    FULL_WEIGHT * strength * strength * strength
+    let left = 1.0 - (1.0 - LEAST_LEFT) * strength;
+    let at = left.sqrt() * (WEIGHTS.len() - 1) as f64;
+    let i = (at as usize).min(WEIGHTS.len() - 2);
+    let t = at - i as f64;
+    ((1.0 - t) * WEIGHTS[i] + t * WEIGHTS[i + 1]) * (1.0 - left) / left
 }
 
 fn compare(a: &SoftSource, b: &SoftSource) -> Ordering {
@@ -105,7 +123,7 @@ fn key(source: &SoftSource) -> impl Iterator<Item = u64> {
 mod tests {
     use super::*;
     use crate::color::{Paint, Srgb8};
-    use crate::scribble::{PenPressure, ScribbleKind, Shading};
+    use crate::scribble::{PenPressure, ScribbleKind};
 
     fn scribble(strength: f64, width_du: f64, points: &[(f64, f64)]) -> Scribble {
         Scribble {

@@ -1,4 +1,4 @@
-//! The soft brush of a source: how strong it is at a place.
+//! The soft brush of a source: how strong it is at a place, and how soon it fades there.
 //!
 //! Between two points of a stroke radius or strength passes evenly from one to the other, and a brush is as strong as the
 //! strongest of all dabs along it. So a sudden change of pressure is as soft as the end of a stroke, and more points on the
@@ -8,24 +8,18 @@ use kurbo::{Point, Rect};
 use scumble_core::SoftSource;
 
 pub(crate) use segment::Segment;
-use segment::profile;
+use segment::{END, LEAST_LENGTH};
 
 mod segment;
 
 /// Segments that share a box.
 const CHUNK: usize = 8;
 
-/// The distance in which a shade on paper fades by a factor of e, in radii of the widest brush. Without it, nothing
-/// would keep a shade from flowing all over a region that has no colour.
-const FADE_RADII: f64 = 1.5;
-
 /// A place of a stroke as it is from somewhere.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Place {
     pub(crate) distance_du: f64,
     pub(crate) radius_du: f64,
-    /// The most that its surroundings give there, in 1/du².
-    pub(crate) strength: f64,
 }
 
 /// A source whose stroke can be asked for distances.
@@ -39,7 +33,8 @@ pub(crate) struct Brush {
     bounds: Rect,
     /// The least and the greatest radius along the stroke.
     pub(crate) radii_du: [f64; 2],
-    weight: f64,
+    /// At most, along the stroke.
+    pub(crate) weight: f64,
     /// Whether it is the same all along.
     is_even: bool,
 }
@@ -61,9 +56,14 @@ impl Brush {
         }
     }
 
-    /// What no point within its radius lies outside of.
+    /// What its layer does not leave.
     pub(crate) fn bounds(&self) -> Rect {
-        self.bounds.inflate(self.radii_du[1], self.radii_du[1])
+        self.bounds.inflate(self.end_du(), self.end_du())
+    }
+
+    /// The distance from the stroke at which its layer ends at the latest.
+    pub(crate) fn end_du(&self) -> f64 {
+        END * self.radii_du[1]
     }
 
     /// The distance of a point from the stroke, in du, where it is less than so much; that much elsewhere.
@@ -80,11 +80,11 @@ impl Brush {
         least_sq.sqrt()
     }
 
-    /// The segments that are strongest at some point within a distance of a place, and within the radius of it; none
-    /// where the brush does not reach.
+    /// The segments that are strongest, or fade last, at some point within a distance of a place; none where the layer has
+    /// ended.
     pub(crate) fn near(&self, p: Point, spread_du: f64, near: &mut Vec<Segment>) {
         near.clear();
-        let most_du = self.radii_du[1] + spread_du;
+        let most_du = self.end_du() + spread_du;
         let least_du = self.distance_du(p, most_du);
         if least_du >= most_du {
             return;
@@ -110,15 +110,13 @@ impl Brush {
             return;
         }
         if self.is_even {
-            let radius_du = self.radii_du[1];
-            let strength = profile(self.weight, radius_du, distance_du * distance_du);
-            return each(Place { distance_du, radius_du, strength });
+            return each(Place { distance_du, radius_du: self.radii_du[1] });
         }
         self.for_each_within(p, most_du, &mut |segment| {
-            let (to, strength) = (p - segment.start, segment.strength(p, self.weight));
+            let to = p - segment.start;
             for t in [segment.nearest(to).clamp(0.0, 1.0), 0.0, 1.0] {
                 let distance_du = segment.distance_sq_at(to, t).sqrt();
-                each(Place { distance_du, radius_du: segment.radius_du(t), strength });
+                each(Place { distance_du, radius_du: segment.radius_du(t) });
             }
         });
     }
@@ -128,13 +126,12 @@ impl Brush {
     pub(crate) fn strength(&self, p: Point, near: &[Segment]) -> f64 {
         near.iter().map(|segment| segment.strength(p, self.weight)).fold(0.0, f64::max)
     }
-}
 
-/// The pull of the paper on a region that has no colour but is shaded, in 1/du²: a source of clear colour that is
-/// everywhere, and so weak that it shows beyond the others alone.
-pub(crate) fn fade_strength<'a>(brushes: impl Iterator<Item = &'a Brush>) -> f64 {
-    let reach_du = FADE_RADII * brushes.map(|brush| brush.radii_du[1]).fold(0.0, f64::max);
-    (reach_du * reach_du).recip()
+    /// The length `ℓ` in which the layer fades at such a point, in du.
+    pub(crate) fn length_du(&self, p: Point, near: &[Segment]) -> f64 {
+        let least_du = LEAST_LENGTH * self.radii_du[0];
+        near.iter().map(|segment| segment.length_du(p)).fold(least_du, f64::max)
+    }
 }
 
 fn bounds(segments: &[Segment]) -> Rect {

@@ -4,12 +4,11 @@
 //! solver for free-form vector gradients*, 2012). There is one unknown for each sector of a node, one for each
 //! edge inside a region and one for each side of a curve, so no colour leaks from one side to the other. Coloured
 //! sides are fixed; the others, the frame, and closed gaps are no-flux barriers. A region without a coloured side stays
-//! paper; what shades it fades into the paper around the stroke.
+//! paper.
 //!
 //! Every region is a linear system of its own. Its geometry is looked at when one of its gaps is closed or opened, its
 //! matrix is factored when the set of its coloured sides changes, and a change of colours costs two triangular
-//! solves. A region that a soft source shades gets a finer mesh under the stroke and a mass term, in a system beside its
-//! own, which is there again when the source is gone. All sums are in a fixed order, so a picture is the same on every
+//! solves. What soft sources lay over a region is a system beside its own, of finer elements around their strokes alone. All sums are in a fixed order, so a picture is the same on every
 //! machine.
 
 mod cells;
@@ -18,6 +17,7 @@ mod dofs;
 mod element;
 mod elements;
 mod fronts;
+mod layer;
 mod order;
 mod refine;
 mod region;

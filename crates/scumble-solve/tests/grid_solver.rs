@@ -45,7 +45,7 @@ fn beside(map: &PlanarMap, side: SideId) -> Point {
 fn solved(map: &PlanarMap, boundary: &Boundary, size_px: u32) -> (Vec<[f32; 4]>, usize) {
     let mut solver = GridSolver::new(&Constraints::new(map, boundary, &view(size_px)));
     let steps = solver.solve(1e-5);
-    (solver.pixels().to_vec(), steps)
+    (solver.pixels(), steps)
 }
 
 /// A closed path through the centres of pixels, and nearly so.
@@ -205,7 +205,7 @@ fn a_channel_that_is_right_stays_right_while_others_are_solved() {
         let boundary = (0..map.side_count()).map(color).collect::<Vec<_>>().into();
         let mut solver = GridSolver::new(&Constraints::new(&map, &boundary, &view(SIZE_PX)));
         (0..MAX_STEPS).for_each(|_| solver.step());
-        for pixel in solver.pixels() {
+        for pixel in &solver.pixels() {
             assert!(pixel[3] == 0.0 || (pixel[3] - 1.0).abs() < 1e-4, "{triangle}: {pixel:?}");
         }
     }

@@ -4,6 +4,12 @@ use kurbo::{Point, Vec2};
 use scumble_core::SoftSource;
 use scumble_core::source::RADII_DU;
 
+/// The distance from a dab at which its layer ends, in radii of it.
+pub(super) const END: f64 = 2.0;
+
+/// The least length in which a layer falls by a factor of e, in radii: so that the equation stays one that can be solved.
+pub(super) const LEAST_LENGTH: f64 = 0.125;
+
 /// A part of a stroke, straight.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Segment {
@@ -13,7 +19,7 @@ pub(crate) struct Segment {
     per_length_sq: f64,
     /// At its start, and how much more there is at its end.
     radius_du: [f64; 2],
-    /// The part of the brush's strength that is left, likewise.
+    /// The part of the root of the brush's weight that is left, likewise.
     part: [f64; 2],
 }
 
@@ -82,7 +88,7 @@ impl Segment {
         let [widens, grows] = [self.radius_du[1], self.part[1]].map(|rise| rise * per_length);
         let way_du = if widens == 0.0 {
             let room = (radius_du * radius_du - off_sq).max(0.0);
-            6.0 * grows * room / (4.0 * part + (16.0 * part * part + 84.0 * grows * grows * room).sqrt())
+            grows * room / (part + (part * part + 3.0 * grows * grows * room).sqrt())
         } else {
             let (slope, excess) = (widens * widens, 3.0 * off_sq - radius_du * radius_du);
             let middle = radius_du * (1.0 + slope);
@@ -92,13 +98,37 @@ impl Segment {
         nearest + way_du * per_length
     }
 
+    /// The greatest length that one of its places gives at a point; zero where all have ended.
+    pub(super) fn length_du(&self, p: Point) -> f64 {
+        let to = p - self.start;
+        let nearest = self.nearest(to);
+        if self.radius_du[1] == 0.0 {
+            return self.length_at(to, nearest.clamp(0.0, 1.0));
+        }
+        let places = [self.longest(to, nearest).clamp(0.0, 1.0), 0.0, 1.0];
+        places.into_iter().map(|t| self.length_at(to, t)).fold(0.0, f64::max)
+    }
+
+    /// The place that gives the greatest length, where the radius varies: there the radius grows as fast as half the distance.
+    fn longest(&self, to: Vec2, nearest: f64) -> f64 {
+        let per_length = self.per_length_sq.sqrt();
+        let widens = self.radius_du[1] * per_length;
+        let off_du = self.distance_sq_at(to, nearest).sqrt();
+        let way_du = 2.0 * widens * off_du / (1.0 - 4.0 * widens * widens).max(0.0).sqrt();
+        if way_du.is_finite() { nearest + way_du * per_length } else { nearest }
+    }
+
+    fn length_at(&self, to: Vec2, t: f64) -> f64 {
+        fade_length_du(self.radius_du(t), self.distance_sq_at(to, t).sqrt())
+    }
+
     fn part(&self, t: f64) -> f64 {
         self.part[0] + t * self.part[1]
     }
 
     fn strength_at(&self, to: Vec2, t: f64, weight: f64) -> f64 {
         let part = self.part(t);
-        profile(weight * part * part * part, self.radius_du(t), self.distance_sq_at(to, t))
+        profile(weight * part * part, self.radius_du(t), self.distance_sq_at(to, t))
     }
 }
 
@@ -107,6 +137,12 @@ pub(super) fn profile(weight: f64, radius_du: f64, distance_sq: f64) -> f64 {
     let radius_sq = radius_du * radius_du;
     let inside = (1.0 - distance_sq / radius_sq).max(0.0);
     weight / radius_sq * inside * inside
+}
+
+/// In what length a layer falls by a factor of e at a distance from a dab, in du; zero where the dab has ended.
+pub(super) fn fade_length_du(radius_du: f64, distance_du: f64) -> f64 {
+    let is_over = distance_du >= END * radius_du;
+    if is_over { 0.0 } else { (radius_du - 0.5 * distance_du).max(LEAST_LENGTH * radius_du) }
 }
 
 #[cfg(test)]
@@ -141,7 +177,7 @@ mod tests {
                     let t = i as f64 / DABS as f64;
                     let [radius, part] = [0, 1].map(|k| (1.0 - t) * parts[0][k] + t * parts[1][k]);
                     profile(
-                        8.0 * part.powi(3),
+                        8.0 * part.powi(2),
                         20.0 * radius,
                         segment.start.lerp(segment.end(), t).distance_squared(p),
                     )
@@ -152,6 +188,25 @@ mod tests {
                     (found - expected).abs() <= 1e-4 * expected + 1e-9,
                     "{found} {expected} at {p} of {parts:?}"
                 );
+            }
+        }
+    }
+
+    #[test]
+    fn lengths_are_the_greatest_of_its_dabs() {
+        for radii in [[0.1, 1.0], [1.0, 0.5], [0.02, 1.0], [1.0, 1.0]] {
+            let segment = segment(radii.map(|radius| [radius, 1.0]));
+            for p in
+                (0..300).map(|i| Point::new(f64::from(i % 25) * 6.1 - 40.0, f64::from(i / 25) * 7.9 - 30.0))
+            {
+                let length = |i: usize| {
+                    let t = i as f64 / DABS as f64;
+                    let radius_du = 20.0 * ((1.0 - t) * radii[0] + t * radii[1]);
+                    fade_length_du(radius_du, segment.start.lerp(segment.end(), t).distance(p))
+                };
+                let expected = (0..=DABS).map(length).fold(0.0, f64::max);
+                let found = segment.length_du(p);
+                assert!((found - expected).abs() <= 1e-2, "{found} {expected} at {p} of {radii:?}");
             }
         }
     }

@@ -21,17 +21,27 @@ pub struct Constraints {
     pub faces: Vec<Face>,
     /// What draws pixels towards colours without a curve between, in no order; some pixels are named more than once.
     pub pulls: Vec<Pull>,
+    /// The layer that shading scribbles lay over the picture, a problem of its own: one of colours, which cover as much as their
+    /// opacity, or that and then one of which the opacity is how much they cover. None where nothing shades.
+    pub layers: Vec<Constraints>,
 }
 
 impl Constraints {
     /// Those of a map and the colours of its sides in what a view shows.
     pub fn new(map: &PlanarMap, boundary: &Boundary, view: &View) -> Self {
-        let (cuts, faces) = cut_links::cut_links(map, boundary, view);
         let regions = PixelRegions::new(map.triangulation(), boundary, view);
-        let pulls = pulls::pulls(&regions, &boundary.sources, view);
-        let mut all = Self { width_px: view.width_px, height_px: view.height_px, cuts, faces, pulls };
-        all.pulls.extend(unreached::pulls(&regions, &all));
+        let bare = Boundary { closed_gaps: boundary.closed_gaps.clone(), ..Boundary::default() };
+        let layers = pulls::layers(&regions, &boundary.sources, view).into_iter();
+        let layers = layers.map(|pulls| Self { pulls, ..Self::without_pulls(map, &bare, view) });
+        let mut all = Self { layers: layers.collect(), ..Self::without_pulls(map, boundary, view) };
+        all.pulls = unreached::pulls(&regions, &all);
         all
+    }
+
+    fn without_pulls(map: &PlanarMap, boundary: &Boundary, view: &View) -> Self {
+        let (cuts, faces) = cut_links::cut_links(map, boundary, view);
+        let (width_px, height_px) = (view.width_px, view.height_px);
+        Self { width_px, height_px, cuts, faces, pulls: Vec::new(), layers: Vec::new() }
     }
 
     /// Whether a link leads to another pixel of the picture.

@@ -96,3 +96,9 @@ pub fn spread(level: &Level, right: &Texture, coarse: &Texture, x: i32, y: i32) 
         _ => parent_value(level, coarse, x, y),
     }
 }
+
+/// What is seen where a layer of colours lies over a picture: that shows by what the last channel of `covers` leaves.
+pub fn cover(under: &Texture, colors: &Texture, covers: &Texture, x: i32, y: i32) -> Texel {
+    let [.., part] = covers.load(x, y);
+    plus(times(under.load(x, y), 1.0 - part), colors.load(x, y))
+}

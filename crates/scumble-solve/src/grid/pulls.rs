@@ -1,11 +1,13 @@
-//! What shading scribbles do to pixels: each that is under a stroke is drawn towards its colour.
+//! What shading scribbles lay over pixels: each that is under a stroke is drawn towards its colour, all others towards nothing.
+
+use std::{iter, mem};
 
 use kurbo::{Affine, Point, Vec2};
 use scumble_core::SoftSource;
 
 use super::regions::{PixelRegions, Span};
 use super::wall::centers_from_du;
-use crate::brush::{self, Brush, Segment};
+use crate::brush::{Brush, Segment};
 use crate::reach::{self, Reach};
 use crate::scene::View;
 
@@ -26,8 +28,15 @@ const LEAST_RADIUS_PX: f64 = 2.0;
 /// Most of these places, in a row.
 const MOST_SAMPLES: f64 = 8.0;
 
-/// The pulls of the sources of a boundary in what a view shows: in the regions that each of them reaches.
-pub(super) fn pulls(regions: &PixelRegions<'_>, sources: &[SoftSource], view: &View) -> Vec<Pull> {
+/// How strongly pixels are drawn to nothing where a layer has ended.
+const HOLD: f64 = 1.0;
+
+/// The least length in which a layer fades, in px.
+const LEAST_LENGTH_PX: f64 = 0.5;
+
+/// The pulls of the layers of a boundary in what a view shows, in the regions that each source reaches: those of its colours,
+/// and where some have no opacity, those of what it covers.
+pub(super) fn layers(regions: &PixelRegions<'_>, sources: &[SoftSource], view: &View) -> Vec<Vec<Pull>> {
     if sources.is_empty() {
         return Vec::new();
     }
@@ -36,17 +45,20 @@ pub(super) fn pulls(regions: &PixelRegions<'_>, sources: &[SoftSource], view: &V
     let shades: Vec<_> = sources.iter().map(|source| Shade::new(&places, source)).collect();
     let mut canvas = Canvas::new(view);
     for (i, triangles) in (0..).zip(&all) {
-        let meets = |shade: &&Shade| shade.reach.meets(regions.mesh, i, triangles);
-        let shades: Vec<_> = shades.iter().filter(meets).collect();
+        let shades: Vec<_> =
+            shades.iter().filter(|shade| shade.reach.meets(regions.mesh, i, triangles)).collect();
         if !shades.is_empty() {
             let spans = regions.spans(triangles);
             shades.iter().for_each(|shade| canvas.shade(shade, &spans));
-            if regions.colors(triangles).next().is_none() {
-                canvas.fade(brush::fade_strength(shades.iter().map(|shade| &shade.brush)), &spans);
-            }
+            canvas.fade(&spans);
         }
     }
-    canvas.pulls
+    let Canvas { pulls, fades, .. } = canvas;
+    let is_opaque = sources.iter().all(|source| source.color[3] == 1.0);
+    let covering = |pull: &Pull| Pull { color: [1.0; 4], ..*pull };
+    let covers = (!is_opaque).then(|| pulls.iter().map(covering).collect());
+    let layers = iter::once(pulls).chain(covers);
+    layers.map(|pulls: Vec<_>| [pulls, fades.clone()].concat()).collect()
 }
 
 /// A source, where it shows and with which colour.
@@ -69,7 +81,12 @@ struct Canvas {
     centers_from_du: Affine,
     du_from_centers: Affine,
     du_per_px: f64,
+    /// Towards the colours of sources.
     pulls: Vec<Pull>,
+    /// Towards nothing.
+    fades: Vec<Pull>,
+    /// By the pixel of the region that is looked at, the length in which layers fade, in px; zero where none is.
+    lengths_px: Vec<f64>,
 }
 
 impl Canvas {
@@ -81,6 +98,8 @@ impl Canvas {
             du_from_centers: centers_from_du.inverse(),
             du_per_px: centers_from_du.determinant().abs().sqrt().recip(),
             pulls: Vec::new(),
+            fades: Vec::new(),
+            lengths_px: vec![0.0; view.width_px as usize * view.height_px as usize],
         }
     }
 
@@ -92,33 +111,39 @@ impl Canvas {
         for span in spans.iter().filter(|span| bounds.y0 <= span.row as f64 && span.row as f64 <= bounds.y1) {
             for column in span.columns.start.max(columns.start)..span.columns.end.min(columns.end) {
                 let center = Point::new(column as f64, span.row as f64);
-                let strength = self.strength(&shade.brush, center, &mut near);
-                if strength > 0.0 {
-                    self.pull([column, span.row], strength, shade.color);
+                let at = self.du_from_centers * center;
+                shade.brush.near(at, self.du_per_px, &mut near);
+                if !near.is_empty() {
+                    let pixel = self.pixel([column, span.row]);
+                    let length_px = shade.brush.length_du(at, &near) / self.du_per_px;
+                    let longest_px = &mut self.lengths_px[pixel as usize];
+                    *longest_px = longest_px.max(length_px.max(LEAST_LENGTH_PX));
+                    let strength =
+                        self.strength(&shade.brush, center, &near) * self.du_per_px * self.du_per_px;
+                    self.pulls.push(Pull { pixel, strength: strength as f32, color: shade.color });
                 }
             }
         }
     }
 
-    /// Adds a pull of the paper, in 1/du².
-    fn fade(&mut self, strength: f64, spans: &[Span]) {
+    /// Adds what draws the pixels of a region to nothing.
+    fn fade(&mut self, spans: &[Span]) {
         for span in spans {
-            span.columns.clone().for_each(|column| self.pull([column, span.row], strength, [0.0; 4]));
+            for column in span.columns.clone() {
+                let pixel = self.pixel([column, span.row]);
+                let length_px = mem::take(&mut self.lengths_px[pixel as usize]);
+                let strength = if length_px > 0.0 { (length_px * length_px).recip() } else { HOLD };
+                self.fades.push(Pull { pixel, strength: strength as f32, color: [0.0; 4] });
+            }
         }
     }
 
-    fn pull(&mut self, [x, y]: [i64; 2], strength: f64, color: [f32; 4]) {
-        let pixel = (y * i64::from(self.width_px) + x) as u32;
-        let strength = (strength * self.du_per_px * self.du_per_px) as f32;
-        self.pulls.push(Pull { pixel, strength, color });
+    fn pixel(&self, [x, y]: [i64; 2]) -> u32 {
+        (y * i64::from(self.width_px) + x) as u32
     }
 
     /// How strong a brush is in a pixel, in 1/du²: the mean over places in it, if one does not do.
-    fn strength(&self, brush: &Brush, center: Point, near: &mut Vec<Segment>) -> f64 {
-        brush.near(self.du_from_centers * center, self.du_per_px, near);
-        if near.is_empty() {
-            return 0.0;
-        }
+    fn strength(&self, brush: &Brush, center: Point, near: &[Segment]) -> f64 {
         let samples = (LEAST_RADIUS_PX * self.du_per_px / brush.radii_du[0]).ceil().clamp(1.0, MOST_SAMPLES);
         let offset = |i: u32| (f64::from(i) + 0.5) / samples - 0.5;
         let places = (0..samples as u32).flat_map(|i| (0..samples as u32).map(move |j| [i, j]));

@@ -17,7 +17,7 @@ pub(super) const NONE: u32 = u32::MAX;
 /// The triangles of one region and their unknowns, counted from 0 in each region.
 #[derive(Debug)]
 pub(super) struct Dofs {
-    /// Triangles of the mesh: in ascending order or, where they are refined, the one that each is a part of.
+    /// Triangles of the mesh, in ascending order; none where the elements are others.
     pub(super) triangles: Vec<u32>,
     /// The unknowns of each of them, at corners 0, 1, 2 and in the middle of edges 01, 12, 20.
     pub(super) of_triangle: Vec<[u32; 6]>,
@@ -31,12 +31,10 @@ pub(super) struct Dofs {
     pub(super) count: usize,
 }
 
-/// A side of a curve, or a part of one.
+/// A side of a curve.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Side {
     pub(super) id: SideId,
-    /// Where the part starts and ends, from 0 at the start of the side to 1.
-    pub(super) part: [f64; 2],
     /// The unknowns at its start, middle and end.
     pub(super) dofs: [u32; 3],
 }
@@ -50,7 +48,31 @@ pub(super) fn number(barriers: Barriers<'_>, triangles: &[u32]) -> Vec<Dofs> {
 }
 
 impl Dofs {
-    /// Renumbers the unknowns in the order of elimination, once.
+    /// Those of elements that are not those of the mesh, of which these are the unknowns by other numbers.
+    pub(super) fn of_elements(mut elements: Vec<[u32; 6]>) -> Self {
+        let most = elements.as_flattened().iter().fold(0, |most, &dof| most.max(dof as usize + 1));
+        let (mut numbers, mut count) = (vec![NONE; most], 0);
+        for kind in [0..3, 3..6] {
+            for dof in elements.iter_mut().flat_map(|dofs| &mut dofs[kind.clone()]) {
+                let number = &mut numbers[*dof as usize];
+                if *number == NONE {
+                    *number = count;
+                    count += 1;
+                }
+                *dof = *number;
+            }
+        }
+        Self {
+            triangles: Vec::new(),
+            of_triangle: elements,
+            sides: Vec::new(),
+            gaps: Vec::new(),
+            group_ends: Vec::new(),
+            count: count as usize,
+        }
+    }
+
+    /// Renumbers the unknowns, of which those at corners come first, in the order of elimination, once.
     pub(super) fn order(&mut self) {
         if !self.group_ends.is_empty() {
             return;
@@ -108,13 +130,8 @@ impl Numbers<'_> {
 
     fn sides(&mut self, triangles: &[u32]) -> Vec<Side> {
         let sides = half_edges(triangles).filter_map(|h| self.barriers.mesh.side(h).map(|id| (id, h)));
-        let whole = [0.0, 1.0];
         sides
-            .map(|(id, h)| Side {
-                id,
-                part: whole,
-                dofs: [*self.corner(h), *self.middle(h), *self.corner(h.next())],
-            })
+            .map(|(id, h)| Side { id, dofs: [*self.corner(h), *self.middle(h), *self.corner(h.next())] })
             .collect()
     }
 

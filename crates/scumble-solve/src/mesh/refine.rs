@@ -6,50 +6,52 @@
 use kurbo::Point;
 
 use super::cells::Cells;
-use super::dofs::Dofs;
-use crate::brush::Brush;
+use crate::brush::{Brush, Place};
 
 /// Triangles of the finest mesh of a region beyond those of the region itself: more detail than that is left out.
 const MAX_FINER: usize = 60_000;
 
-/// Longest edge under a stroke, in radii where it is.
-const LONGEST_EDGE: f64 = 0.55;
+/// Longest edge in the middle of a stroke, in radii where it is.
+const LONGEST_EDGE: f64 = 0.75;
 
-/// Where the rim is, in radii: the source is all but nothing beyond.
-const RIM: f64 = 0.85;
+/// Longest edge at the rim of a stroke of weight one, in radii: there its colour passes into what is around it, within a length that
+/// falls with the fourth root of the weight.
+const RIM_EDGE: f64 = 1.1;
 
-/// What the longest edge grows by beyond the rim, for each du of distance. The middle of a triangle is no farther from its
-/// corners than two thirds of its longest edge, so at this it is split wherever in it the brush is.
-const GROWTH: f64 = 1.5;
+/// How far from the rim the edges begin to grow, in radii.
+const RIM_WIDTH: f64 = 0.4;
 
-/// Longest edge where a stroke runs over the side of a curve, in widths of the layer there, `√(1 / strength)`.
-const SIDE_EDGE: f64 = 0.75;
-
-/// What that grows by for each du of distance from the side.
-const SIDE_GROWTH: f64 = 0.7;
+/// What the longest edge grows by from there on, for each du of distance.
+const GROWTH: f64 = 0.6;
 
 /// The elements of a region, refined.
 #[derive(Debug)]
 pub(super) struct Refined {
-    pub(super) dofs: Dofs,
     pub(super) shapes: Vec<Shape>,
+    /// The unknowns of each, as those of a mesh; corners come first.
+    pub(super) dofs: Vec<[u32; 6]>,
+    pub(super) dof_count: usize,
 }
 
 /// Where an element is.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Shape {
+    /// The triangle of the region that it is, or is a part of, by its index there.
+    pub(super) parent: u32,
+    /// Where in that its corners are: the weights of that one's corners.
+    pub(super) weights: [[f32; 3]; 3],
     pub(super) corners: [Point; 3],
     /// Bit `i` is set where the edge from corner `i` to corner `i + 1` bounds the region.
     pub(super) side_edges: u32,
 }
 
 /// Refines a region of some cells for sources.
-pub(super) fn refine(coarse: &Cells, dofs: &Dofs, brushes: &[Brush]) -> Refined {
+pub(super) fn refine(coarse: &Cells, brushes: &[Brush]) -> Refined {
     let mut coarsening = 1.0;
     loop {
         let mut cells = coarse.clone();
         if cells.refine(brushes, coarsening) {
-            return cells.refined(dofs);
+            return cells.refined();
         }
         coarsening *= 1.5;
     }
@@ -81,23 +83,15 @@ impl Cells {
             [a - b, b - c, c - a].map(|edge| edge.hypot2()).into_iter().fold(0.0, f64::max).sqrt();
         let longest_du = longest_du / coarsening;
         let middle = ((a + b + c) / 3.0).to_point();
-        // Beyond this distance from where the stroke has a radius the edge is short enough for it.
-        let far_du =
-            |radius_du: f64| RIM * radius_du + ((longest_du - LONGEST_EDGE * radius_du) / GROWTH).max(0.0);
-        let (mut is_too_long, mut strength) = (false, 0.0);
-        brush.for_each_place(middle, far_du(brush.radii_du[1]), &mut |place| {
-            if place.distance_du < far_du(place.radius_du) {
-                is_too_long |= longest_du > LONGEST_EDGE * place.radius_du;
-                strength = place.strength.max(strength);
-            }
+        let mut is_too_large = false;
+        let most_du = (1.0 + RIM_WIDTH) * brush.radii_du[1] + longest_du / GROWTH;
+        brush.for_each_place(middle, most_du, &mut |Place { distance_du, radius_du }| {
+            let from_rim = distance_du / radius_du - 1.0;
+            let grown = GROWTH * (from_rim.abs() - RIM_WIDTH).max(0.0);
+            let edge = (RIM_EDGE / brush.weight.sqrt().sqrt()).min(LONGEST_EDGE) + grown;
+            let is_long = |edge: f64| longest_du > radius_du * edge;
+            is_too_large |= is_long(if from_rim < 0.0 { edge.min(LONGEST_EDGE) } else { edge });
         });
-        is_too_long || longest_du > self.side_edge_du(i, strength)
-    }
-
-    /// Longest edge for the sake of the sides, where a stroke has some strength in the middle of a triangle.
-    fn side_edge_du(&self, i: usize, strength: f64) -> f64 {
-        let side_du = self.cells[i].corners.map(|corner| self.side_du[corner as usize]);
-        let side_du = side_du.into_iter().fold(f64::INFINITY, f64::min);
-        SIDE_EDGE / strength.sqrt() + SIDE_GROWTH * side_du
+        is_too_large
     }
 }
