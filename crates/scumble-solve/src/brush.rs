@@ -7,19 +7,31 @@
 use kurbo::{Point, Rect};
 use scumble_core::SoftSource;
 
+use segment::END;
 pub(crate) use segment::Segment;
-use segment::{END, LEAST_LENGTH};
 
 mod segment;
 
 /// Segments that share a box.
 const CHUNK: usize = 8;
 
+/// The least length in which a layer falls by a factor of e, in radii: so that the equation stays one that can be solved.
+const LEAST_LENGTH: f64 = 0.125;
+
 /// A place of a stroke as it is from somewhere.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Place {
     pub(crate) distance_du: f64,
     pub(crate) radius_du: f64,
+}
+
+/// What a brush does at a place.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Pull {
+    /// The factor of `u − c` in the equation, in 1/du².
+    pub(crate) strength: f64,
+    /// The length `ℓ` in which the layer fades, in du.
+    pub(crate) length_du: f64,
 }
 
 /// A source whose stroke can be asked for distances.
@@ -121,16 +133,21 @@ impl Brush {
         });
     }
 
-    /// The factor of `u − c` in the equation at a point at which no other segments are stronger than some of these,
-    /// in 1/du².
-    pub(crate) fn strength(&self, p: Point, near: &[Segment]) -> f64 {
-        near.iter().map(|segment| segment.strength(p, self.weight)).fold(0.0, f64::max)
+    /// What it does at a point at which no other segments are stronger than some of these, or fade later.
+    pub(crate) fn pull(&self, p: Point, near: &[Segment]) -> Pull {
+        if self.is_even {
+            let radius_du = self.radii_du[1];
+            let distance_sq = near.iter().map(|segment| segment.distance_sq(p)).fold(f64::INFINITY, f64::min);
+            let strength = segment::profile(self.weight, radius_du, distance_sq);
+            return self.pull_of(strength, segment::fade_length_du(radius_du, distance_sq.sqrt()));
+        }
+        let strengths = near.iter().map(|segment| segment.strength(p, self.weight));
+        let lengths_du = near.iter().map(|segment| segment.length_du(p));
+        self.pull_of(strengths.fold(0.0, f64::max), lengths_du.fold(0.0, f64::max))
     }
 
-    /// The length `ℓ` in which the layer fades at such a point, in du.
-    pub(crate) fn length_du(&self, p: Point, near: &[Segment]) -> f64 {
-        let least_du = LEAST_LENGTH * self.radii_du[0];
-        near.iter().map(|segment| segment.length_du(p)).fold(least_du, f64::max)
+    fn pull_of(&self, strength: f64, length_du: f64) -> Pull {
+        Pull { strength, length_du: length_du.max(LEAST_LENGTH * self.radii_du[0]) }
     }
 }
 
@@ -170,7 +187,7 @@ mod tests {
     fn strength(brush: &Brush, p: Point) -> f64 {
         let mut near = Vec::new();
         brush.near(p, 3.0, &mut near);
-        brush.strength(p, &near)
+        brush.pull(p, &near).strength
     }
 
     #[test]

@@ -7,9 +7,6 @@ use scumble_core::source::RADII_DU;
 /// The distance from a dab at which its layer ends, in radii of it.
 pub(super) const END: f64 = 2.0;
 
-/// The least length in which a layer falls by a factor of e, in radii: so that the equation stays one that can be solved.
-pub(super) const LEAST_LENGTH: f64 = 0.125;
-
 /// A part of a stroke, straight.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Segment {
@@ -98,7 +95,7 @@ impl Segment {
         nearest + way_du * per_length
     }
 
-    /// The greatest length that one of its places gives at a point; zero where all have ended.
+    /// The greatest length that one of its places gives at a point; below zero where all have ended.
     pub(super) fn length_du(&self, p: Point) -> f64 {
         let to = p - self.start;
         let nearest = self.nearest(to);
@@ -106,7 +103,7 @@ impl Segment {
             return self.length_at(to, nearest.clamp(0.0, 1.0));
         }
         let places = [self.longest(to, nearest).clamp(0.0, 1.0), 0.0, 1.0];
-        places.into_iter().map(|t| self.length_at(to, t)).fold(0.0, f64::max)
+        places.into_iter().map(|t| self.length_at(to, t)).fold(f64::NEG_INFINITY, f64::max)
     }
 
     /// The place that gives the greatest length, where the radius varies: there the radius grows as fast as half the distance.
@@ -139,10 +136,9 @@ pub(super) fn profile(weight: f64, radius_du: f64, distance_sq: f64) -> f64 {
     weight / radius_sq * inside * inside
 }
 
-/// In what length a layer falls by a factor of e at a distance from a dab, in du; zero where the dab has ended.
+/// In what length a layer falls by a factor of e at a distance from a dab, in du; below zero where the dab has ended.
 pub(super) fn fade_length_du(radius_du: f64, distance_du: f64) -> f64 {
-    let is_over = distance_du >= END * radius_du;
-    if is_over { 0.0 } else { (radius_du - 0.5 * distance_du).max(LEAST_LENGTH * radius_du) }
+    radius_du - distance_du / END
 }
 
 #[cfg(test)]
@@ -194,7 +190,7 @@ mod tests {
 
     #[test]
     fn lengths_are_the_greatest_of_its_dabs() {
-        for radii in [[0.1, 1.0], [1.0, 0.5], [0.02, 1.0], [1.0, 1.0]] {
+        for radii in [[0.1, 1.0], [1.0, 0.5], [0.03, 1.0], [1.0, 1.0]] {
             let segment = segment(radii.map(|radius| [radius, 1.0]));
             for p in
                 (0..300).map(|i| Point::new(f64::from(i % 25) * 6.1 - 40.0, f64::from(i / 25) * 7.9 - 30.0))
@@ -204,7 +200,7 @@ mod tests {
                     let radius_du = 20.0 * ((1.0 - t) * radii[0] + t * radii[1]);
                     fade_length_du(radius_du, segment.start.lerp(segment.end(), t).distance(p))
                 };
-                let expected = (0..=DABS).map(length).fold(0.0, f64::max);
+                let expected = (0..=DABS).map(length).fold(f64::NEG_INFINITY, f64::max);
                 let found = segment.length_du(p);
                 assert!((found - expected).abs() <= 1e-2, "{found} {expected} at {p} of {radii:?}");
             }

@@ -115,7 +115,7 @@ impl Canvas {
                 shade.brush.near(at, self.du_per_px, &mut near);
                 if !near.is_empty() {
                     let pixel = self.pixel([column, span.row]);
-                    let length_px = shade.brush.length_du(at, &near) / self.du_per_px;
+                    let length_px = shade.brush.pull(at, &near).length_du / self.du_per_px;
                     let longest_px = &mut self.lengths_px[pixel as usize];
                     *longest_px = longest_px.max(length_px.max(LEAST_LENGTH_PX));
                     let strength =
@@ -148,7 +148,7 @@ impl Canvas {
         let offset = |i: u32| (f64::from(i) + 0.5) / samples - 0.5;
         let places = (0..samples as u32).flat_map(|i| (0..samples as u32).map(move |j| [i, j]));
         let strength = |[i, j]: [u32; 2]| {
-            brush.strength(self.du_from_centers * (center + Vec2::new(offset(i), offset(j))), near)
+            brush.pull(self.du_from_centers * (center + Vec2::new(offset(i), offset(j))), near).strength
         };
         places.map(strength).sum::<f64>() / (samples * samples)
     }

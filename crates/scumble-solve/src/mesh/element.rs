@@ -47,22 +47,22 @@ pub(super) fn stiffness(corners: [Point; 3]) -> Matrix {
     matrix
 }
 
-/// What each of the six functions has of a matrix, all others being one.
-pub(super) fn row_sums(matrix: &Matrix) -> [f64; 6] {
-    [0, 1, 2, 3, 4, 5].map(|row| (0..6).map(|column| matrix[entry(row, column)]).sum())
-}
+/// Number of places at which a rule needs values.
+pub(super) const PLACES: usize = 7;
 
 /// A rule for integrals over a triangle, exact up to the fifth degree (J. Radon, 1948).
 #[derive(Debug)]
 pub(super) struct Quadrature {
-    points: [QuadraturePoint; 7],
+    points: [QuadraturePoint; PLACES],
 }
 
 #[derive(Clone, Copy, Debug)]
 struct QuadraturePoint {
     /// Barycentric coordinates.
     place: [f64; 3],
-    /// The products of two of the six functions there, times the part of the area that the point stands for.
+    /// The six functions there, times the part of the area that the point stands for.
+    functions: [f64; 6],
+    /// The products of two of them, likewise.
     products: Matrix,
 }
 
@@ -78,16 +78,35 @@ impl Quadrature {
         Self { points: [QuadraturePoint::new([1.0 / 3.0; 3], 9.0 / 40.0), a, b, c, d, e, f] }
     }
 
-    /// The integral of products of two of the six functions, times a factor that depends on the place.
-    pub(super) fn mass(&self, corners: [Point; 3], factor: &dyn Fn(Point) -> f64) -> Matrix {
+    /// The places at which it needs values.
+    pub(super) fn places(&self, corners: [Point; 3]) -> [Point; PLACES] {
         let [a, b, c] = corners.map(Point::to_vec2);
+        self.points.map(|QuadraturePoint { place: [u, v, w], .. }| (u * a + v * b + w * c).to_point())
+    }
+
+    /// The integrals of products of two of the six functions, times a factor that depends on the place.
+    pub(super) fn mass(&self, corners: [Point; 3], factors: &[f64; PLACES]) -> Matrix {
+        self.sum(corners, factors, |point| &point.products)
+    }
+
+    /// The integrals of the six functions, times a factor that depends on the place.
+    pub(super) fn load(&self, corners: [Point; 3], factors: &[f64; PLACES]) -> [f64; 6] {
+        self.sum(corners, factors, |point| &point.functions)
+    }
+
+    fn sum<const COUNT: usize>(
+        &self,
+        [a, b, c]: [Point; 3],
+        factors: &[f64; PLACES],
+        values: impl Fn(&QuadraturePoint) -> &[f64; COUNT],
+    ) -> [f64; COUNT] {
         let area = 0.5 * (b - a).cross(c - a);
-        let mut mass = [0.0; 21];
-        for QuadraturePoint { place: [u, v, w], products } in &self.points {
-            let scale = area * factor((*u * a + *v * b + *w * c).to_point());
-            mass.iter_mut().zip(products).for_each(|(entry, product)| *entry += scale * product);
+        let mut sums = [0.0; COUNT];
+        for (point, factor) in self.points.iter().zip(factors) {
+            let scale = area * factor;
+            sums.iter_mut().zip(values(point)).for_each(|(sum, value)| *sum += scale * value);
         }
-        mass
+        sums
     }
 }
 
@@ -98,7 +117,7 @@ impl QuadraturePoint {
         for (i, j) in (0..6).flat_map(|i| (0..=i).map(move |j| (i, j))) {
             products[entry(i, j)] = part * shape[i] * shape[j];
         }
-        Self { place, products }
+        Self { place, functions: shape.map(|f| part * f), products }
     }
 }
 
@@ -141,12 +160,15 @@ mod tests {
         let corners = [Point::new(0.0, 0.0), Point::new(2.0, 0.0), Point::new(0.0, 1.0)];
         let nodes = [(0.0, 0.0), (2.0, 0.0), (0.0, 1.0), (1.0, 0.0), (1.0, 0.5), (0.0, 0.5)].map(Point::from);
         let integral = |f: fn(Point) -> f64, factor: f64| {
-            dotted(&Quadrature::new().mass(corners, &|_| factor), nodes.map(f))
+            dotted(&Quadrature::new().mass(corners, &[factor; PLACES]), nodes.map(f))
         };
         assert!((integral(|_| 1.0, 3.0) - 3.0).abs() < 1e-14);
         assert!((integral(|p| p.x, 1.0) - 2.0 / 3.0).abs() < 1e-14);
         assert!((integral(|p| p.x * p.x, 1.0) - 32.0 / 30.0).abs() < 1e-14);
         assert!((integral(|p| p.x * p.y, 1.0) - 4.0 / 90.0).abs() < 1e-14);
+        let rule = Quadrature::new();
+        let cubic: f64 = rule.load(corners, &rule.places(corners).map(|p| p.x * p.y * p.y)).iter().sum();
+        assert!((cubic - 1.0 / 15.0).abs() < 1e-14);
     }
 
     #[test]

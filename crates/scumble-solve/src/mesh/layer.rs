@@ -4,7 +4,7 @@
 //! nothing at its rim within the region and no flux through lines. It depends on neither the colours of sides nor which sides have
 //! one.
 
-use std::iter;
+use std::{array, iter};
 
 use kurbo::Point;
 use scumble_core::{BlendColor, SoftSource};
@@ -12,7 +12,7 @@ use scumble_core::{BlendColor, SoftSource};
 use super::SolveError;
 use super::cells::Cells;
 use super::dofs::{Dofs, NONE};
-use super::element::{self, Matrix, Quadrature};
+use super::element::{self, Matrix, PLACES, Quadrature};
 use super::refine::{self, Refined, Shape};
 use super::system::System;
 use crate::brush::{Brush, Segment};
@@ -167,30 +167,36 @@ impl Patch {
             }
             self.of_shape[i] = self.corners.len() as u32;
             self.dofs.push(dofs[i]);
-            let mass = quadrature.mass(shape.corners, &|p| fade_strength(brushes, &near, p));
-            self.masses.push(mass);
-            self.pull(&quadrature, brushes, &near, shape.corners);
+            let factors = self.pull(&quadrature, brushes, &near, shape.corners);
+            self.masses.push(quadrature.mass(shape.corners, &factors));
             self.corners.push(shape.corners);
         }
     }
 
-    /// Adds the terms of the sources to the last mass.
+    /// Adds the loads of the sources on the next element; and the factor of `u` in the equation where the rule needs it.
     fn pull(
         &mut self,
         quadrature: &Quadrature,
         brushes: &[Brush],
         near: &[Vec<Segment>],
         corners: [Point; 3],
-    ) {
+    ) -> [f64; PLACES] {
         let element = self.corners.len() as u32;
+        let places = quadrature.places(corners);
+        let (mut factors, mut lengths_du) = ([0.0; PLACES], [0.0_f64; PLACES]);
         for ((source, brush), near) in (0..).zip(brushes).zip(near).filter(|(_, near)| !near.is_empty()) {
-            let mass = quadrature.mass(corners, &|p| brush.strength(p, near));
-            let values = element::row_sums(&mass);
-            if values != [0.0; 6] {
+            let pulls = places.map(|p| brush.pull(p, near));
+            let strengths = pulls.map(|pull| pull.strength);
+            if strengths != [0.0; PLACES] {
+                let values = quadrature.load(corners, &strengths);
                 self.loads.push(Load { element, source, values });
-                add(&mut self.masses[element as usize], &mass);
+            }
+            for k in 0..PLACES {
+                factors[k] += strengths[k];
+                lengths_du[k] = lengths_du[k].max(pulls[k].length_du);
             }
         }
+        array::from_fn(|k| factors[k] + (lengths_du[k] * lengths_du[k]).recip())
     }
 
     /// Which of its unknowns, as they are numbered now, are those of elements beyond it too.
@@ -218,13 +224,6 @@ fn find_near(brushes: &[Brush], corners: [Point; 3], near: &mut [Vec<Segment>]) 
     let middle = ((a + b + c) / 3.0).to_point();
     let reach_du = corners.map(|corner| corner.distance(middle)).into_iter().fold(0.0, f64::max);
     brushes.iter().zip(near).for_each(|(brush, near)| brush.near(middle, reach_du, near));
-}
-
-/// The factor of `u` in the equation, in 1/du².
-fn fade_strength(brushes: &[Brush], near: &[Vec<Segment>], p: Point) -> f64 {
-    let pairs = brushes.iter().zip(near).filter(|(_, near)| !near.is_empty());
-    let length_du = pairs.map(|(brush, near)| brush.length_du(p, near)).fold(0.0, f64::max);
-    (length_du * length_du).recip()
 }
 
 fn add(sum: &mut Matrix, other: &Matrix) {
