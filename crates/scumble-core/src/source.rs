@@ -44,7 +44,7 @@ const FARTHEST_DU: f64 = 1000.0 * LONGER_SIDE_DU;
 
 /// What full strength lets through of the picture under it, in the middle of a stroke: colours that are far apart in OKLab need
 /// that little to come within two levels of sRGB.
-const LEAST_LEFT: f64 = 1e-3;
+const LEAST_LEFT: f64 = 5e-4;
 
 /// The weight of a source by what it lets through of the picture under it, in the middle of a long and even stroke: times that, over
 /// what it does not let through. By the root of what it lets through, in eighths, from the solution of the equation across
@@ -65,15 +65,12 @@ pub fn soft_sources(scribbles: &[Scribble], blend: Blend) -> Vec<SoftSource> {
 fn soft_source(scribble: &Scribble, blend: Blend) -> Option<SoftSource> {
     let shading = scribble.shading()?;
     let weight = weight(shading.strength);
-    let near = |x: f64| x.clamp(-FARTHEST_DU, FARTHEST_DU);
-    let finite = scribble.points.iter().enumerate().filter(|(_, p)| p.is_finite());
-    let (points, mut parts): (Vec<_>, Vec<_>) =
-        finite.map(|(i, p)| (Point::new(near(p.x), near(p.y)), parts_at(shading, i))).unzip();
-    let has_strength = parts.iter().any(|[_, root]| *root > 0.0);
+    let (points, mut parts) = pressed(scribble, shading);
     if parts.iter().all(|parts| *parts == [1.0, 1.0]) {
         parts.clear();
     }
-    let is_sound = weight > 0.0 && scribble.width_du > 0.0 && has_strength;
+    let has_strength = parts.is_empty() || parts.iter().any(|[_, root]| *root > 0.0);
+    let is_sound = weight > 0.0 && scribble.width_du > 0.0 && !points.is_empty() && has_strength;
     is_sound.then(|| SoftSource {
         points,
         radius_du: (0.5 * scribble.width_du).clamp(RADII_DU[0], RADII_DU[1]),
@@ -84,11 +81,28 @@ fn soft_source(scribble: &Scribble, blend: Blend) -> Option<SoftSource> {
     })
 }
 
-/// What a pen leaves of the radius and of the root of the weight.
-fn parts_at(shading: &Shading, i: usize) -> [f64; 2] {
-    let [radius, strength] = shading.pressure.parts(i).map(part);
-    let root = (weight(strength * shading.strength) / weight(shading.strength)).sqrt();
-    [radius, if strength == 1.0 { 1.0 } else { part(root) }]
+/// The points of a stroke that are finite, and what a pen leaves of the radius and of the root of the weight there. Where strength
+/// changes much from one to the next, there are some between: the weight does not grow as evenly as it.
+fn pressed(scribble: &Scribble, shading: &Shading) -> (Vec<Point>, Vec<[f64; 2]>) {
+    let near = |x: f64| x.clamp(-FARTHEST_DU, FARTHEST_DU);
+    let finite = scribble.points.iter().enumerate().filter(|(_, p)| p.is_finite());
+    let mut places: Vec<(Point, [f64; 2])> = Vec::new();
+    for (i, p) in finite {
+        let to = (Point::new(near(p.x), near(p.y)), shading.pressure.parts(i).map(part));
+        let from = *places.last().unwrap_or(&to);
+        let steps = (STRENGTH_STEPS * (to.1[1] - from.1[1]).abs()).ceil().max(1.0);
+        let between = (1..steps as u64).map(|step| lerp(from, to, step as f64 / steps));
+        places.extend(between.chain([to]));
+    }
+    let root = |strength: f64| (weight(strength * shading.strength) / weight(shading.strength)).sqrt();
+    places.into_iter().map(|(p, [radius, strength])| (p, [radius, part(root(strength))])).unzip()
+}
+
+/// Steps in which a pen's strength may grow from nothing to all from one point to the next.
+const STRENGTH_STEPS: f64 = 16.0;
+
+fn lerp((p, a): (Point, [f64; 2]), (q, b): (Point, [f64; 2]), t: f64) -> (Point, [f64; 2]) {
+    (p.lerp(q, t), [0, 1].map(|k| (1.0 - t) * a[k] + t * b[k]))
 }
 
 /// A part within its range; all for what is no number.
@@ -97,7 +111,7 @@ fn part(part: f64) -> f64 {
 }
 
 /// The weight with which the middle of a long and even stroke covers by its strength what is under it, to a hundredth; and by
-/// 0.999 at full strength. Zero for what is no number.
+/// 0.9995 at full strength. Zero for what is no number.
 pub fn weight(strength: f64) -> f64 {
     let strength = if strength.is_nan() { 0.0 } else { strength.clamp(0.0, 1.0) };
     let left = 1.0 - (1.0 - LEAST_LEFT) * strength;
@@ -142,8 +156,8 @@ mod tests {
     fn weight_grows_with_strength_from_nothing_to_full() {
         let weights = [0.1, 0.5, 0.9, 1.0].map(|strength| sources(&[scribble(strength, 8.0, &[(1.0, 2.0)])]));
         assert!(weights.is_sorted_by(|a, b| a[0].weight < b[0].weight));
-        assert_eq!(weights[3][0].weight, FULL_WEIGHT);
-        assert_eq!(sources(&[scribble(7.0, 8.0, &[(1.0, 2.0)])])[0].weight, FULL_WEIGHT);
+        assert_eq!(weights[3][0].weight, weight(1.0));
+        assert_eq!(sources(&[scribble(7.0, 8.0, &[(1.0, 2.0)])])[0].weight, weight(1.0));
     }
 
     #[test]
@@ -168,8 +182,15 @@ mod tests {
         let parts = |pressure: PenPressure| sources(&[pressed(pressure, &way)])[0].parts.clone();
         let list = vec![0.25, 0.5, f64::NAN];
         assert_eq!(parts(PenPressure::Radius(list.clone())), [[0.25, 1.0], [1.0, 1.0], [1.0, 1.0]]);
-        assert_eq!(parts(PenPressure::Strength(list)), [[1.0, 0.25], [1.0, 1.0], [1.0, 1.0]]);
-        assert_eq!(parts(PenPressure::Strength(vec![7.0, 0.5, -3.0])), [[1.0, 1.0], [1.0, 0.0], [1.0, 1.0]]);
+        let full = Shading::default().strength;
+        let root = |strength: f64| (weight(strength * full) / weight(full)).sqrt();
+        let strengths = parts(PenPressure::Strength(list));
+        // Steps of a sixteenth from a quarter to all.
+        assert_eq!(strengths.len(), 14);
+        assert_eq!([strengths[0], strengths[4]], [0.25, 0.5].map(|strength| [1.0, root(strength)]));
+        assert_eq!(strengths[12..], [[1.0, 1.0]; 2]);
+        let beyond = parts(PenPressure::Strength(vec![7.0, 0.5, -3.0]));
+        assert_eq!([beyond[0], beyond[16]], [[1.0, 1.0], [1.0, 0.0]]);
     }
 
     #[test]

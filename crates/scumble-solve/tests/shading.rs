@@ -321,10 +321,10 @@ proptest! {
 
 #[test]
 fn a_shade_on_paper_fades_into_it() {
-    let shades = vec![shade(Srgb8([200, 0, 0]), 0.9, 60.0, &[(280.0, 500.0)])];
+    let shades = vec![shade(Srgb8([200, 0, 0]), 1.0, 60.0, &[(280.0, 500.0)])];
     let pixels = pixels(&field(&document(shades)));
     let paper = [255; 4];
-    assert!(difference(color_at(&pixels, (280.0, 500.0)), [200, 0, 0, 255]) <= 8);
+    assert!(difference(color_at(&pixels, (280.0, 500.0)), [200, 0, 0, 255]) <= 2);
     assert_eq!(color_at(&pixels, (170.0, 500.0)), paper);
     assert_eq!(color_at(&pixels, (740.0, 500.0)), paper);
 }
@@ -333,7 +333,7 @@ fn a_shade_on_paper_fades_into_it() {
 fn where_nothing_has_a_colour_a_shade_stays_around_its_stroke() {
     let bare = Drawing::new(Rect::new(0.0, 0.0, 1024.0, 1024.0));
     for drawing in [bare, document(vec![]).drawing] {
-        for (strength, width_du) in [(0.2, 16.0), (0.6, 40.0), (1.0, 40.0), (1.0, 56.0)] {
+        for (strength, width_du) in [(0.2, 16.0), (0.6, 60.0), (1.0, 70.0), (1.0, 80.0)] {
             let scribbles = vec![shade(Srgb8([200, 0, 0]), strength, width_du, &[(130.5, 130.5)])];
             let pixels = pixels(&field(&Document { scribbles, ..Document::new(drawing.clone()) }));
             let green = |along: Vec2, radii: f64| {
@@ -344,7 +344,7 @@ fn where_nothing_has_a_colour_a_shade_stays_around_its_stroke() {
                 [0.0, 0.5, 1.0, 1.5, 2.0, 3.0, 4.0, 6.0, 10.0].map(|radii| green(Vec2::new(1.0, 0.0), radii));
             assert!(profile.is_sorted() && profile[6] >= 235 && profile[8] >= 254, "{profile:?}");
             assert!(strength < 1.0 || profile[0] <= 2, "{profile:?}");
-            for radii in [0.5, 1.0, 2.0, 3.0] {
+            for radii in [0.5, 1.0, 1.5, 2.0, 3.0] {
                 let around = (0..8).map(|i| green(Vec2::from_angle(0.8 * f64::from(i)), radii));
                 let [least, most] = around.fold([255, 0], |[least, most], g| [g.min(least), g.max(most)]);
                 assert!(most - least <= 16, "{least} to {most} at {radii} radii of {width_du} du");

@@ -134,7 +134,7 @@ fn a_dab_is_that_of_the_radial_equation() {
 
 #[test]
 fn a_stroke_along_a_strip_is_that_of_the_equation_across() {
-    for (radius_du, half_du) in [(4.0, 40.0), (12.0, 40.0), (60.0, 70.0), (60.0, 30.0), (60.0, 10.0)] {
+    for (radius_du, half_du) in [(8.0, 40.0), (12.0, 40.0), (60.0, 70.0), (60.0, 30.0), (60.0, 10.0)] {
         let line = |y: f64| Line::new((0.0, 512.0 + y), (1024.0, 512.0 + y)).to_path(1e-6);
         let map = map([-half_du, half_du].map(line));
         for weight in [0.05, 0.2, 0.5, 0.8, 0.95, 1.0].map(weight) {

@@ -1,6 +1,7 @@
 //! Shading against a solution of the same equation on a fine grid of pixels, half a du wide as those of a page of 2048².
 
-use kurbo::{Line, ParamCurveNearest, Point, Rect, Shape, Vec2};
+use kurbo::{Point, Rect, Shape, Vec2};
+use scumble_core::source::weight;
 use scumble_core::{Blend, Boundary, Curve, Drawing, PlanarMap, Sampling, SoftSource};
 use scumble_solve::{Field, MeshSolver};
 
@@ -13,7 +14,7 @@ const STEP_DU: f64 = 0.5;
 /// Steps along a side of the room.
 const STEPS: usize = 320;
 
-/// The colour of the walls.
+/// The colour of the walls, and without a layer over it, of all between them.
 fn wall(p: Point) -> f64 {
     0.3 + 0.6 * (p.x - ROOM.x0) / ROOM.width()
 }
@@ -22,67 +23,72 @@ fn place(column: usize, row: usize) -> Point {
     ROOM.origin() + STEP_DU * Vec2::new(column as f64, row as f64)
 }
 
-/// The factor of `u − c` by the definition, without any of the solver's short cuts.
-fn strength(source: &SoftSource, p: Point) -> f64 {
-    if !source.parts.is_empty() {
-        return strength_of_dabs(source, p);
-    }
-    let dab = source.points.first().map(|&p| Line::new(p, p + Vec2::new(1e-9, 0.0)));
-    let segments = source.points.windows(2).map(|ends| Line::new(ends[0], ends[1])).chain(dab);
-    let distance_sq = segments.map(|line| line.nearest(p, 0.0).distance_sq).fold(f64::INFINITY, f64::min);
-    strength_of_dab(source.weight, source.radius_du, distance_sq)
-}
-
-/// Dabs that a segment is taken for where a pen varied it.
+/// Dabs that a segment is taken for.
 const DABS: usize = 100;
 
-/// The strongest of many dabs along the way.
-fn strength_of_dabs(source: &SoftSource, p: Point) -> f64 {
-    let segments = source.points.windows(2).zip(source.parts.windows(2));
-    let dabs = segments.flat_map(|(ends, parts)| {
+/// What a source does at a place, by the definition, without any of the solver's short cuts: the factor of `u − c`, and
+/// the length in which the layer fades.
+fn pull(source: &SoftSource, p: Point) -> [f64; 2] {
+    let part = |i: usize| source.parts.get(i).copied().unwrap_or([1.0; 2]);
+    let segments = (1..source.points.len()).map(|i| [i - 1, i]).chain([[0, 0]]);
+    let dabs = segments.flat_map(|[a, b]| {
         (0..=DABS).map(move |i| {
             let t = i as f64 / DABS as f64;
-            let [radius, strength] = [0, 1].map(|k| (1.0 - t) * parts[0][k] + t * parts[1][k]);
-            let distance_sq = ends[0].lerp(ends[1], t).distance_squared(p);
-            strength_of_dab(source.weight * strength.powi(3), source.radius_du * radius, distance_sq)
+            let [radius, root] = [0, 1].map(|k| (1.0 - t) * part(a)[k] + t * part(b)[k]);
+            let distance_du = source.points[a].lerp(source.points[b], t).distance(p);
+            let (radius_du, weight) = (source.radius_du * radius, source.weight * root * root);
+            let inside = (1.0 - (distance_du / radius_du).powi(2)).max(0.0);
+            [weight / radius_du.powi(2) * inside * inside, radius_du - 0.5 * distance_du]
         })
     });
-    dabs.fold(0.0, f64::max)
+    dabs.fold([0.0, f64::NEG_INFINITY], |most, dab| [0, 1].map(|k| f64::max(most[k], dab[k])))
 }
 
-fn strength_of_dab(weight: f64, radius_du: f64, distance_sq: f64) -> f64 {
-    let radius_sq = radius_du * radius_du;
-    weight / radius_sq * (1.0 - distance_sq / radius_sq).max(0.0).powi(2)
+/// The least radius along a source, in du.
+fn least_radius_du(source: &SoftSource) -> f64 {
+    source.parts.iter().fold(source.radius_du, |least, [radius, _]| least.min(radius * source.radius_du))
 }
 
-/// The values at the nodes, row by row: five-point differences, by successive over-relaxation until nothing changes by
-/// more than a thousandth of a level.
+/// At a node: the factor of `u` in the equation, what there is on its right side, and the same for the cover.
+fn term(sources: &[SoftSource], p: Point) -> [f64; 3] {
+    let least_du = |source: &SoftSource| 0.125 * least_radius_du(source);
+    let pulls: Vec<_> = sources.iter().map(|source| (pull(source, p), source)).collect();
+    let near = pulls.iter().filter(|([_, length_du], _)| *length_du > 0.0);
+    let length_du = near.map(|([_, length_du], source)| length_du.max(least_du(source))).fold(0.0, f64::max);
+    let least_du = sources.iter().map(least_du).fold(f64::INFINITY, f64::min);
+    let fade = if length_du > 0.0 { length_du } else { least_du }.powi(-2);
+    pulls.iter().fold([fade, 0.0, 0.0], |[sum, color, cover], ([strength, _], source)| {
+        [sum + strength, color + strength * source.color[0], cover + strength]
+    })
+}
+
+/// What is seen at the nodes, row by row: five-point differences without flux through the walls, by successive
+/// over-relaxation until nothing changes by more than a thousandth of a level; laid over the colour of the walls.
 fn on_grid(sources: &[SoftSource]) -> Vec<f64> {
     let width = STEPS + 1;
-    let mut values: Vec<_> = (0..width * width).map(|i| wall(place(i % width, i / width))).collect();
-    let terms: Vec<_> = (0..width * width)
-        .map(|i| {
-            let strengths =
-                sources.iter().map(|source| (strength(source, place(i % width, i / width)), source));
-            let step_sq = STEP_DU * STEP_DU;
-            strengths.fold([0.0, 0.0], |[sum, load], (s, source)| {
-                [sum + step_sq * s, load + step_sq * s * source.color[0]]
-            })
-        })
-        .collect();
-    let omega = 2.0 / (1.0 + (std::f64::consts::PI / STEPS as f64).sin());
+    let terms: Vec<_> = (0..width * width).map(|i| term(sources, place(i % width, i / width))).collect();
+    let mirrored = |i: usize| if i < width { i } else { 2 * STEPS - i };
+    let beside = |i: usize| [if i == 0 { 1 } else { i - 1 }, mirrored(i + 1)];
+    let mut values = vec![[0.0; 2]; width * width];
     loop {
         let mut largest = 0.0_f64;
-        for row in 1..STEPS {
-            for i in row * width + 1..row * width + STEPS {
-                let around = values[i - 1] + values[i + 1] + values[i - width] + values[i + width];
-                let change = omega * ((around + terms[i][1]) / (4.0 + terms[i][0]) - values[i]);
-                values[i] += change;
+        for (row, column) in (0..width).flat_map(|row| (0..width).map(move |column| (row, column))) {
+            let i = row * width + column;
+            let [left, right] = beside(column).map(|column| values[row * width + column]);
+            let [above, below] = beside(row).map(|row| values[row * width + column]);
+            for c in 0..2 {
+                let around = left[c] + right[c] + above[c] + below[c];
+                let sum = around + STEP_DU * STEP_DU * terms[i][1 + c];
+                let change = 1.95 * (sum / (4.0 + STEP_DU * STEP_DU * terms[i][0]) - values[i][c]);
+                values[i][c] += change;
                 largest = largest.max(change.abs());
             }
         }
         if largest < 1e-3 / 255.0 / STEPS as f64 {
-            return values;
+            let seen = |(i, [color, cover]): (usize, &[f64; 2])| {
+                (1.0 - cover) * wall(place(i % width, i / width)) + color
+            };
+            return values.iter().enumerate().map(seen).collect();
         }
     }
 }
@@ -108,6 +114,10 @@ fn differences(field: &Field, grid: &[f64]) -> [f64; 2] {
     let (mut sum, mut count, mut most) = (0.0, 0.0, 0.0);
     for triangle in &field.triangles {
         let [a, b, c] = triangle.corners.map(|[x, y]| Point::new(x.into(), y.into()));
+        let middle = ((a.to_vec2() + b.to_vec2() + c.to_vec2()) / 3.0).to_point();
+        if !ROOM.contains(middle) {
+            continue;
+        }
         let bounds = Rect::from_points(a, b).union_pt(c).intersect(ROOM);
         let steps = |from: f64, to: f64| {
             ((from - ROOM.x0) / STEP_DU).ceil() as usize..=((to - ROOM.x0) / STEP_DU).floor() as usize
@@ -134,18 +144,19 @@ fn differences(field: &Field, grid: &[f64]) -> [f64; 2] {
     [sum / count, most]
 }
 
-fn source(points: &[(f64, f64)], radius_du: f64, weight: f64, value: f64) -> SoftSource {
+fn source(points: &[(f64, f64)], radius_du: f64, strength: f64, value: f64) -> SoftSource {
     let points = points.iter().copied().map(Point::from).collect();
+    let weight = weight(strength);
     SoftSource { points, radius_du, weight, color: [value, 0.0, 0.0, 1.0], crosses: false, parts: Vec::new() }
 }
 
 #[test]
 fn strokes_and_dabs_are_those_of_the_grid() {
     let bent = [(410.0, 500.0), (440.0, 440.0), (470.0, 430.0), (510.0, 460.0)];
-    let over_walls = source(&[(380.0, 420.0), (450.0, 400.0), (550.0, 500.0)], 30.0, 80.0, 0.0);
+    let over_walls = source(&[(380.0, 420.0), (450.0, 400.0), (550.0, 500.0)], 30.0, 0.9, 0.0);
     for sources in [
-        vec![source(&bent, 20.0, 160.0, 1.0), source(&[(510.0, 510.0)], 24.0, 40.0, 0.0)],
-        vec![source(&bent, 40.0, 8.0, 1.0), source(&[(400.0, 520.0), (520.0, 410.0)], 12.0, 80.0, 0.0)],
+        vec![source(&bent, 20.0, 1.0, 1.0), source(&[(510.0, 510.0)], 24.0, 0.9, 0.0)],
+        vec![source(&bent, 40.0, 0.6, 1.0), source(&[(400.0, 520.0), (520.0, 410.0)], 12.0, 0.95, 0.0)],
         vec![SoftSource { crosses: true, ..over_walls }],
     ] {
         let [mean, most] = differences(&on_mesh(&sources), &on_grid(&sources));
@@ -165,7 +176,7 @@ fn strokes_of_a_pen_that_presses_more_or_less_are_those_of_the_grid() {
     let jerk = [(410.0, 470.0), (450.0, 450.0), (452.0, 449.0), (500.0, 470.0)];
     let radii = |parts: [f64; 4]| parts.map(|part| [part, 1.0]);
     let strengths = |parts: [f64; 4]| parts.map(|part| [1.0, part]);
-    let stroke = |way: &[(f64, f64)]| source(way, 40.0, 160.0, 1.0);
+    let stroke = |way: &[(f64, f64)]| source(way, 40.0, 1.0, 1.0);
     for source in [
         pressed(stroke(&bent), &radii([0.2, 1.0, 0.6, 0.2])),
         pressed(stroke(&bent), &strengths([0.0, 1.0, 0.5, 0.0])),

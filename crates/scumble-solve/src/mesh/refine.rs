@@ -14,9 +14,9 @@ const MAX_FINER: usize = 60_000;
 /// Longest edge in the middle of a stroke, in radii where it is.
 const LONGEST_EDGE: f64 = 0.75;
 
-/// Longest edge at the rim of a stroke of weight one, in radii: there its colour passes into what is around it, within a length that
-/// falls with the fourth root of the weight.
-const RIM_EDGE: f64 = 1.1;
+/// Longest edge at the rim of a stroke, in radii: so much, and for a weight of one so much more, which falls with its root. There the
+/// colour passes into what is around it, in the less the stronger it is.
+const RIM_EDGE: [f64; 2] = [0.2, 1.4];
 
 /// How far from the rim the edges begin to grow, in radii.
 const RIM_WIDTH: f64 = 0.4;
@@ -88,7 +88,7 @@ impl Cells {
         brush.for_each_place(middle, most_du, &mut |Place { distance_du, radius_du }| {
             let from_rim = distance_du / radius_du - 1.0;
             let grown = GROWTH * (from_rim.abs() - RIM_WIDTH).max(0.0);
-            let edge = (RIM_EDGE / brush.weight.sqrt().sqrt()).min(LONGEST_EDGE) + grown;
+            let edge = (RIM_EDGE[0] + RIM_EDGE[1] / brush.weight.sqrt()).min(LONGEST_EDGE) + grown;
             let is_long = |edge: f64| longest_du > radius_du * edge;
             is_too_large |= is_long(if from_rim < 0.0 { edge.min(LONGEST_EDGE) } else { edge });
         });
