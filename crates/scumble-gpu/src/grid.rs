@@ -7,7 +7,8 @@
 //! | passes that are drawn over and over | `tape` |
 //! | levels, and the ways through them | `levels` |
 //! | sums over all texels | `reduction` |
-//! | a step of conjugate gradients | `gradients` |
+//! | a problem, and steps to its solution | `gradients` |
+//! | the picture and the layers over it | `stack` |
 //! | the solution as a layer of a scene | `layer` |
 //! | why it cannot be done | `error` |
 //!
@@ -20,20 +21,20 @@ pub(crate) mod kernels;
 pub(crate) mod layer;
 mod levels;
 mod reduction;
+mod stack;
 mod tape;
 mod texels;
 
 #[cfg(test)]
 mod tests;
 
-use scumble_solve::grid::{Constraints, Hierarchy, MAX_STEPS, Texel};
+use scumble_solve::grid::{Constraints, MAX_STEPS, Texel};
 
 use crate::error::GpuError;
 use crate::gpu::Gpu;
 pub use error::GridError;
-use gradients::{Gradients, Step};
 pub use kernels::Kernels;
-use levels::GpuLevels;
+use stack::{Stack, Step};
 use tape::Recorder;
 
 /// A picture on its way to the solution, on the GPU.
@@ -42,8 +43,8 @@ pub struct GpuGridSolver {
     gpu: Gpu,
     /// Every step draws into the textures that the one before has read: what is done next, and what was done last.
     steps: [Step; 2],
-    /// By how much the last step changed each channel most.
-    change: wgpu::TextureView,
+    /// By how much the last step changed each channel most, of the picture and of each layer.
+    changes: Vec<wgpu::TextureView>,
 }
 
 impl GpuGridSolver {
@@ -52,13 +53,11 @@ impl GpuGridSolver {
     /// # Errors
     /// When the device cannot draw so large a picture.
     pub fn new(gpu: &Gpu, kernels: &Kernels, constraints: &Constraints) -> Result<Self, GridError> {
-        let hierarchy = Hierarchy::new(constraints);
-        check(gpu, &hierarchy)?;
         let mut recorder = Recorder::new(gpu, kernels);
-        let mut gradients = Gradients::new(gpu, GpuLevels::new(gpu, kernels, &hierarchy), &mut recorder);
+        let mut stack = Stack::new(gpu, kernels, constraints, &mut recorder)?;
         recorder.take().play(gpu);
-        let [first, second] = [(); 2].map(|()| gradients.step(&mut recorder));
-        Ok(Self { gpu: gpu.clone(), steps: [first, second], change: gradients.change().clone() })
+        let [first, second] = [(); 2].map(|()| stack.step(&mut recorder));
+        Ok(Self { gpu: gpu.clone(), steps: [first, second], changes: stack.changes() })
     }
 
     /// Steps until a step changes no channel by more than `tolerance`, or [`MAX_STEPS`] are done; and how many it took.
@@ -87,13 +86,17 @@ impl GpuGridSolver {
     /// When the device fails.
     pub async fn last_change(&self) -> Result<f32, GpuError> {
         self.steps[1].measure.play(&self.gpu);
-        let changes = texels::read(&self.gpu, &self.change).await?;
-        Ok(changes.into_iter().flatten().fold(0.0, |largest, change| largest.max(change.abs())))
+        let mut largest = 0.0_f32;
+        for change in &self.changes {
+            let channels = texels::read(&self.gpu, change).await?.into_iter().flatten();
+            largest = channels.map(f32::abs).fold(largest, f32::max);
+        }
+        Ok(largest)
     }
 
     /// What [`GpuGridSolver::pixels`] reads, on the GPU.
     pub(crate) fn values(&self) -> &wgpu::TextureView {
-        &self.steps[1].values
+        &self.steps[1].seen
     }
 
     /// Blend-space colours times opacity, and opacity, row by row.
@@ -103,11 +106,4 @@ impl GpuGridSolver {
     pub async fn pixels(&self) -> Result<Vec<Texel>, GpuError> {
         texels::read(&self.gpu, self.values()).await
     }
-}
-
-/// Whether textures hold what the solver needs.
-fn check(gpu: &Gpu, hierarchy: &Hierarchy) -> Result<(), GridError> {
-    let longest = hierarchy.given.iter().map(|t| t.width.max(t.height)).max().unwrap_or(0);
-    let most = gpu.device.limits().max_texture_dimension_2d;
-    if longest > most as usize { Err(GridError::TooLarge { most_px: most }) } else { Ok(()) }
 }

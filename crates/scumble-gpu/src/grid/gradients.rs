@@ -1,20 +1,11 @@
-//! Conjugate gradients: what they keep, and how a step is recorded.
+//! One problem on its way to the solution: what conjugate gradients keep, and how a step is recorded.
 
 use super::kernels::Kernel;
 use super::levels::GpuLevels;
 use super::reduction::Reduction;
-use super::tape::{Recorder, Tape};
+use super::tape::Recorder;
 use super::texels::{alike, single};
 use crate::gpu::Gpu;
-
-/// A step, and what comes of it.
-#[derive(Debug)]
-pub(super) struct Step {
-    pub(super) tape: Tape,
-    /// Finds out how large the change was.
-    pub(super) measure: Tape,
-    pub(super) values: wgpu::TextureView,
-}
 
 /// What steps read and draw. The residual is the right side of the finest level.
 #[derive(Debug)]
@@ -71,19 +62,21 @@ impl Gradients {
         }
     }
 
-    /// A single texel that [`Step::measure`] draws: by how much the last step changed each channel most.
+    /// What it has come to.
+    pub(super) fn values(&self) -> &wgpu::TextureView {
+        &self.values.now
+    }
+
+    /// A single texel that [`Gradients::measure`] draws: by how much the last step changed each channel most.
     pub(super) fn change(&self) -> &wgpu::TextureView {
         &self.scalars.change
     }
 
     /// Records a step. After two of them, what is kept lies where it lay before.
-    pub(super) fn step(&mut self, recorder: &mut Recorder<'_>) -> Step {
+    pub(super) fn step(&mut self, recorder: &mut Recorder<'_>) {
         self.levels.cycle_from_zero(recorder, 0);
         self.turn(recorder);
         self.advance(recorder);
-        let tape = recorder.take();
-        self.measure(recorder);
-        Step { tape, measure: recorder.take(), values: self.values.now.clone() }
     }
 
     /// The next direction.
@@ -111,7 +104,8 @@ impl Gradients {
         std::mem::swap(&mut finest.right, &mut self.residual_room);
     }
 
-    fn measure(&self, recorder: &mut Recorder<'_>) {
+    /// Records how large the change of the last step was.
+    pub(super) fn measure(&self, recorder: &mut Recorder<'_>) {
         let Scalars { length, largest, change, .. } = &self.scalars;
         self.reduction.largest(recorder, &self.direction.now, largest);
         recorder.pass(Kernel::Advance, &[&self.levels.zero, largest, length], change);

@@ -18,6 +18,7 @@ pub(crate) enum Kernel {
     Ratio,
     Advance,
     Retreat,
+    Cover,
 }
 
 /// What a kernel is made of.
@@ -39,7 +40,7 @@ macro_rules! source {
 }
 
 /// In the order of [`Kernel`].
-pub(crate) const SOURCES: [Source; 13] = [
+pub(crate) const SOURCES: [Source; 14] = [
     source!("multiply", true, "pass", "level", "links", "matrix", "multiply"),
     source!("residual", true, "pass", "level", "links", "matrix", "residual"),
     source!("relax", true, "pass", "level", "links", "matrix", "relax"),
@@ -53,6 +54,7 @@ pub(crate) const SOURCES: [Source; 13] = [
     source!("ratio", false, "pass", "ratio"),
     source!("advance", false, "pass", "advance"),
     source!("retreat", false, "pass", "retreat"),
+    source!("cover", false, "pass", "cover"),
 ];
 
 /// What a kernel may read besides a level.

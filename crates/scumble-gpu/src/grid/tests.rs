@@ -1,8 +1,9 @@
 //! Every kernel draws what its twin on the CPU computes. Needs a graphics driver; Mesa's software one is enough.
 
-use kurbo::{Affine, BezPath, Circle, Point, Rect, Shape, Vec2};
-use scumble_core::{Boundary, Curve, Drawing, PlanarMap, Sampling, SoftSource};
-use scumble_solve::View;
+#[path = "../../../../tests/grids/scene.rs"]
+mod scene;
+
+use kurbo::{BezPath, Circle, Shape, Vec2};
 use scumble_solve::grid::{
     Constraints, GridSolver, Hierarchy, Level, STEPS, Texel, Texture, kernels as twin,
 };
@@ -13,6 +14,7 @@ use super::reduction::Reduction;
 use super::tape::Recorder;
 use super::texels::{read, single, target, uploaded};
 use super::*;
+use scene::{SHADES, boundary, constraints, map, view};
 
 /// A tenth of an 8-bit level.
 const TENTH: f32 = 0.1 / 255.0;
@@ -21,52 +23,6 @@ const TENTH: f32 = 0.1 / 255.0;
 fn gpu() -> Option<Gpu> {
     let failed = |error: GpuError| panic!("{error}");
     pollster::block_on(Gpu::headless(failed)).map_err(|error| eprintln!("skipped: {error}")).ok()
-}
-
-/// Circles that overlap, a barrier across them, and colours on every other side: links of all kinds, cells of several
-/// parts, a stroke that shades, and unknowns that nothing holds.
-fn constraints(width_px: u32, height_px: u32) -> Constraints {
-    let mut barrier = BezPath::new();
-    barrier.move_to((100.0, 130.0));
-    barrier.curve_to((400.0, 900.0), (600.0, 100.0), (930.0, 700.0));
-    let circles = [(400.0, 400.0, 230.0), (600.0, 500.0, 250.0), (610.0, 520.0, 243.0), (150.0, 850.0, 60.0)];
-    let circles = circles.map(|(x, y, radius)| Circle::new((x, y), radius).to_path(1e-3));
-    let map = map(circles.into_iter().chain([barrier]));
-    let stroke = [(250.0, 300.0), (700.0, 650.0)].map(Point::from).to_vec();
-    let source = SoftSource {
-        points: stroke,
-        radius_du: 60.0,
-        weight: 20.0,
-        color: [0.5; 4],
-        crosses: true,
-        parts: Vec::new(),
-    };
-    let colors = boundary(&map, &[[0.2, 0.9], [0.7, 0.4], [0.1, 1.0]]);
-    let boundary = Boundary { sources: vec![source], ..colors };
-    Constraints::new(&map, &boundary, &view(width_px, height_px))
-}
-
-fn map(paths: impl Iterator<Item = BezPath>) -> PlanarMap {
-    let curves = paths.map(|path| Curve { path, line: None }).collect();
-    let drawing = Drawing { curves, ..Drawing::new(Rect::new(0.0, 0.0, 1024.0, 1024.0)) };
-    PlanarMap::build(&drawing, &Sampling::default()).expect("a map")
-}
-
-fn view(width_px: u32, height_px: u32) -> View {
-    View { px_from_du: Affine::scale(f64::from(width_px) / 1024.0), width_px, height_px }
-}
-
-/// Colours for both sides of the first curves.
-fn boundary(map: &PlanarMap, colors: &[[f64; 2]]) -> Boundary {
-    let mut sides = vec![None; map.side_count()];
-    for (curve, colors) in colors.iter().enumerate() {
-        for step in map.steps(curve) {
-            for (side, value) in [step.left, step.left.opposite()].into_iter().zip(colors) {
-                sides[side.index()] = Some([[*value, 1.0 - value, 0.5 * value, 1.0]; 3]);
-            }
-        }
-    }
-    sides.into()
 }
 
 /// Numbers from −1 to 1 without a pattern: Fibonacci hashing (D. E. Knuth, *The Art of Computer Programming* 3, 6.4).
@@ -137,7 +93,7 @@ const ROUNDING: f32 = 1e-6;
 #[test]
 fn kernels_within_a_level_draw_what_their_twins_compute() {
     let Some(bench) = Bench::new() else { return };
-    for (depth, level) in Hierarchy::new(&constraints(130, 97)).levels.iter().take(LEVELS).enumerate() {
+    for (depth, level) in Hierarchy::new(&constraints(130, 97, &[])).levels.iter().take(LEVELS).enumerate() {
         let (values, right) = (noise_like(level, 1), noise_like(level, 2));
         let part = Texture { width: 1, height: 1, texels: vec![[STEPS[0]; 4]] };
         let check = |kernel, operands: &[&Texture], twin: &dyn Fn(i32, i32) -> Texel| {
@@ -155,7 +111,7 @@ fn kernels_within_a_level_draw_what_their_twins_compute() {
 #[test]
 fn kernels_between_levels_draw_what_their_twins_compute() {
     let Some(bench) = Bench::new() else { return };
-    for (depth, pair) in Hierarchy::new(&constraints(130, 97)).levels[..=LEVELS].windows(2).enumerate() {
+    for (depth, pair) in Hierarchy::new(&constraints(130, 97, &[])).levels[..=LEVELS].windows(2).enumerate() {
         let [fine, coarse] = pair else { unreachable!("windows of two") };
         let (values, below) = (noise_like(fine, 1), noise_like(coarse, 2));
         let check = |kernel, operands: &[&Texture], like, twin: &dyn Fn(i32, i32) -> Texel| {
@@ -167,6 +123,20 @@ fn kernels_between_levels_draw_what_their_twins_compute() {
         check(Kernel::Interpolate, &[v, b], fine, &|x, y| twin::interpolate(fine, v, b, x, y));
         check(Kernel::Spread, &[v, b], fine, &|x, y| twin::spread(fine, v, b, x, y));
     }
+}
+
+#[test]
+fn a_picture_is_covered_as_the_twin_covers_it() {
+    let Some(bench) = Bench::new() else { return };
+    let [under, colors, covers] = [1, 2, 3].map(|seed| noise(130, 97, seed));
+    let mut covered = Texture::new(130, 97);
+    covered.draw(|x, y| twin::cover(&under, &colors, &covers, x, y));
+    let target = target(&bench.gpu, 130, 97);
+    let operands = [under, colors, covers].map(|texture| uploaded(&bench.gpu, &texture));
+    let mut recorder = Recorder::new(&bench.gpu, &bench.kernels);
+    recorder.pass(Kernel::Cover, &operands.each_ref(), &target);
+    recorder.take().play(&bench.gpu);
+    assert_near(&bench.read(&target), &covered.texels, ROUNDING, "Cover");
 }
 
 #[test]
@@ -196,7 +166,7 @@ fn reductions_take_every_texel_once() {
 #[test]
 fn a_cycle_draws_what_the_one_on_the_cpu_computes() {
     let Some(Bench { gpu, kernels }) = Bench::new() else { return };
-    let mut hierarchy = Hierarchy::new(&constraints(130, 97));
+    let mut hierarchy = Hierarchy::new(&constraints(130, 97, &[]));
     let right = noise_like(&hierarchy.levels[0], 5);
     let mut levels = GpuLevels::new(&gpu, &kernels, &hierarchy);
     levels.levels[0].right = uploaded(&gpu, &right);
@@ -217,12 +187,12 @@ fn assert_same_picture(gpu: &Gpu, constraints: &Constraints, tolerance: f32) {
     let mut on_cpu = GridSolver::new(constraints);
     let mut on_gpu = GpuGridSolver::new(gpu, &Kernels::new(&gpu.device), constraints).expect("a solver");
     let pixels = |solver: &GpuGridSolver| pollster::block_on(solver.pixels()).expect("the pixels come back");
-    let start = farthest(&pixels(&on_gpu), on_cpu.pixels());
+    let start = farthest(&pixels(&on_gpu), &on_cpu.pixels());
     assert!(start <= TENTH, "{size:?}: {start} at first");
     let steps = on_cpu.solve(tolerance);
     let gpu_steps = pollster::block_on(on_gpu.solve(tolerance)).expect("a solution");
     assert!(steps.abs_diff(gpu_steps) <= 1, "{size:?}: {gpu_steps} instead of {steps} steps");
-    let end = farthest(&pixels(&on_gpu), on_cpu.pixels());
+    let end = farthest(&pixels(&on_gpu), &on_cpu.pixels());
     assert!(end <= TENTH, "{size:?}: {end} after {steps} steps");
 }
 
@@ -230,7 +200,11 @@ fn assert_same_picture(gpu: &Gpu, constraints: &Constraints, tolerance: f32) {
 fn pictures_are_those_of_the_cpu() {
     let Some(gpu) = gpu() else { return };
     for (width_px, height_px) in [(256, 256), (130, 97), (5, 200), (1, 1)] {
-        assert_same_picture(&gpu, &constraints(width_px, height_px), TENTH);
+        for (layers, shades) in SHADES.into_iter().enumerate() {
+            let constraints = constraints(width_px, height_px, shades);
+            assert_eq!(constraints.layers.len(), layers);
+            assert_same_picture(&gpu, &constraints, TENTH);
+        }
     }
 }
 
@@ -253,15 +227,11 @@ fn a_spiral_of_barriers_is_that_of_the_cpu() {
 fn a_picture_that_no_texture_holds_is_refused() {
     let Some(gpu) = gpu() else { return };
     let most_px = gpu.device.limits().max_texture_dimension_2d;
-    let constraints = Constraints {
-        width_px: most_px + 1,
-        height_px: 1,
-        cuts: Vec::new(),
-        faces: Vec::new(),
-        pulls: Vec::new(),
-    };
-    assert_eq!(
-        GpuGridSolver::new(&gpu, &Kernels::new(&gpu.device), &constraints).err(),
-        Some(GridError::TooLarge { most_px })
-    );
+    let kernels = Kernels::new(&gpu.device);
+    let wide = Constraints { width_px: most_px + 1, height_px: 1, ..constraints(1, 1, &[]) };
+    let under_wide = Constraints { layers: vec![wide.clone()], ..constraints(1, 1, &[]) };
+    for constraints in [wide, under_wide] {
+        let solver = GpuGridSolver::new(&gpu, &kernels, &constraints);
+        assert_eq!(solver.err(), Some(GridError::TooLarge { most_px }));
+    }
 }

@@ -30,12 +30,18 @@ impl Constraints {
     /// Those of a map and the colours of its sides in what a view shows.
     pub fn new(map: &PlanarMap, boundary: &Boundary, view: &View) -> Self {
         let regions = PixelRegions::new(map.triangulation(), boundary, view);
-        let bare = Boundary { closed_gaps: boundary.closed_gaps.clone(), ..Boundary::default() };
-        let layers = pulls::layers(&regions, &boundary.sources, view).into_iter();
-        let layers = layers.map(|pulls| Self { pulls, ..Self::without_pulls(map, &bare, view) });
-        let mut all = Self { layers: layers.collect(), ..Self::without_pulls(map, boundary, view) };
+        let layers = pulls::layers(&regions, &boundary.sources, view);
+        let layers = if layers.is_empty() { Vec::new() } else { Self::layers(map, boundary, view, layers) };
+        let mut all = Self { layers, ..Self::without_pulls(map, boundary, view) };
         all.pulls = unreached::pulls(&regions, &all);
         all
+    }
+
+    /// Layers of some pulls: nothing passes through lines.
+    fn layers(map: &PlanarMap, boundary: &Boundary, view: &View, pulls: Vec<Vec<Pull>>) -> Vec<Self> {
+        let bare = Boundary { closed_gaps: boundary.closed_gaps.clone(), ..Boundary::default() };
+        let bare = Self::without_pulls(map, &bare, view);
+        pulls.into_iter().map(|pulls| Self { pulls, ..bare.clone() }).collect()
     }
 
     fn without_pulls(map: &PlanarMap, boundary: &Boundary, view: &View) -> Self {
