@@ -24,7 +24,7 @@ const CHROMIUM_FLAGS = [
 ];
 
 /** How Puppeteer starts each. @type {import("puppeteer-core").LaunchOptions} */
-const CHROMIUM = { browser: "chrome", executablePath: "/usr/bin/chromium", args: CHROMIUM_FLAGS };
+export const CHROMIUM = { browser: "chrome", executablePath: "/usr/bin/chromium", args: CHROMIUM_FLAGS };
 /** @type {import("puppeteer-core").LaunchOptions} */
 const FIREFOX = {
   browser: "firefox",

@@ -23,7 +23,7 @@ cargo xtask golden        take the golden pictures of the page, tests/e2e/golden
 cargo xtask corpus [N]    take OpenMoji's black drawings, all or N of them, through the whole chain
 cargo xtask bench [ARGS]  time each stage of the chain: scumble bench, in release form
 cargo xtask bench --web SET|--made
-                          the same in Chromium, and how long the pen waits in the page";
+                          the same in Chromium, how long the page takes to come up, and how long the pen waits in it";
 
 fn main() -> ExitCode {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
