@@ -138,7 +138,7 @@ const keeper = new Keeper({
   failing: showUnkept,
 });
 const opening = new Opening(engine, drawings, keeper, tracing);
-const samples = new Samples((sample) => opening.sample(sample));
+const samples = new Samples((sample, isColored) => opening.sample(sample, isColored));
 const recent = new Recent((id) => opening.kept(id), (id) => keeper.drop(drawings.forget(id)));
 const colors = new Colors(engine, (file) => opening.file(file));
 const pointers = new Pointers(stage, engine);
@@ -204,7 +204,7 @@ const actions = {
   "copy-link": copyLink,
   "send-link": sendLink,
   recent: showRecent,
-  samples: () => samples.show(),
+  samples: () => void samples.show().catch(failed),
   close: closeOpen,
   "pick-color": () => colors.show("color"),
   "edit-palette": () => colors.show("edit-palette"),
@@ -278,7 +278,7 @@ async function followLanguage() {
   labelSwatches();
   colors.forget();
   nameShown();
-  samples.label();
+  samples.forget();
   tell("");
 }
 
@@ -310,7 +310,7 @@ async function start() {
   });
   window.addEventListener("pagehide", () => keeper.hurry());
   document.addEventListener("visibilitychange", () => document.hidden && keeper.hurry());
-  await opening.begin(samples.list(), beginFirstSteps).catch(failed);
+  await opening.begin(beginFirstSteps).catch(failed);
   followVersions(() => showUpdate(true));
 }
 

@@ -4,7 +4,7 @@
 import { formats } from "./formats.js";
 import { lastIds, take } from "./keeper.js";
 import { say } from "./messages.js";
-import { sampleWork } from "./samples.js";
+import { FIRST, sampleName, sampleWork } from "./samples.js";
 import { isLink } from "./share.js";
 import { putAside } from "./storage.js";
 import { done, failed, tell } from "./toolbar.js";
@@ -48,9 +48,13 @@ export class Opening {
     return this.file({ name: "SVG", bytes: Promise.resolve(new TextEncoder().encode(text)) });
   }
 
-  /** @param {import("./samples.js").Sample} sample */
-  sample({ name, file }) {
-    return this.#open({ name }, sampleWork(file).then((work) => ({ work, notes: "" })));
+  /**
+   * @param {{name: string, file: string}} sample
+   * @param {boolean} isColored whether with its scribbles
+   */
+  sample(sample, isColored) {
+    const coming = sampleWork(sample.file, isColored).then((work) => ({ work, notes: "" }));
+    return this.#open({ name: sampleName(sample) }, coming);
   }
 
   /** Opens the link in the address, which is then the page's own again: its drawing may become another. */
@@ -81,36 +85,31 @@ export class Opening {
   /**
    * Opens the link in the address, or else what was open last, or else a sample; unless something has been opened
    * meanwhile.
-   * @param {Promise<import("./samples.js").Sample[]>} samples
    * @param {() => void} isNew called where it was a sample, as nobody has worked here
    */
-  async begin(samples, isNew) {
+  async begin(isNew) {
     const fault = isLink(location.hash) ? await this.address() : undefined;
     if (this.#asked > 0 && !fault) return;
     const ticket = this.#asked;
     // A storage that does not work is told of when there is something to keep.
     const ids = await lastIds().catch((fault) => (console.warn(fault), []));
-    if (ticket === this.#asked) await this.#first(ids, samples, fault, isNew);
+    if (ticket === this.#asked) await this.#first(ids, fault, isNew);
   }
 
   /**
    * Opens the first drawing that can be opened, or else a sample.
    * @param {string[]} ids
-   * @param {Promise<import("./samples.js").Sample[]>} samples
    * @param {unknown} fault what has gone wrong before
    * @param {() => void} isNew
    */
-  async #first(ids, samples, fault, isNew) {
+  async #first(ids, fault, isNew) {
     for (const id of ids) {
       const own = await this.kept(id);
       if (!own) return fault && failed(fault);
       fault ??= own;
       if (!this.#engine.isRunning) return undefined;
     }
-    const ticket = this.#asked;
-    const [sample] = await samples;
-    if (ticket !== this.#asked) return undefined;
-    const own = await this.sample(sample);
+    const own = await this.sample(FIRST, false);
     if (fault) return failed(fault);
     if (own) return undefined;
     isNew();

@@ -1,6 +1,6 @@
 /**
- * What `cargo xtask bench --web` prints: the tables of `scumble bench`, compiled to wasm, in Chromium; and, for the drawings
- * of a set, how long the pen waits in the page.
+ * What `cargo xtask bench --web` prints: the tables of `scumble bench`, compiled to wasm, in Chromium; how long the page
+ * takes to come up; and, for the drawings of a set, how long the pen waits in it.
  *
  *     node tests/e2e/bench.mjs PROGRAM.wasm SET|--made
  */
@@ -25,6 +25,9 @@ const PAGE = `<!doctype html><script type="importmap">
 
 /** The pen is taken over every so many-th drawing of a set. */
 const PEN_EVERY = 10;
+
+/** How often the page is opened. */
+const VISITS = 9;
 
 /**
  * Runs a program in the page, and tells what it wrote.
@@ -157,6 +160,50 @@ function row(name, times_ms) {
   return name.padEnd(46) + [0.5, 0.95, 1].map((part) => at(part).toFixed(2).padStart(10)).join("");
 }
 
+/** Notes, in the page, when its toolbar was painted and when there was a drawing to scribble on, in ms since it was asked for. */
+function noteStart() {
+  addEventListener("DOMContentLoaded", () => {
+    const status = /** @type {HTMLElement} */ (document.getElementById("status"));
+    const observer = new MutationObserver(() => {
+      const [paint] = performance.getEntriesByName("first-contentful-paint");
+      if (status.textContent !== "") Object.assign(window, { start_ms: [paint?.startTime ?? 0, performance.now()] });
+    });
+    observer.observe(status, { childList: true });
+  });
+}
+
+/**
+ * Times of first visits, each with nothing kept by the browser.
+ * @param {"webgpu" | "webgl" | "cpu"} renderer
+ * @returns {Promise<[number, number][]>} in ms
+ */
+async function startTimes(renderer) {
+  const session = await start("chromium");
+  try {
+    /** @type {[number, number][]} */
+    const times_ms = [];
+    for (let visit = 0; visit < VISITS; visit++) {
+      const tab = await session.newTab({ isFirst: true });
+      await tab.prepare(`(${noteStart})()`);
+      await Editor.open(tab, `${session.url}?renderer=${renderer}`, renderer);
+      times_ms.push(await tab.evaluate("window.start_ms"));
+      await tab.close();
+    }
+    return times_ms;
+  } finally {
+    await session.close();
+  }
+}
+
+async function printStart() {
+  console.log(`\n${"a first visit".padEnd(46)} median ms      95 %   largest`);
+  for (const renderer of /** @type {const} */ (["webgpu", "webgl", "cpu"])) {
+    const times_ms = await startTimes(renderer);
+    console.log(row(`${renderer}: until the toolbar is painted`, times_ms.map(([paint_ms]) => paint_ms)));
+    console.log(row(`${renderer}: until there is a drawing to colour`, times_ms.map(([, ready_ms]) => ready_ms)));
+  }
+}
+
 /** @param {string} set */
 async function printPen(set) {
   console.log(`\n${"the pen in the page".padEnd(46)} median ms      95 %   largest`);
@@ -170,4 +217,5 @@ async function printPen(set) {
 const [program, what] = process.argv.slice(2);
 const set = what === "--made" ? undefined : resolve(what);
 console.log(await tables(resolve(program), set));
+await printStart();
 if (set) await printPen(set);

@@ -24,7 +24,7 @@ const CHROMIUM_FLAGS = [
 ];
 
 /** How Puppeteer starts each. @type {import("puppeteer-core").LaunchOptions} */
-const CHROMIUM = { browser: "chrome", executablePath: "/usr/bin/chromium", args: CHROMIUM_FLAGS };
+export const CHROMIUM = { browser: "chrome", executablePath: "/usr/bin/chromium", args: CHROMIUM_FLAGS };
 /** @type {import("puppeteer-core").LaunchOptions} */
 const FIREFOX = {
   browser: "firefox",
@@ -78,7 +78,7 @@ const VIEWPORT = { width: 1200, height: 800 };
 
 /**
  * @typedef {object} Browser
- * @property {(options?: {isFirst?: boolean}) => Promise<Tab>} open a page without a history; `isFirst` leaves it to it that nobody was there
+ * @property {(options?: {isFirst?: boolean, isDark?: boolean}) => Promise<Tab>} open a page without a history; `isFirst` leaves it to it that nobody was there, `isDark` is in Chromium the theme
  * @property {() => Promise<void>} close
  */
 
@@ -100,8 +100,9 @@ export function launch(name) {
 async function launchChromium() {
   const browser = await chromium.launch({ executablePath: "/usr/bin/chromium", args: CHROMIUM_FLAGS });
   return {
-    open: async ({ isFirst = false } = {}) => {
-      const page = await (await browser.newContext({ viewport: VIEWPORT })).newPage();
+    open: async ({ isFirst = false, isDark = false } = {}) => {
+      const colorScheme = isDark ? "dark" : "light";
+      const page = await (await browser.newContext({ viewport: VIEWPORT, colorScheme })).newPage();
       if (!isFirst) await page.addInitScript(asSeen);
       return chromiumTab(page);
     },

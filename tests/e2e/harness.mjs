@@ -235,10 +235,30 @@ export class Editor {
     return this.until(`Opened ${name}`, () => this.#reach("Open", choose));
   }
 
-  /** @param {string} name */
-  async openSample(name) {
+  /**
+   * Opens the lines of a sample.
+   * @param {string} name
+   */
+  openSample(name) {
+    return this.#openSample(name, `${name}: lines only`);
+  }
+
+  /**
+   * Opens a sample with its scribbles.
+   * @param {string} name
+   */
+  openColored(name) {
+    return this.#openSample(name, name);
+  }
+
+  /**
+   * @param {string} name
+   * @param {string} button
+   */
+  async #openSample(name, button) {
     await this.click("Samples");
-    await this.until(`Opened ${name}`, () => this.click(name));
+    await this.tab.waitFor(`document.getElementById("samples").open`);
+    await this.until(`Opened ${name}`, () => this.tab.click("button", button));
   }
 
   /**

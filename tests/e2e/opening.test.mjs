@@ -1,9 +1,7 @@
-// The ways by which a drawing comes into the page, beside the file dialog: dropped, pasted, chosen from the samples.
-import assert from "node:assert/strict";
+// The ways by which a drawing comes into the page, beside the file dialog: dropped, pasted.
 import { readFile } from "node:fs/promises";
-import { join } from "node:path";
 import { before, describe, test } from "node:test";
-import { DIST, drawing, useSession, version } from "./harness.mjs";
+import { drawing, useSession } from "./harness.mjs";
 
 describe("opening a drawing", () => {
   const session = useSession("chromium");
@@ -29,15 +27,4 @@ describe("opening a drawing", () => {
       data.setData("text/plain", ${svg});
       document.body.dispatchEvent(new ClipboardEvent("paste", { clipboardData: data, bubbles: true }));
     }`)));
-
-  test("each sample, with the credit that it asks for", async () => {
-    /** @type {{name: string, credit: string}[]} */
-    const samples = JSON.parse(await readFile(join(DIST, await version(), "samples/index.json"), "utf8"));
-    assert.equal(samples.filter(({ credit }) => credit === "OpenMoji, CC BY-SA 4.0").length, 12);
-    assert.ok(samples.length >= 14);
-    for (const { name } of samples) await editor.openSample(name);
-    const shown = await editor.tab.evaluate(`document.getElementById("samples").textContent`);
-    for (const { credit } of samples) assert.ok(String(shown).includes(credit));
-    assert.deepEqual(editor.tab.faults, []);
-  });
 });

@@ -230,7 +230,7 @@ describe("shading", () => {
   test("samples open with their highlights", async () => {
     const editor = await session.open("cpu");
     for (const [name, side, [highlight, dark]] of SHADED) {
-      await editor.openSample(name);
+      await editor.openColored(name);
       const places = await editor.place([highlight, dark], side);
       await editor.toggle("Show scribbles");
       const picture = await editor.picture();

@@ -59,7 +59,7 @@ for (const browser of /** @type {const} */ (["chromium", "firefox"])) {
 
     test("what is picked from a shaded place is what the canvas shows there", async () => {
       const editor = await session.open("cpu");
-      await editor.openSample("Sphere");
+      await editor.openColored("Sphere");
       await editor.toggle("Show scribbles");
       const { width, height } = await editor.box();
       const place = /** @type {Point} */ ([Math.round(0.45 * width), Math.round(0.4 * height)]);

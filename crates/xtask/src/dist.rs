@@ -8,7 +8,7 @@
 //! | `web/` | icons, what makes the page installable, style sheet, and all scripts, minified: as one, but for those that are fetched when they are needed |
 //! | `pkg/webgpu/`, `pkg/webgl/` | the editor as wasm, built twice, each with its JavaScript |
 //! | `pkg/files/` | what only files and links need, likewise |
-//! | `samples/` | the drawings that the page offers, with `index.json` and licences |
+//! | `samples/` | the drawings that the page offers, bare and coloured, with thumbnails, `index.json` and licences |
 
 use crate::process::{cargo, command, node, root, run};
 use crate::{icons, samples, tools, version};

@@ -19,10 +19,11 @@ cargo xtask serve [PORT]  build the page, serve it on this machine and print its
 cargo xtask test          check formatting, lints, licences and types; run every test
 cargo xtask dist          build the page into dist/, which any web host can serve
 cargo xtask picture       make docs/editor.png, the picture of the editor, anew
+cargo xtask golden        take the golden pictures of the page, tests/e2e/golden/, anew
 cargo xtask corpus [N]    take OpenMoji's black drawings, all or N of them, through the whole chain
 cargo xtask bench [ARGS]  time each stage of the chain: scumble bench, in release form
 cargo xtask bench --web SET|--made
-                          the same in Chromium, and how long the pen waits in the page";
+                          the same in Chromium, how long the page takes to come up, and how long the pen waits in it";
 
 fn main() -> ExitCode {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
@@ -42,6 +43,7 @@ fn obey(arguments: &[&str]) -> Result<()> {
         ["test"] => checks::run_all(),
         ["dist"] => dist::build().map(|folder| println!("The page is in {}", folder.display())),
         ["picture"] => picture(),
+        ["golden"] => golden(),
         ["corpus"] => corpus(&[]),
         ["corpus", count] => corpus(&["--take", count]),
         ["bench", "--web", what] => bench_in_browser(what),
@@ -60,6 +62,12 @@ fn picture() -> Result<()> {
     dist::build()?;
     std::fs::create_dir_all(root().join("docs"))?;
     run(node().args(["--test", "tests/e2e/readme.test.mjs"]).env("PICTURE", root().join("docs/editor.png")))
+}
+
+fn golden() -> Result<()> {
+    tools::browsers()?;
+    dist::build()?;
+    run(node().args(["--test", "tests/e2e/golden.test.mjs"]).env("GOLDEN", "accept"))
 }
 
 fn corpus(arguments: &[&str]) -> Result<()> {
