@@ -12,6 +12,7 @@ use crate::brush::{Ink, Mode, ModeChange};
 use crate::command::{Arranging, Command, Selecting, Setting, ViewChange};
 use crate::effect::{Effect, SelectionState, SheetState, TracingState};
 use crate::solver::SolverState;
+use crate::view::Turn;
 
 mod names;
 
@@ -99,6 +100,14 @@ fn view_change(name: &str, args: &JsValue) -> Option<ViewChange> {
             let [x, y, factor] = numbers(args)?;
             ViewChange::ZoomAt(Point::new(x, y), factor)
         }
+        "rotate-at" => {
+            let [x, y, degrees] = numbers(args)?;
+            ViewChange::RotateAt(Point::new(x, y), degrees)
+        }
+        "rotate-left" => ViewChange::RotateStep { is_clockwise: false },
+        "rotate-right" => ViewChange::RotateStep { is_clockwise: true },
+        "rotate-reset" => ViewChange::RotateReset,
+        "mirror" => ViewChange::Mirror,
         "resize" => {
             let [width_px, height_px, px_per_css] = numbers(args)?;
             ViewChange::Resize([width_px as u32, height_px as u32], px_per_css)
@@ -159,6 +168,8 @@ fn js_from_effect(effect: Effect) -> (&'static str, JsValue) {
         Effect::Redo(possible) => ("redo", possible.into()),
         Effect::Zoom(zoom) => ("zoom", zoom.into()),
         Effect::View(css_from_du) => ("view", Float64Array::from(&css_from_du.as_coeffs()[..]).into()),
+        Effect::Turn(turn) => ("turn", js_from_turn(turn)),
+        Effect::Turned(turn) => ("turned", js_from_turn(turn)),
         Effect::Tool(tool) => ("tool", tool_name(tool).into()),
         Effect::Mode(mode) => ("mode", js_from_mode(mode)),
         Effect::Color(Ink::Paint(color)) => ("color", color.to_string().into()),
@@ -212,6 +223,10 @@ fn js_from_effect(effect: Effect) -> (&'static str, JsValue) {
         Effect::Renderer(name) => ("renderer", name.into()),
         Effect::Lost(next) => ("lost", next.map_or(JsValue::NULL, JsValue::from)),
     }
+}
+
+fn js_from_turn(turn: Turn) -> JsValue {
+    object(&[("degrees", turn.degrees.into()), ("mirrored", turn.is_mirrored.into())])
 }
 
 fn js_from_palette(palette: Vec<Swatch>) -> Array {

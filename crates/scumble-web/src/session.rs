@@ -212,6 +212,9 @@ impl Session {
             Command::View(change) => {
                 change.apply(&mut self.viewport);
                 self.stale.view = true;
+                if change.is_turn() {
+                    self.tell(Effect::Turned(self.viewport.turn()));
+                }
             }
         }
     }
@@ -354,7 +357,7 @@ impl Session {
     }
 
     fn px_per_du(&self) -> f64 {
-        self.viewport.view().px_from_du.as_coeffs()[0]
+        self.viewport.px_per_du()
     }
 
     fn state(&self) -> State {
@@ -364,6 +367,7 @@ impl Session {
             redo: Some(self.sheet.editor.can_redo()),
             zoom: Some(self.viewport.zoom()),
             view: Some(self.viewport.css_from_du()),
+            turn: Some(self.viewport.turn()),
             tool: Some(self.tool),
             mode: Some(self.brush.mode),
             color: Some(self.ink_shown()),

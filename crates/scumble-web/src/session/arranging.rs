@@ -31,7 +31,7 @@ impl Session {
         }
     }
 
-    /// An arrow key: moves what is selected, or the view where nothing is.
+    /// An arrow key: moves what is selected, as it is seen, or the view where nothing is.
     pub(super) fn arrow(&mut self, direction: Vec2, is_far: bool) {
         let way = direction * if is_far { FAR } else { 1.0 };
         if self.selection.is_empty() {
@@ -39,7 +39,8 @@ impl Session {
             self.stale.view = true;
         } else if self.held.is_none() {
             self.slide();
-            self.transform_selected(Affine::translate(way));
+            let way_du = self.viewport.way_du(way * self.viewport.zoom());
+            self.transform_selected(Affine::translate(way_du));
             self.tell_edited(Edit::Moved);
         }
     }
@@ -56,7 +57,7 @@ impl Session {
     /// Moves and stretches what is selected; some of it stays on the page.
     pub(super) fn transform_selected(&mut self, place: Affine) {
         let page = self.document().drawing.frame();
-        let Some(bounds) = self.selected_bounds() else { return };
+        let Some(bounds) = self.selected_bounds(Affine::IDENTITY) else { return };
         let back = way_to_page(place.transform_rect_bbox(bounds), page);
         let place = Affine::translate(back) * place;
         for i in self.selected_scribbles() {
@@ -154,8 +155,8 @@ impl Session {
             self.tell(Effect::Failed("the scribbles are too long in all; erase some of them".into()));
         } else if !ids.is_empty() {
             self.select(Selection::of(ids));
-            let beside_du = BESIDE_CSS / self.viewport.zoom();
-            self.transform_selected(Affine::translate((beside_du, beside_du)));
+            let beside_du = self.viewport.way_du(Vec2::new(BESIDE_CSS, BESIDE_CSS));
+            self.transform_selected(Affine::translate(beside_du));
             self.sheet.editor.commit();
             self.tell_edited(Edit::Duplicated);
         }

@@ -109,7 +109,8 @@ impl Session {
     /// Moves the view so that a place in du lies under the pen.
     fn drag(&mut self, place: Point, points: &[Point]) {
         if let Some(&under) = points.last() {
-            self.viewport.pan((under - place) * self.viewport.zoom());
+            let css_from_du = self.viewport.css_from_du();
+            self.viewport.pan(css_from_du * under - css_from_du * place);
             self.stale.view = true;
         }
     }
