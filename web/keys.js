@@ -35,7 +35,7 @@ export const SHORTCUTS = {
     "swatch-0": ["0"],
     "swap-colors": ["X"],
   },
-  "group-history": { undo: ["Ctrl+Z"], redo: ["Ctrl+Shift+Z", "Ctrl+Y"] },
+  "group-history": { undo: ["Ctrl+Z"], redo: ["Ctrl+Shift+Z", "Ctrl+Y"], history: ["Shift+H"] },
   "group-file": { open: ["Ctrl+O"], save: ["Ctrl+S"], export: ["Ctrl+Shift+E"], help: ["?"] },
   "group-view": {
     "arrow-": ["ArrowLeft", "ArrowRight", "ArrowUp", "ArrowDown"],
@@ -44,6 +44,12 @@ export const SHORTCUTS = {
     "zoom-out": ["Ctrl+-"],
     "zoom-reset": ["Ctrl+0"],
     fit: ["Shift+1"],
+    // Krita's, with Shift: the digits pick swatches.
+    "rotate-left": ["Shift+4"],
+    "rotate-right": ["Shift+6"],
+    "rotate-reset": ["Shift+5"],
+    "hold-rotate": ["R"],
+    mirror: ["M"],
     "show-lines": ["Shift+L"],
     "show-scribbles": ["Shift+B"],
     "show-result": ["Shift+R"],

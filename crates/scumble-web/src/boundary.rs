@@ -4,7 +4,7 @@
 
 use js_sys::{Array, Float64Array, Object, Reflect, Uint8Array};
 use kurbo::{Point, Rect, Vec2};
-use scumble_core::{Paint, Settings, Srgb8, Swatch};
+use scumble_core::{Deed, Paint, Settings, Srgb8, Swatch};
 use scumble_solve::Pixmap;
 use wasm_bindgen::{JsCast, JsValue};
 
@@ -18,9 +18,9 @@ mod names;
 
 pub(crate) use names::color_model_from_name;
 use names::{
-    blend_from_name, blend_name, edit_name, engine_from_name, engine_name, erasing_name, ink_from_name,
-    kind_from_name, kind_name, pressure_from_name, pressure_name, solver_from_name, solver_name, source_name,
-    tone_name, tool_from_name, tool_name,
+    blend_from_name, blend_name, deed_key, edit_name, engine_from_name, engine_name, erasing_name,
+    ink_from_name, kind_from_name, kind_name, pressure_from_name, pressure_name, solver_from_name,
+    solver_name, source_name, tone_name, tool_from_name, tool_name,
 };
 
 /// The command of a name, or `None` where there is none of it that takes these arguments.
@@ -61,6 +61,7 @@ pub(crate) fn command_from_js(name: &str, args: &JsValue) -> Option<Command> {
         "other-erasing" => Command::OtherErasing,
         "undo" => Command::Undo,
         "redo" => Command::Redo,
+        "go-to" => Command::GoTo(args.as_f64()? as usize),
         "blend" => Command::Set(Setting::Blend(blend_from_name(&args.as_string()?)?)),
         "engine" => Command::Set(Setting::Engine(engine_from_name(&args.as_string()?)?)),
         "gap-closing" => Command::Set(Setting::GapClosing(args.as_f64()?)),
@@ -227,6 +228,12 @@ fn js_from_effect(effect: Effect) -> (&'static str, JsValue) {
 
 fn js_from_turn(turn: Turn) -> JsValue {
     object(&[("degrees", turn.degrees.into()), ("mirrored", turn.is_mirrored.into())])
+}
+
+/// What gestures did, as keys of the page's messages, and how many are not taken back.
+pub(crate) fn js_from_history((deeds, place): (Vec<Deed>, usize)) -> JsValue {
+    let steps: Array = deeds.into_iter().map(|deed| JsValue::from(deed_key(deed))).collect();
+    object(&[("steps", steps.into()), ("place", (place as f64).into())])
 }
 
 fn js_from_palette(palette: Vec<Swatch>) -> Array {

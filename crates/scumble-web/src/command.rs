@@ -159,6 +159,8 @@ pub enum Command {
     Undo,
     /// Do it again.
     Redo,
+    /// Take back or do again, until so many gestures are not taken back.
+    GoTo(usize),
     /// Another setting of the drawing.
     Set(Setting),
     /// Another palette for the drawing.

@@ -2,7 +2,7 @@
 
 use kurbo::{Affine, Vec2};
 use scumble_core::work::are_too_long;
-use scumble_core::{Curve, Paint, Scribble};
+use scumble_core::{Curve, Deed, Paint, Scribble};
 
 use super::Session;
 use crate::brush::{Ink, within_sizes};
@@ -38,7 +38,7 @@ impl Session {
             self.viewport.pan(-way * STEP_CSS);
             self.stale.view = true;
         } else if self.held.is_none() {
-            self.slide();
+            self.slide(Deed::Moved);
             let way_du = self.viewport.way_du(way * self.viewport.zoom());
             self.transform_selected(Affine::translate(way_du));
             self.tell_edited(Edit::Moved);
@@ -123,7 +123,7 @@ impl Session {
             selected.reverse();
         }
         let before = self.sheet.editor.revision();
-        self.sheet.editor.begin();
+        self.sheet.editor.begin(if is_forward { Deed::Forward } else { Deed::Backward });
         for i in selected {
             let to = if is_forward { i + 1 } else { i.saturating_sub(1) };
             let is_free = self.sheet.editor.scribble_ids().get(to).is_some_and(|id| !self.selection.has(*id));
@@ -144,7 +144,7 @@ impl Session {
     /// Copies lie over everything, and are what is selected then.
     fn duplicate(&mut self) {
         let (count, selected) = (self.document().scribbles.len(), self.selected_scribbles());
-        self.sheet.editor.begin();
+        self.sheet.editor.begin(Deed::Duplicated);
         for i in selected {
             let copy = self.document().scribbles[i].clone();
             self.sheet.editor.insert_scribble(usize::MAX, copy);
@@ -164,7 +164,7 @@ impl Session {
 
     fn delete(&mut self) {
         let [scribbles, curves] = [self.selected_scribbles(), self.selected_curves()];
-        self.sheet.editor.begin();
+        self.sheet.editor.begin(Deed::Deleted);
         for &i in curves.iter().rev() {
             self.sheet.editor.remove_curve(i);
         }
@@ -186,7 +186,7 @@ impl Session {
         if curves.is_empty() {
             return;
         }
-        self.sheet.editor.begin();
+        self.sheet.editor.begin(if opacity == 0 { Deed::Hidden } else { Deed::Shown });
         for i in curves {
             let mut curve = self.document().drawing.curves[i].clone();
             if let Some(line) = &mut curve.line {

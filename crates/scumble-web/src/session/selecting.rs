@@ -2,7 +2,7 @@
 //! its frame, or chooses all that lies in a rectangle.
 
 use kurbo::{Affine, BezPath, Point, Rect, Shape, Vec2};
-use scumble_core::{Curve, Document};
+use scumble_core::{Curve, Deed, Document};
 
 use super::Session;
 use super::gestures::{CLICK_CSS, Held};
@@ -62,8 +62,8 @@ impl Session {
             let (hold, way) = (grip.hold, to - grip.from);
             match hold {
                 Hold::Handle(handle) => self.resize(begins, handle, way),
-                Hold::Frame => self.place(begins, |_| Affine::translate(way)),
-                Hold::Thing(id) if self.selection.has(id) => self.place(begins, |_| Affine::translate(way)),
+                Hold::Frame => self.carry(begins, way),
+                Hold::Thing(id) if self.selection.has(id) => self.carry(begins, way),
                 _ => self.select_in_marquee(),
             }
         }
@@ -73,13 +73,19 @@ impl Session {
     fn resize(&mut self, begins: bool, handle: Handle, way: Vec2) {
         let turned_from_du = self.viewport.turned_from_du();
         let way = (turned_from_du * way.to_point()).to_vec2();
-        self.place(begins, |frame| turned_from_du.inverse() * handle.resize(frame, way) * turned_from_du);
+        self.place(begins, Deed::Resized, |frame| {
+            turned_from_du.inverse() * handle.resize(frame, way) * turned_from_du
+        });
+    }
+
+    fn carry(&mut self, begins: bool, way: Vec2) {
+        self.place(begins, Deed::Moved, |_| Affine::translate(way));
     }
 
     /// Puts what is selected to a place that depends on the turned frame around its middle lines, as the gesture found it.
-    fn place(&mut self, begins: bool, place: impl Fn(Rect) -> Affine) {
+    fn place(&mut self, begins: bool, deed: Deed, place: impl Fn(Rect) -> Affine) {
         if begins {
-            self.sheet.editor.begin();
+            self.sheet.editor.begin(deed);
         } else if !self.sheet.editor.is_changing() {
             // A command has ended it.
             self.held = None;
