@@ -178,6 +178,8 @@ export const german = {
   "lightness": "Helligkeit",
   "chroma": "Buntheit",
   "hue": "Farbton",
+  "square": "Sättigung und Hellwert",
+  "two-dimensional": "zweidimensionaler Regler",
   "saturation": "Sättigung",
   "value": "Hellwert",
   "degrees": ({ degrees }) => `${degrees}°`,

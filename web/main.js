@@ -13,8 +13,8 @@ import { connectFullScreen, turnFullScreen } from "./full_screen.js";
 import { showHelp } from "./help.js";
 import { Keeper } from "./keeper.js";
 import { listen } from "./keys.js";
-import { chooseLanguage, chosenLanguage, languageOf } from "./language.js";
-import { say, speak } from "./messages.js";
+import { connectLanguage } from "./language.js";
+import { say } from "./messages.js";
 import { Opening } from "./opening.js";
 import { png } from "./png.js";
 import { Pointers } from "./pointer.js";
@@ -268,17 +268,8 @@ function followSize() {
   tellSize();
 }
 
-const languages = /** @type {HTMLSelectElement} */ (document.getElementById("language"));
-
-/** Says everything that is there in the language that was chosen. */
-async function followLanguage() {
-  chooseLanguage(languages.value);
-  try {
-    await speak(languageOf(languages.value));
-  } catch (fault) {
-    console.warn(fault);
-    return failed(new Error(say("error-language")));
-  }
+/** Says everything that is there in the language of the page. */
+function labelAll() {
   labelControls();
   labelSwatches();
   colors.forget();
@@ -289,9 +280,7 @@ async function followLanguage() {
 }
 
 async function start() {
-  languages.value = chosenLanguage();
-  languages.addEventListener("change", followLanguage);
-  await speak(languageOf(languages.value)).catch(console.warn);
+  await connectLanguage(labelAll);
   labelControls();
   connectSwatches((color) => engine.command("color", color));
   connectBar(/** @type {HTMLElement} */ (document.getElementById("bar")));

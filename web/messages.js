@@ -173,6 +173,8 @@ export const english = {
   "chroma": "Chroma",
   "hue": "Hue",
   "saturation": "Saturation",
+  "square": "Saturation and value",
+  "two-dimensional": "two-dimensional slider",
   "value": "Value",
   "degrees": ({ degrees }) => `${degrees}°`,
   "not-srgb": ({ text }) => `${text}, more than screens have`,
