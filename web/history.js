@@ -20,6 +20,8 @@ export class History {
   #list = make("ul", { className: "steps", role: "listbox" });
   /** @type {string[]} What is in the list after its beginning. */
   #steps = [];
+  /** How many of them are not taken back. */
+  #place = 0;
 
   /** @param {Shell} shell */
   constructor(shell) {
@@ -46,18 +48,22 @@ export class History {
 
   #render() {
     const { steps, place } = this.#shell.history() ?? { steps: [], place: 0 };
-    const kept = steps.findIndex((step, i) => step !== this.#steps[i]);
-    if (kept >= 0 || steps.length !== this.#steps.length || this.#list.childElementCount === 0) this.#fill(steps);
-    this.#options().forEach((option, i) => this.#mark(option, i - place));
-    this.#options()[place].scrollIntoView({ block: "nearest" });
+    const isSame = String(steps) === String(this.#steps) && this.#list.childElementCount > 0;
+    const hadFocus = this.#list.contains(document.activeElement);
+    if (!isSame) this.#fill(steps);
+    // Others are marked already.
+    const [from, to] = isSame ? [Math.min(place, this.#place), Math.max(place, this.#place)] : [0, steps.length];
+    const options = this.#options();
+    for (let i = from; i <= to; i++) this.#mark(options[i], i - place);
+    this.#place = place;
+    options[place].scrollIntoView({ block: "nearest" });
+    if (hadFocus && !isSame) options[place].focus();
   }
 
   /** @param {string[]} steps */
   #fill(steps) {
-    const hadFocus = this.#list.contains(document.activeElement);
     this.#steps = steps;
     this.#list.replaceChildren(...["history-start", ...steps].map((key) => make("li", { role: "option" }, this.#shell.say(key))));
-    if (hadFocus) this.#list.querySelector("li")?.focus();
   }
 
   /**
