@@ -309,8 +309,10 @@ export const german = {
   "edited": ({ edit, ...values }) => EDITED[edit](things(values)),
   "picked": ({ color }) => `${color === "none" ? "Keine Farbe" : color} aufgenommen`,
   "scribble-dropped": "Kritzel verworfen",
-  "turned": ({ degrees, mirrored }) =>
-    [...(degrees ? [`Um ${Math.round(degrees)}° gedreht`] : []), ...(mirrored ? ["Gespiegelt"] : [])].join(", ") || "Wie gezeichnet",
+  "turned": ({ degrees, mirrored }) => {
+    if (degrees === 0) return mirrored ? "Gespiegelt" : "Wie gezeichnet";
+    return `Um ${Math.round(degrees)}° gedreht${mirrored ? ", gespiegelt" : ""}`;
+  },
   "undone": "Rückgängig gemacht",
   "redone": "Wiederholt",
   "exported": ({ name }) => `${name} exportiert`,

@@ -304,8 +304,10 @@ export const english = {
   "edited": ({ edit, ...values }) => EDITED[edit](things(values)),
   "picked": ({ color }) => `Picked ${color === "none" ? "no colour" : color}`,
   "scribble-dropped": "Scribble dropped",
-  "turned": ({ degrees, mirrored }) =>
-    [...(degrees ? [`Rotated by ${Math.round(degrees)}°`] : []), ...(mirrored ? ["Mirrored"] : [])].join(", ") || "As drawn",
+  "turned": ({ degrees, mirrored }) => {
+    if (degrees === 0) return mirrored ? "Mirrored" : "As drawn";
+    return `Rotated by ${Math.round(degrees)}°${mirrored ? ", mirrored" : ""}`;
+  },
   "undone": "Undone",
   "redone": "Redone",
   "exported": ({ name }) => `Exported ${name}`,

@@ -64,7 +64,7 @@ for (const browser of /** @type {const} */ (["chromium", "firefox"])) {
       assertNear(await editor.place(CORNERS, SIDE), rotated(before, about, 15));
       await editor.until("Rotated by 30°", () => editor.click("Rotate right"));
       assert.equal(await degrees(editor), 30);
-      await editor.until("Rotated by -30°, Mirrored", () => editor.tab.press("m"));
+      await editor.until("Rotated by -30°, mirrored", () => editor.tab.press("m"));
       const mirrored = rotated(before, about, 30).map(([x, y]) => /** @type {Point} */ ([2 * about[0] - x, y]));
       assertNear(await editor.place(CORNERS, SIDE), mirrored);
       assert.deepEqual(await editor.tab.evaluate(`[document.querySelector('[data-action="mirror"]').ariaPressed, document.getElementById("rotation-button").matches(".on")]`), ["true", true]);
