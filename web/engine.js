@@ -9,6 +9,7 @@
  * @property {(name: string, args?: unknown) => unknown[]} command
  * @property {() => unknown[]} frame
  * @property {() => Uint8Array} work
+ * @property {() => {steps: string[], place: number}} history
  * @property {(model: string, numbers: Float64Array) => Uint32Array} colors
  * @property {(model: string, rgb: number) => Float64Array} colorNumbers
  * @property {() => {width: number, height: number, rgba: Uint8Array}} thumbnail
@@ -110,6 +111,11 @@ export class Engine {
   /** The exact bytes of the work; nothing once the module has stopped. */
   work() {
     return this.#call((app) => app.work());
+  }
+
+  /** What was done to the drawing, as keys of messages, and how many of these steps are not taken back. */
+  history() {
+    return this.#call((app) => app.history());
   }
 
   /** A small picture of the drawing; nothing once the module has stopped. */

@@ -2,6 +2,7 @@
 // it, and who does a later thing first has done the earlier ones.
 
 import { say } from "./messages.js";
+import { remember, remembered } from "./remember.js";
 
 /** Where the browser keeps that it was shown. */
 const SHOWN = "scumble-first-steps";
@@ -19,13 +20,13 @@ const told = /** @type {HTMLElement} */ (bar.querySelector("[role=status]"));
 /** Which step it is at, from 0; none where it is not shown. */
 let at = -1;
 
-/** Shows it, unless this browser has had it. */
+/** Shows it, unless this browser has had it, or may keep nothing: there it would be shown each time. */
 export function beginFirstSteps() {
-  if (!wasShown()) showFirstSteps();
+  if (remembered(SHOWN) === null) showFirstSteps();
 }
 
 export function showFirstSteps() {
-  note();
+  remember(SHOWN, "yes");
   bar.hidden = false;
   go(0);
 }
@@ -69,21 +70,4 @@ function go(step) {
     else item.removeAttribute("aria-current");
   }
   told.textContent = say("step", { place: step + 1, text: say(`step-${step + 1}`) });
-}
-
-function wasShown() {
-  try {
-    return localStorage.getItem(SHOWN) !== null;
-  } catch {
-    // A page that may keep nothing would show it each time.
-    return true;
-  }
-}
-
-function note() {
-  try {
-    localStorage.setItem(SHOWN, "yes");
-  } catch (fault) {
-    console.warn(fault);
-  }
 }

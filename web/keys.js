@@ -1,5 +1,7 @@
 // The keyboard: the table of all shortcuts, which binds them, names them in tooltips and is what Help lists.
 
+import { remember, remembered } from "./remember.js";
+
 /**
  * Actions with their chords, by groups; both are keys of the message table. A letter in a chord is a key, whatever its
  * case; an action that ends in a hyphen stands for one action with each of its keys.
@@ -35,7 +37,7 @@ export const SHORTCUTS = {
     "swatch-0": ["0"],
     "swap-colors": ["X"],
   },
-  "group-history": { undo: ["Ctrl+Z"], redo: ["Ctrl+Shift+Z", "Ctrl+Y"] },
+  "group-history": { undo: ["Ctrl+Z"], redo: ["Ctrl+Shift+Z", "Ctrl+Y"], history: ["Shift+H"] },
   "group-file": { open: ["Ctrl+O"], save: ["Ctrl+S"], export: ["Ctrl+Shift+E"], help: ["?"] },
   "group-view": {
     "arrow-": ["ArrowLeft", "ArrowRight", "ArrowUp", "ArrowDown"],
@@ -44,6 +46,12 @@ export const SHORTCUTS = {
     "zoom-out": ["Ctrl+-"],
     "zoom-reset": ["Ctrl+0"],
     fit: ["Shift+1"],
+    // Krita's, with Shift: the digits pick swatches.
+    "rotate-left": ["Shift+4"],
+    "rotate-right": ["Shift+6"],
+    "rotate-reset": ["Shift+5"],
+    "hold-rotate": ["R"],
+    mirror: ["M"],
     "show-lines": ["Shift+L"],
     "show-scribbles": ["Shift+B"],
     "show-result": ["Shift+R"],
@@ -79,15 +87,7 @@ const SIGNS = [
 /** Where the browser keeps that shortcuts of a single key are off, for those who dictate or rest on the keyboard. */
 const SINGLES = "scumble-single-keys";
 
-let singles = kept() !== "off";
-
-function kept() {
-  try {
-    return localStorage.getItem(SINGLES);
-  } catch {
-    return null;
-  }
-}
+let singles = remembered(SINGLES) !== "off";
 
 /** Whether shortcuts of a single character are on. */
 export function haveSingles() {
@@ -97,12 +97,7 @@ export function haveSingles() {
 /** @param {boolean} on */
 export function setSingles(on) {
   singles = on;
-  try {
-    localStorage.setItem(SINGLES, on ? "on" : "off");
-  } catch (fault) {
-    // A page that may keep nothing has it until it is closed.
-    console.warn(fault);
-  }
+  remember(SINGLES, on ? "on" : "off");
 }
 
 /** @param {string} chord */

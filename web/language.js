@@ -1,32 +1,43 @@
 // The language of the page: what somebody chose under "Settings", or else the first of the browser's that there is.
 
+import { say, speak } from "./messages.js";
+import { remember, remembered } from "./remember.js";
+import { failed } from "./toolbar.js";
+
 /** Where the browser keeps what was chosen. */
 const CHOSEN = "scumble-language";
 
 const LANGUAGES = ["en", "de"];
 
-/** What was chosen; "auto" leaves it to the browser. */
-export function chosenLanguage() {
-  try {
-    return LANGUAGES.find((language) => language === localStorage.getItem(CHOSEN)) ?? "auto";
-  } catch {
-    return "auto";
-  }
+/** What leaves it to the browser. */
+const AUTO = "auto";
+
+const list = /** @type {HTMLSelectElement} */ (document.getElementById("language"));
+
+/**
+ * Has the page speak the language that it is to, and others that are chosen from now on.
+ * @param {() => void} labelAll says everything that is there in another language
+ */
+export async function connectLanguage(labelAll) {
+  list.value = LANGUAGES.find((language) => language === remembered(CHOSEN)) ?? AUTO;
+  list.addEventListener("change", () => follow(labelAll));
+  await speak(wanted()).catch(console.warn);
 }
 
-/** @param {string} language */
-export function chooseLanguage(language) {
+/** @param {() => void} labelAll */
+async function follow(labelAll) {
+  remember(CHOSEN, list.value);
   try {
-    localStorage.setItem(CHOSEN, language);
+    await speak(wanted());
   } catch (fault) {
-    // A page that may keep nothing has it until it is closed.
     console.warn(fault);
+    return failed(new Error(say("error-language")));
   }
+  labelAll();
 }
 
-/** @param {string} chosen */
-export function languageOf(chosen) {
-  if (chosen !== "auto") return chosen;
-  const wanted = navigator.languages.map((tag) => tag.split("-")[0]);
-  return wanted.find((language) => LANGUAGES.includes(language)) ?? "en";
+function wanted() {
+  if (list.value !== AUTO) return list.value;
+  const tags = navigator.languages.map((tag) => tag.split("-")[0]);
+  return tags.find((language) => LANGUAGES.includes(language)) ?? "en";
 }

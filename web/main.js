@@ -13,8 +13,8 @@ import { connectFullScreen, turnFullScreen } from "./full_screen.js";
 import { showHelp } from "./help.js";
 import { Keeper } from "./keeper.js";
 import { listen } from "./keys.js";
-import { chooseLanguage, chosenLanguage, languageOf } from "./language.js";
-import { say, speak } from "./messages.js";
+import { connectLanguage } from "./language.js";
+import { say } from "./messages.js";
 import { Opening } from "./opening.js";
 import { png } from "./png.js";
 import { Pointers } from "./pointer.js";
@@ -22,6 +22,7 @@ import { Recent } from "./recent.js";
 import { Samples } from "./samples.js";
 import { copyLink, isLink, sendLink, showLink } from "./share.js";
 import { showSelection } from "./selection.js";
+import { Steps } from "./steps.js";
 import { putAside } from "./storage.js";
 import { connectSwatches, labelSwatches, shownSwatches, swatch } from "./swatches.js";
 import { areLinesShown, connect, done, failed, labelControls, shown, showName, showUnkept, showUpdate, tell, toggle, warn } from "./toolbar.js";
@@ -33,7 +34,7 @@ import { followVersions, takeVersion } from "./versions.js";
 const SOLVERS = ["automatic", "mesh", "gpu"];
 
 /** What is said of when it is done. */
-const DOINGS = ["scribbles-erased", "scribbles-rubbed", "scribble-dropped", "eraser-turned", "selected", "edited"];
+const DOINGS = ["scribbles-erased", "scribbles-rubbed", "scribble-dropped", "eraser-turned", "selected", "edited", "turned"];
 
 /** Where the arrow keys go. @type {Record<string, [number, number]>} */
 const ARROWS = { Left: [-1, 0], Right: [1, 0], Up: [0, -1], Down: [0, 1] };
@@ -50,6 +51,7 @@ const handlers = {
     drawings.follow(state);
     tracing.show(drawings.shown.images);
     keeper.follow(drawings.shown);
+    steps.follow();
   },
   closed: (sheet) => drawings.close(sheet),
   tracing: both(shown.tracing, (state) => tracing.follow(state)),
@@ -141,6 +143,7 @@ const opening = new Opening(engine, drawings, keeper, tracing);
 const samples = new Samples((sample, isColored) => opening.sample(sample, isColored));
 const recent = new Recent((id) => opening.kept(id), (id) => keeper.drop(drawings.forget(id)));
 const colors = new Colors(engine, (file) => opening.file(file));
+const steps = new Steps(engine);
 const pointers = new Pointers(stage, engine);
 
 function nameShown() {
@@ -213,6 +216,7 @@ const actions = {
   update: takeVersion,
   "dismiss-update": () => showUpdate(false),
   help: showHelp,
+  history: () => steps.toggle(),
   "full-screen": turnFullScreen,
   "first-steps": () => {
     closeOpen();
@@ -228,7 +232,8 @@ const actions = {
 
 /** What is done while a key is held. @type {Record<string, (held: boolean) => void>} */
 const holds = {
-  "hold-hand": (held) => pointers.holdSpace(held),
+  "hold-hand": (held) => pointers.hold(held ? "pan" : ""),
+  "hold-rotate": (held) => pointers.hold(held ? "rotate" : ""),
   "hold-before": (held) => {
     if (held) tell(say("before"));
     engine.command("before", held);
@@ -263,29 +268,19 @@ function followSize() {
   tellSize();
 }
 
-const languages = /** @type {HTMLSelectElement} */ (document.getElementById("language"));
-
-/** Says everything that is there in the language that was chosen. */
-async function followLanguage() {
-  chooseLanguage(languages.value);
-  try {
-    await speak(languageOf(languages.value));
-  } catch (fault) {
-    console.warn(fault);
-    return failed(new Error(say("error-language")));
-  }
+/** Says everything that is there in the language of the page. */
+function labelAll() {
   labelControls();
   labelSwatches();
   colors.forget();
+  steps.forget();
   nameShown();
   samples.forget();
   tell("");
 }
 
 async function start() {
-  languages.value = chosenLanguage();
-  languages.addEventListener("change", followLanguage);
-  await speak(languageOf(languages.value)).catch(console.warn);
+  await connectLanguage(labelAll);
   labelControls();
   connectSwatches((color) => engine.command("color", color));
   connectBar(/** @type {HTMLElement} */ (document.getElementById("bar")));

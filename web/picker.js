@@ -2,6 +2,7 @@
 // fetched with the panels of colours; the module has the arithmetic.
 
 import { button, make } from "./elements.js";
+import { Square } from "./square.js";
 
 /** @typedef {import("./colors.js").Shell} Shell */
 /** @typedef {{key: string, most: number, scale: number}} Dial a number of a model: what a slider says times its scale */
@@ -61,6 +62,8 @@ export class Picker {
   /** @type {HTMLInputElement[]} */
   #sliders = [];
   #dials = make("div", { className: "picker" });
+  /** Of saturation and value, where there are these. */
+  #square;
   #hex = make("input", { type: "text", spellcheck: false, autocomplete: "off", maxLength: 9 });
   #before = make("button", { type: "button", className: "swatch" });
   #now = make("span", {});
@@ -78,6 +81,8 @@ export class Picker {
     this.#shell = shell;
     this.#change = change;
     this.#settle = settle;
+    const go = (/** @type {number} */ x, /** @type {number} */ y) => this.#turn([this.#numbers[0], x, y]);
+    this.#square = new Square(shell.say("square"), shell.say("two-dimensional"), go, () => this.#settle());
     this.#hex.ariaLabel = shell.say("hex");
     this.#hex.addEventListener("input", () => this.#judge());
     this.#hex.addEventListener("change", () => this.#enter());
@@ -145,6 +150,7 @@ export class Picker {
   #build() {
     this.#sliders = [];
     this.#dials.replaceChildren(...MODELS[this.#model].map((dial, i) => this.#dial(dial, i)));
+    if (this.#model === "hsv") this.#dials.prepend(this.#square.element);
   }
 
   /**
@@ -153,7 +159,7 @@ export class Picker {
    */
   #dial({ key, most, scale }, i) {
     const slider = make("input", { type: "range", min: "0", max: String(most), step: "1" });
-    slider.addEventListener("input", () => this.#turn(i, slider.valueAsNumber * scale));
+    slider.addEventListener("input", () => this.#turn(this.#with(i, slider.valueAsNumber * scale)));
     slider.addEventListener("keydown", ({ key }) => (this.#isHeld = key !== "Tab"));
     slider.addEventListener("change", () => this.#isHeld || this.#settle());
     for (const kind of ["keyup", "pointerup", "blur"]) slider.addEventListener(kind, () => this.#release());
@@ -178,11 +184,17 @@ export class Picker {
   }
 
   /**
+   * The numbers with another one among them.
    * @param {number} i
    * @param {number} number
    */
-  #turn(i, number) {
-    this.#numbers[i] = number;
+  #with(i, number) {
+    return this.#numbers.map((before, j) => (i === j ? number : before));
+  }
+
+  /** @param {number[]} numbers */
+  #turn(numbers) {
+    this.#numbers = numbers;
     const [packed] = this.#shell.colors(this.#model, this.#numbers);
     this.#solid = hexOf(packed);
     this.#give(this.#solid);
@@ -219,6 +231,7 @@ export class Picker {
     this.#hex.value = this.#color.startsWith("#") ? this.#color : "";
     this.#hex.ariaInvalid = "false";
     for (const i of this.#sliders.keys()) this.#renderDial(i);
+    if (this.#model === "hsv") this.#renderSquare();
     this.#renderStrips();
   }
 
@@ -228,13 +241,20 @@ export class Picker {
     const slider = this.#sliders[i];
     slider.value = String(Math.round(this.#numbers[i] / scale));
     const places = Array.from({ length: PLACES + 1 }, (_, k) => (k / PLACES) * most * scale);
-    const numbers = places.flatMap((place) => this.#numbers.map((number, j) => (i === j ? place : number)));
+    const numbers = places.flatMap((place) => this.#with(i, place));
     slider.style.setProperty("--track", track(this.#shell.colors(this.#model, numbers)));
     const text = this.#written(key, this.#numbers[i]);
     const isOutside = (this.#shell.colors(this.#model, this.#numbers)[0] & OUTSIDE) !== 0;
     slider.setAttribute("aria-valuetext", isOutside ? this.#shell.say("not-srgb", { text }) : text);
     const output = /** @type {HTMLElement} */ (slider.closest(".dial")?.querySelector("output"));
     output.textContent = text;
+  }
+
+  #renderSquare() {
+    const [hue, saturation, value] = this.#numbers;
+    const text = ["saturation", "value"].map((key, i) => `${this.#shell.say(key)} ${this.#written(key, [saturation, value][i])}`);
+    this.#square.show(saturation, value, text.join(", "));
+    this.#square.element.style.setProperty("--pure", hexOf(this.#shell.colors("hsv", [hue, 1, 1])[0]));
   }
 
   /**

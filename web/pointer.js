@@ -11,6 +11,8 @@ const DROPPED_BELOW_POINTS = 10;
 const ZOOM_PER_PX = 0.01;
 const ZOOM_LIMIT_PX = 24;
 const PX_PER_LINE = 16;
+/** Two fingers rotate the page once they have turned so far. */
+const TWIST_DEGREES = 12;
 
 /** @typedef {{ x: number, y: number }} Place */
 
@@ -26,7 +28,12 @@ export class Pointers {
   #fingers = new Map();
   /** @type {Place} Where the hand was last. */
   #last = { x: 0, y: 0 };
-  #space = false;
+  /** @type {"pan" | "rotate" | ""} What a drag does while a key is held. */
+  #held = "";
+  /** Whether the hand rotates. */
+  #isRotating = false;
+  /** How far two fingers have turned since the second came down, in degrees. */
+  #twist = 0;
   #isFinger = false;
 
   /**
@@ -63,12 +70,12 @@ export class Pointers {
   }
 
   /**
-   * While Space is held the pointer drags the view.
-   * @param {boolean} held
+   * While a key is held the pointer drags the view, or rotates it.
+   * @param {"pan" | "rotate" | ""} held
    */
-  holdSpace(held) {
-    this.#space = held;
-    this.#stage.classList.toggle("hand", held || this.#hand !== null);
+  hold(held) {
+    this.#held = held;
+    this.#stage.classList.toggle("hand", held !== "" || this.#hand !== null);
   }
 
   /** @param {PointerEvent} event */
@@ -83,7 +90,7 @@ export class Pointers {
     this.#tellFinger(event.pointerType === "touch");
     if (event.pointerType === "touch") this.#fingers.set(event.pointerId, this.#place(event));
     if (this.#fingers.size > 1) this.#startPinch();
-    else if (event.button === 1 || (event.button === 0 && this.#space)) this.#startDrag(event);
+    else if (event.button === 1 || (event.button === 0 && this.#held)) this.#startDrag(event);
     else if (this.#pen === null && this.#hand === null) this.#startStroke(event);
   }
 
@@ -104,7 +111,7 @@ export class Pointers {
     this.#fingers.delete(event.pointerId);
     if (event.pointerId === this.#hand) {
       this.#hand = null;
-      this.holdSpace(this.#space);
+      this.hold(this.#held);
     }
     if (event.pointerId !== this.#pen) return;
     this.#stroke(phase, event);
@@ -141,17 +148,29 @@ export class Pointers {
   #startDrag(event) {
     this.cancel();
     this.#hand = event.pointerId;
+    this.#isRotating = event.button === 0 && this.#held === "rotate";
     this.#last = this.#place(event);
-    this.holdSpace(this.#space);
+    this.hold(this.#held);
   }
 
   /** @param {Place} to */
   #drag(to) {
-    this.#engine.command("pan", [to.x - this.#last.x, to.y - this.#last.y]);
+    const middle = { x: this.#stage.clientWidth / 2, y: this.#stage.clientHeight / 2 };
+    if (this.#isRotating) this.#rotate(middle, turn(angle(middle, this.#last), angle(middle, to)));
+    else this.#engine.command("pan", [to.x - this.#last.x, to.y - this.#last.y]);
     this.#last = to;
   }
 
+  /**
+   * @param {Place} about
+   * @param {number} degrees clockwise
+   */
+  #rotate({ x, y }, degrees) {
+    this.#engine.command("rotate-at", [x, y, degrees]);
+  }
+
   #startPinch() {
+    this.#twist = 0;
     if (this.#pen === null) return;
     if (this.#penPoints < DROPPED_BELOW_POINTS) this.cancel();
     else this.#engine.pointer("up", new Float32Array());
@@ -165,6 +184,10 @@ export class Pointers {
     const after = span(this.#fingers);
     this.#engine.command("pan", [after.x - before.x, after.y - before.y]);
     if (before.length > 0) this.#engine.command("zoom-at", [after.x, after.y, after.length / before.length]);
+    const twist = turn(before.angle, after.angle);
+    // Who has begun to rotate goes on, also back.
+    if (Math.abs(this.#twist) >= TWIST_DEGREES) this.#rotate(after, twist);
+    else this.#twist += twist;
   }
 
   /** @param {WheelEvent} event */
@@ -191,10 +214,28 @@ export class Pointers {
 }
 
 /**
- * The middle of the first two fingers, and how far apart they are.
+ * The middle of the first two fingers, how far apart they are, and where the second is from the first.
  * @param {Map<number, Place>} fingers
  */
 function span(fingers) {
   const [a, b] = [...fingers.values()];
-  return { x: (a.x + b.x) / 2, y: (a.y + b.y) / 2, length: Math.hypot(a.x - b.x, a.y - b.y) };
+  return { x: (a.x + b.x) / 2, y: (a.y + b.y) / 2, length: Math.hypot(a.x - b.x, a.y - b.y), angle: angle(a, b) };
+}
+
+/**
+ * In which direction a place lies from another, in degrees, clockwise from the right.
+ * @param {Place} from
+ * @param {Place} to
+ */
+function angle(from, to) {
+  return (Math.atan2(to.y - from.y, to.x - from.x) * 180) / Math.PI;
+}
+
+/**
+ * How far a direction turns to another: the short way.
+ * @param {number} from
+ * @param {number} to
+ */
+function turn(from, to) {
+  return to - from - 360 * Math.round((to - from) / 360);
 }

@@ -1,6 +1,7 @@
 // The swatches beside the canvas: the palette of the drawing, tones, and the colours that were scribbled with last.
 
 import { name, say } from "./messages.js";
+import { remember, remembered } from "./remember.js";
 
 /** @typedef {{color: string, name: string}} Swatch a colour as #rrggbb, and what somebody has called it, if so */
 
@@ -46,7 +47,7 @@ const NAMES = new Map(USUAL.map(([key, color]) => [color, key]));
 let palette = usual();
 
 /** The last first. @type {string[]} */
-let recent = keptRecent();
+let recent = remembered(RECENT)?.match(/#[\da-f]{6}\b/g)?.slice(0, MOST_RECENT) ?? [];
 
 /** What the module says is scribbled with: #rrggbb, none, or a tone. */
 let current = "";
@@ -102,21 +103,8 @@ export function nameOf({ color, name }) {
 export function used() {
   if (!current.startsWith("#") || recent[0] === current) return;
   recent = [current, ...recent.filter((color) => color !== current)].slice(0, MOST_RECENT);
-  try {
-    localStorage.setItem(RECENT, recent.join(" "));
-  } catch (fault) {
-    // A page that may keep nothing has them until it is closed.
-    console.warn(fault);
-  }
+  remember(RECENT, recent.join(" "));
   fillRecent();
-}
-
-function keptRecent() {
-  try {
-    return (localStorage.getItem(RECENT) ?? "").match(/#[\da-f]{6}\b/g)?.slice(0, MOST_RECENT) ?? [];
-  } catch {
-    return [];
-  }
 }
 
 /** What effects do to the swatches. */

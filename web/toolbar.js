@@ -57,10 +57,14 @@ function settled(slider, set) {
 /** The zoom as it was shown last: 1 where a drawing unit is a CSS pixel. */
 let zoomShown = 1;
 
+/** How the page was turned last. */
+let turnShown = { degrees: 0, mirrored: false };
+
 /** Says in the language of the page what the controls are, and what they are at. */
 export function labelControls() {
   label(document);
   shown.zoom(zoomShown);
+  shown.turn(turnShown);
   for (const [setting, figure] of FIGURES) showPercent(settingOf(setting), control(figure), settingOf(setting).valueAsNumber);
 }
 
@@ -168,6 +172,15 @@ export const shown = {
     const percent = Math.round(zoom * 100);
     control("zoom").textContent = say("percent", { percent });
     name(control("zoom"), say("zoom", { percent }));
+  },
+  /** @param {{degrees: number, mirrored: boolean}} turn how the page lies on the canvas */
+  turn(turn) {
+    turnShown = turn;
+    const degrees = Math.round(turn.degrees);
+    control("rotated").textContent = say("degrees", { degrees });
+    name(control("rotated"), say("rotated", { degrees }));
+    buttonOf("mirror").setAttribute("aria-pressed", String(turn.mirrored));
+    control("rotation-button").classList.toggle("on", turn.mirrored || turn.degrees !== 0);
   },
 };
 

@@ -52,13 +52,15 @@ function go(event) {
 }
 
 /**
- * What a control's stop is: the panel that it lies in, where that comes down from a button, or else the bar.
+ * What a control's stop is: the panel that it lies in, where that comes down from a button, or else what that lies in.
  * @param {HTMLElement} control
+ * @returns {HTMLElement}
  */
 function partOf(control) {
-  const panel = /** @type {HTMLElement | null} */ (control.closest("[popover]"));
-  const isApart = panel && (panel.matches(":popover-open") || !panel.checkVisibility());
-  return isApart ? panel : /** @type {HTMLElement} */ (control.closest("[role=toolbar]"));
+  const panel = /** @type {HTMLElement | null} */ (control.closest("[popover], [role=toolbar]"));
+  if (!panel?.hasAttribute("popover")) return /** @type {HTMLElement} */ (panel);
+  const isApart = panel.matches(":popover-open") || !panel.checkVisibility();
+  return isApart ? panel : partOf(/** @type {HTMLElement} */ (panel.parentElement));
 }
 
 /** @param {HTMLElement} part */

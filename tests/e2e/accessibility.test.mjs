@@ -16,6 +16,7 @@ const STATES = {
   "a drawing": async () => {},
   shading: (editor) => editor.tab.click("radio", "Shade"),
   settings: (editor) => editor.click("Settings"),
+  "a rotated page": (editor) => editor.click("Rotate left"),
   erasing: (editor) => editor.tab.click("radio", "Erase"),
   "a selection": (editor) => selected(editor, 1),
   "a selected line": (editor) => selected(editor, 3),
@@ -36,6 +37,10 @@ const STATES = {
     await editor.tab.click("radio", "HSV");
   },
   "the palette": (editor) => shown(editor, "Edit palette"),
+  history: async (editor) => {
+    await editor.tab.evaluate(`document.querySelector('[data-action="undo"]').click()`);
+    await shown(editor, "History");
+  },
   share: (editor) => opened(editor, "Share", "share"),
   help: (editor) => opened(editor, "Help", "help"),
   "the first steps": (editor) => editor.tab.evaluate(`document.querySelector('[data-action="first-steps"]').click()`),

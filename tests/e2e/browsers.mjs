@@ -60,6 +60,7 @@ const VIEWPORT = { width: 1200, height: 800 };
  * @property {(list: string, option: string) => Promise<unknown>} choose an option, by its value, of a list, by its name
  * @property {{move(x: number, y: number): Promise<void>, down(): Promise<void>, up(): Promise<void>}} mouse
  * @property {(points: [number, number][]) => Promise<void>} swipe a finger goes down, through places of the window, and up
+ * @property {(places: [[number, number], [number, number]][]) => Promise<void>} pinch two fingers go down, through places of the window, and up
  * @property {(x_px: number, y_px: number) => Promise<void>} wheel
  * @property {(key: string) => Promise<void>} press
  * @property {(key: string, act: () => Promise<void>) => Promise<void>} hold a key down during an act
@@ -129,14 +130,8 @@ async function chromiumTab(page) {
     click: (role, name) => page.getByRole(/** @type {any} */ (role), { name, exact: true }).click(),
     choose: (list, option) => page.getByRole("combobox", { name: list, exact: true }).selectOption(option),
     mouse: page.mouse,
-    swipe: async ([first, ...rest]) => {
-      const devtools = await page.context().newCDPSession(page);
-      const send = (/** @type {"touchStart" | "touchMove" | "touchEnd"} */ type, /** @type {[number, number][]} */ places) =>
-        devtools.send("Input.dispatchTouchEvent", { type, touchPoints: places.map(([x, y]) => ({ x, y })) });
-      await send("touchStart", [first]);
-      for (const place of rest) await send("touchMove", [place]);
-      await send("touchEnd", []);
-    },
+    swipe: (places) => touch(page, places.map((place) => [place])),
+    pinch: (places) => touch(page, places),
     wheel: (x_px, y_px) => page.mouse.wheel(x_px, y_px),
     press: (key) => page.keyboard.press(key),
     hold: async (key, act) => {
@@ -166,6 +161,20 @@ async function chromiumTab(page) {
     beside: async () => chromiumTab(await page.context().newPage()),
     close: () => page.close(),
   };
+}
+
+/**
+ * Fingers go down, through places, and up.
+ * @param {import("playwright-core").Page} page
+ * @param {[number, number][][]} places of all fingers, one moment after the other
+ */
+async function touch(page, [first, ...rest]) {
+  const devtools = await page.context().newCDPSession(page);
+  const send = (/** @type {"touchStart" | "touchMove" | "touchEnd"} */ type, /** @type {[number, number][]} */ fingers) =>
+    devtools.send("Input.dispatchTouchEvent", { type, touchPoints: fingers.map(([x, y], id) => ({ x, y, id })) });
+  await send("touchStart", first);
+  for (const fingers of rest) await send("touchMove", fingers);
+  await send("touchEnd", []);
 }
 
 /** @returns {Promise<Browser>} */
@@ -237,6 +246,14 @@ function puppeteerTab(page) {
       await page.touchscreen.touchStart(...first);
       for (const place of rest) await page.touchscreen.touchMove(...place);
       await page.touchscreen.touchEnd();
+    },
+    pinch: async ([first, ...rest]) => {
+      const fingers = [];
+      for (const place of first) fingers.push(await page.touchscreen.touchStart(...place));
+      for (const places of rest) {
+        for (const [i, finger] of fingers.entries()) await finger.move(...places[i]);
+      }
+      for (const finger of fingers) await finger.end();
     },
     wheel: (x_px, y_px) => page.mouse.wheel({ deltaX: x_px, deltaY: y_px }),
     press: (key) => page.keyboard.press(/** @type {any} */ (key)),

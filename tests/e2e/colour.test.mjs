@@ -112,6 +112,36 @@ for (const browser of /** @type {const} */ (["chromium", "firefox"])) {
       return places.map(([x, y]) => picture.at(x, y));
     };
 
+    test("a place in the HSV square is saturation and value, by a drag or by keys", async () => {
+      const editor = await open();
+      await editor.click("Red");
+      await openPanel(editor, "Colour");
+      await editor.tab.click("radio", "HSV");
+      const square = () => editor.tab.evaluate(`{
+        const square = document.querySelector("${IN_PANEL} [role=slider]");
+        ({ ...square.getBoundingClientRect().toJSON(), text: square.getAttribute("aria-valuetext"), now: square.ariaValueNow });
+      }`);
+      const { x, y, width, height, text } = await square();
+      assert.equal(text, "Saturation 69%, Value 90%");
+      const move = (/** @type {number} */ right, /** @type {number} */ up) => editor.tab.mouse.move(x + right * width, y + (1 - up) * height);
+      await move(0.2, 0.2);
+      await editor.tab.mouse.down();
+      await move(0.5, 0.6);
+      await move(0.75, 0.8);
+      await editor.tab.mouse.up();
+      assert.match((await square()).text, /^Saturation 7[456]%, Value (79|8[01])%$/);
+      await focus(editor, "[role=slider]");
+      for (const key of ["End", "PageUp", "PageUp", "PageUp", "ArrowLeft", "ArrowDown", "ArrowDown"]) await editor.tab.press(key);
+      assert.deepEqual([(await square()).text, (await square()).now], ["Saturation 99%, Value 98%", "99"]);
+      await editor.tab.hold("Shift", () => editor.tab.press("ArrowLeft"));
+      assert.equal((await square()).text, "Saturation 89%, Value 98%");
+      assert.match(await color(editor), /^#fa1b/);
+      await editor.tab.press("Escape");
+      await editor.tab.press("x");
+      assert.equal(await color(editor), RED, "all of the way was one colour");
+      assert.deepEqual(editor.tab.faults, []);
+    });
+
     test("the picker's sliders give colours, and X goes back to the one before all of them", async () => {
       const editor = await open();
       await editor.click("Red");

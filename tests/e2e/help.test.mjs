@@ -17,7 +17,7 @@ const SEEN = `JSON.stringify({
   chosen: [...document.querySelectorAll(":is(body > header, aside, #settings) :checked")].map((control) => control.ariaLabel ?? control.value),
   color: document.getElementById("color").dataset.color,
   brush: document.getElementById("brush-size").value,
-  dialogs: [...document.querySelectorAll("dialog[open]")].map((dialog) => dialog.id),
+  dialogs: [...document.querySelectorAll("dialog[open], :popover-open")].map((dialog) => dialog.id),
   files: window.files,
 })`;
 
@@ -127,7 +127,7 @@ for (const browser of /** @type {const} */ (["chromium", "firefox"])) {
           await press(editor, chord, action.includes("while held") ? () => editor.drag(way) : undefined);
           assert.ok(await changes(editor, before), `${chord} (${action}) does nothing`);
           await editor.tab.mouse.up();
-          if (await editor.tab.evaluate(`document.querySelector("dialog[open]") !== null`)) await editor.tab.press("Escape");
+          if (await editor.tab.evaluate(`document.querySelector("dialog[open], :popover-open") !== null`)) await editor.tab.press("Escape");
         }
       }
       assert.deepEqual(editor.tab.faults, []);

@@ -84,7 +84,7 @@ for (const browser of /** @type {const} */ (["chromium", "firefox"])) {
 
     test("its words fit, from a phone to a wide window", async () => {
       const editor = await openGerman();
-      for (const [width, height] of /** @type {const} */ ([[320, 568], [360, 640], [600, 400], [841, 600], [1257, 700], [1280, 800], [1501, 900]])) {
+      for (const [width, height] of /** @type {const} */ ([[320, 568], [360, 640], [600, 400], [913, 600], [1280, 800], [1333, 700], [1577, 900]])) {
         await editor.tab.resize(width, height);
         await editor.tab.evaluate(`document.getElementById("tracing-button").hidden = false`);
         assert.equal(await editor.tab.evaluate("document.documentElement.scrollWidth"), width);

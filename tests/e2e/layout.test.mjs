@@ -88,7 +88,7 @@ for (const browser of /** @type {const} */ (["chromium", "firefox"])) {
     for (const [width, height] of WINDOWS) {
       test(`${width} by ${height}: the panels of colours can be used, and the picture is seen beside them`, async () => {
         await editor.tab.resize(width, height);
-        for (const opener of ["Colour", "Edit palette"]) {
+        for (const opener of ["Colour", "Edit palette", "History"]) {
           await editor.tab.click("button", opener);
           await editor.tab.waitFor(`document.querySelector(".colors:popover-open") !== null`);
           assert.deepEqual(await unreachable(editor, ".colors:popover-open "), []);

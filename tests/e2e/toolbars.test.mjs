@@ -36,7 +36,7 @@ for (const browser of /** @type {const} */ (["chromium", "firefox"])) {
       assert.deepEqual(await afterEach(editor, ["End", "ArrowRight", "ArrowLeft", "Home"]), ["Help", "Open", "Help", "Open"]);
       // What is disabled is passed over.
       await focus(editor, "Share");
-      assert.deepEqual(await afterEach(editor, ["ArrowRight", "Tab"]), ["Show lines", "Scribble"]);
+      assert.deepEqual(await afterEach(editor, ["ArrowRight", "ArrowRight", "Tab"]), ["History", "Show lines", "Scribble"]);
       await editor.tab.hold("Shift", () => editor.tab.press("Tab"));
       assert.equal(await focused(editor), "Show lines");
       await editor.tab.press(" ");
@@ -68,6 +68,9 @@ for (const browser of /** @type {const} */ (["chromium", "firefox"])) {
       assert.deepEqual(await afterEach(editor, ["Tab", "ArrowDown", "End", "ArrowDown"]), ["Open", "Save", "Share", "Open"]);
       await editor.tab.press("Escape");
       assert.equal(await focused(editor), "File");
+      await focus(editor, "View");
+      await editor.tab.press("Enter");
+      assert.deepEqual(await afterEach(editor, ["Tab", "End", "ArrowLeft"]), ["Show lines", "Mirror", "Rotate right"]);
     });
 
     test("the tools are one stop, with Home and End too", async () => {

@@ -16,6 +16,9 @@ use crate::tracing::Tracing;
 use change::{Change, Ids, apply};
 
 mod change;
+mod deed;
+
+pub use deed::Deed;
 
 /// The source of a picture, from which everything else is derived, and what is at hand: the palette, a picture to trace.
 #[derive(Clone, Debug)]
@@ -53,8 +56,8 @@ impl Document {
 enum Gesture {
     /// The last scribble of the document is being drawn.
     Scribble,
-    /// These changes, applied from the last to the first, take back what it has done.
-    Changes(Vec<Change>),
+    /// What it does; and these changes, applied from the last to the first, take back what it has done.
+    Changes(Deed, Vec<Change>),
 }
 
 /// A document, the gesture in hand, and the way back and forth through its changes.
@@ -75,6 +78,8 @@ pub struct Editor {
 /// Changes, to be applied from the last to the first, and the revision that they lead to.
 #[derive(Clone, Debug)]
 struct Step {
+    /// What was done, whether this does it again or takes it back.
+    deed: Deed,
     changes: Vec<Change>,
     to: u32,
 }
@@ -108,7 +113,7 @@ impl Editor {
     /// Whether the lines may be other ones than those that were opened.
     pub fn has_other_lines(&self) -> bool {
         let in_hand = match &self.in_hand {
-            Some(Gesture::Changes(back)) => back.as_slice(),
+            Some(Gesture::Changes(_, back)) => back.as_slice(),
             _ => &[],
         };
         self.undo.iter().flat_map(|step| &step.changes).chain(in_hand).any(Change::is_of_lines)
@@ -158,19 +163,19 @@ impl Editor {
     }
 
     /// Begins a gesture of any changes, as of a slider that is dragged; one that is still in hand is committed first.
-    pub fn begin(&mut self) {
+    pub fn begin(&mut self, deed: Deed) {
         self.commit();
-        self.in_hand = Some(Gesture::Changes(Vec::new()));
+        self.in_hand = Some(Gesture::Changes(deed, Vec::new()));
     }
 
     /// Whether a gesture of any changes is in hand.
     pub fn is_changing(&self) -> bool {
-        matches!(self.in_hand, Some(Gesture::Changes(_)))
+        matches!(self.in_hand, Some(Gesture::Changes(..)))
     }
 
     /// Takes back what a gesture of any changes has done so far; it goes on from where it began.
     pub fn restart(&mut self) {
-        if let Some(Gesture::Changes(back)) = &mut self.in_hand {
+        if let Some(Gesture::Changes(_, back)) = &mut self.in_hand {
             let back = std::mem::take(back);
             self.apply_all(back);
         }
@@ -181,12 +186,13 @@ impl Editor {
         match self.in_hand.take() {
             None => {}
             Some(Gesture::Scribble) => {
-                self.keep(vec![Change::RemoveScribble(self.document.scribbles.len() - 1)]);
+                let back = Change::RemoveScribble(self.document.scribbles.len() - 1);
+                self.keep(Deed::Added, vec![back]);
             }
-            Some(Gesture::Changes(mut back)) => {
+            Some(Gesture::Changes(deed, mut back)) => {
                 // A slider that was dragged to and fro has changed nothing in the end.
                 back.retain(|change| !change.is_so(&self.document));
-                self.keep(back);
+                self.keep(deed, back);
             }
         }
     }
@@ -198,7 +204,7 @@ impl Editor {
             Some(Gesture::Scribble) => {
                 drop(self.apply(Change::RemoveScribble(self.document.scribbles.len() - 1)));
             }
-            Some(Gesture::Changes(back)) => drop(self.apply_all(back)),
+            Some(Gesture::Changes(_, back)) => drop(self.apply_all(back)),
         }
     }
 
@@ -206,8 +212,9 @@ impl Editor {
     pub fn set_settings(&mut self, settings: Settings) {
         let settings = settings.clamped();
         self.commit_scribble();
-        if settings != self.document.settings {
-            self.change(Change::SetSettings(settings));
+        let before = self.document.settings;
+        if settings != before {
+            self.change(Deed::of_settings(before, settings), Change::SetSettings(settings));
         }
     }
 
@@ -215,7 +222,7 @@ impl Editor {
     pub fn set_palette(&mut self, palette: Vec<Swatch>) {
         self.commit_scribble();
         if palette != self.document.palette {
-            self.change(Change::SetPalette(palette));
+            self.change(Deed::Palette, Change::SetPalette(palette));
         }
     }
 
@@ -231,7 +238,7 @@ impl Editor {
         let scribbles = scribbles.map(|(_, i)| Change::RecolorScribble(i, to));
         let changes: Vec<_> = scribbles.chain(points.map(|(_, i)| Change::RecolorPoint(i, to))).collect();
         let back = changes.into_iter().map(|change| self.apply(change)).collect();
-        self.done(back);
+        self.done(Deed::Repainted, back);
     }
 
     /// Lays another picture under the lines, or the same one otherwise, or takes it away; an opacity out of range is
@@ -239,8 +246,9 @@ impl Editor {
     pub fn set_tracing(&mut self, tracing: Option<Tracing>) {
         let tracing = tracing.map(Tracing::clamped);
         self.commit_scribble();
-        if tracing != self.document.tracing {
-            self.change(Change::SetTracing(tracing));
+        let before = self.document.tracing;
+        if tracing != before {
+            self.change(Deed::of_tracing(before, tracing), Change::SetTracing(tracing));
         }
     }
 
@@ -252,7 +260,7 @@ impl Editor {
         sort::sort_copies_by_key(&mut indices, |index| *index as u64);
         indices.dedup();
         let back: Vec<_> = indices.iter().rev().map(|i| self.apply(Change::RemoveScribble(*i))).collect();
-        self.done(back);
+        self.done(Deed::Erased, back);
         indices.len()
     }
 
@@ -260,7 +268,7 @@ impl Editor {
     pub fn recolor_scribble(&mut self, index: usize, color: Paint) {
         self.commit_scribble();
         if self.document.scribbles.get(index).is_some_and(|scribble| scribble.color != color) {
-            self.change(Change::RecolorScribble(index, color));
+            self.change(Deed::Recolored, Change::RecolorScribble(index, color));
         }
     }
 
@@ -268,7 +276,8 @@ impl Editor {
     pub fn insert_scribble(&mut self, index: usize, scribble: Scribble) {
         self.commit_scribble();
         let id = self.ids.fresh();
-        self.change(Change::InsertScribble(index.min(self.document.scribbles.len()), id, scribble));
+        let index = index.min(self.document.scribbles.len());
+        self.change(Deed::Added, Change::InsertScribble(index, id, scribble));
     }
 
     /// Puts another scribble in the place of one, which takes over its number; nothing happens where there is none of this
@@ -276,7 +285,7 @@ impl Editor {
     pub fn replace_scribble(&mut self, index: usize, scribble: Scribble) {
         self.commit_scribble();
         if self.document.scribbles.get(index).is_some_and(|before| *before != scribble) {
-            self.change(Change::ReplaceScribble(index, scribble));
+            self.change(Deed::Moved, Change::ReplaceScribble(index, scribble));
         }
     }
 
@@ -285,7 +294,7 @@ impl Editor {
     pub fn replace_curve(&mut self, index: usize, curve: Curve) {
         self.commit_scribble();
         if self.document.drawing.curves.get(index).is_some_and(|before| *before != curve) {
-            self.change(Change::ReplaceCurve(index, curve));
+            self.change(Deed::Moved, Change::ReplaceCurve(index, curve));
         }
     }
 
@@ -294,7 +303,7 @@ impl Editor {
     pub fn remove_curve(&mut self, index: usize) {
         self.commit_scribble();
         if index < self.document.drawing.curves.len() {
-            self.change(Change::RemoveCurve(index));
+            self.change(Deed::Deleted, Change::RemoveCurve(index));
         }
     }
 
@@ -303,7 +312,8 @@ impl Editor {
     pub fn move_scribble(&mut self, from: usize, to: usize) {
         self.commit_scribble();
         if from != to && from.max(to) < self.document.scribbles.len() {
-            self.change(Change::MoveScribble { from, to });
+            let deed = if to > from { Deed::Forward } else { Deed::Backward };
+            self.change(deed, Change::MoveScribble { from, to });
         }
     }
 
@@ -331,6 +341,26 @@ impl Editor {
         true
     }
 
+    /// What the gestures did that were kept, the first one first, also those that were taken back and can be done again.
+    pub fn deeds(&self) -> impl Iterator<Item = Deed> {
+        self.undo.iter().chain(self.redo.iter().rev()).map(|step| step.deed)
+    }
+
+    /// How many of [`Editor::deeds`] are not taken back.
+    pub fn place(&self) -> usize {
+        self.undo.len()
+    }
+
+    /// Takes back and does again, until so many of [`Editor::deeds`] are not taken back; as many as there are, if they are
+    /// fewer. A gesture in hand is committed first. Returns whether it has come to another place.
+    pub fn go_to(&mut self, place: usize) -> bool {
+        self.commit();
+        let before = self.place();
+        while self.place() > place && self.undo() {}
+        while self.place() < place && self.redo() {}
+        self.place() != before
+    }
+
     /// Whether [`Editor::undo`] has something to take back.
     pub fn can_undo(&self) -> bool {
         self.has_done() || !self.undo.is_empty()
@@ -346,7 +376,7 @@ impl Editor {
         match &self.in_hand {
             None => false,
             Some(Gesture::Scribble) => true,
-            Some(Gesture::Changes(back)) => back.iter().any(|change| !change.is_so(&self.document)),
+            Some(Gesture::Changes(_, back)) => back.iter().any(|change| !change.is_so(&self.document)),
         }
     }
 
@@ -356,24 +386,24 @@ impl Editor {
         }
     }
 
-    /// Makes a change, in the gesture in hand or as one of its own.
-    fn change(&mut self, change: Change) {
+    /// Makes a change, in the gesture in hand or as one of its own, which does what is said.
+    fn change(&mut self, deed: Deed, change: Change) {
         let back = self.apply(change);
-        self.done(vec![back]);
+        self.done(deed, vec![back]);
     }
 
     /// Notes what takes back that which has just been done.
-    fn done(&mut self, mut back: Vec<Change>) {
-        let Some(Gesture::Changes(before)) = &mut self.in_hand else { return self.keep(back) };
+    fn done(&mut self, deed: Deed, mut back: Vec<Change>) {
+        let Some(Gesture::Changes(_, before)) = &mut self.in_hand else { return self.keep(deed, back) };
         // What the gesture began with is there already.
         back.retain(|change| !before.iter().any(|before| before.is_of_slider_of(change)));
         before.append(&mut back);
     }
 
     /// Ends a gesture that can be taken back; one that did nothing leaves no trace.
-    fn keep(&mut self, back: Vec<Change>) {
+    fn keep(&mut self, deed: Deed, back: Vec<Change>) {
         if !back.is_empty() {
-            self.undo.push(Step { changes: back, to: self.revision });
+            self.undo.push(Step { deed, changes: back, to: self.revision });
             self.redo.clear();
             self.last_revision += 1;
             self.revision = self.last_revision;
@@ -381,8 +411,8 @@ impl Editor {
     }
 
     /// Takes a step; returns the one back.
-    fn step(&mut self, Step { changes, to }: Step) -> Step {
-        Step { changes: self.apply_all(changes), to: std::mem::replace(&mut self.revision, to) }
+    fn step(&mut self, Step { deed, changes, to }: Step) -> Step {
+        Step { deed, changes: self.apply_all(changes), to: std::mem::replace(&mut self.revision, to) }
     }
 
     /// Applies changes from the last to the first; returns those that take them back, to be applied likewise.

@@ -65,7 +65,7 @@ pub use color::{Blend, BlendColor, ColorError, Paint, Rgba8, Srgb8};
 pub use color_model::ColorModel;
 pub use color_points::{Boundary, ColorPoint, SideColors, boundary};
 pub use drawing::{Curve, Drawing, Fill, Line};
-pub use edit::{Document, Editor};
+pub use edit::{Deed, Document, Editor};
 pub use engine::{Engine, Labels};
 pub use global::Global;
 pub use palette::Swatch;

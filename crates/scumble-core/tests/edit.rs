@@ -3,8 +3,8 @@
 use kurbo::{BezPath, Point, Rect};
 use proptest::prelude::*;
 use scumble_core::{
-    Blend, ColorPoint, Curve, Document, Drawing, Editor, EngineKind, Paint, Scribble, ScribbleKind, Settings,
-    Shading, Srgb8, Swatch, Tracing, Work, exact,
+    Blend, ColorPoint, Curve, Deed, Document, Drawing, Editor, EngineKind, Paint, Scribble, ScribbleKind,
+    Settings, Shading, Srgb8, Swatch, Tracing, Work, exact,
 };
 
 fn editor() -> Editor {
@@ -193,7 +193,7 @@ fn what_changes_nothing_is_no_gesture() {
     editor.move_scribble(1, 0);
     editor.move_scribble(0, 0);
     editor.set_settings(Settings::default());
-    editor.begin();
+    editor.begin(Deed::Moved);
     editor.commit();
     assert_eq!(shades(&editor), [0]);
     assert!(editor.can_redo());
@@ -202,7 +202,7 @@ fn what_changes_nothing_is_no_gesture() {
 #[test]
 fn a_slider_that_is_dragged_is_one_gesture() {
     let mut editor = editor();
-    editor.begin();
+    editor.begin(Deed::Moved);
     for percent in 51..=80 {
         editor.set_settings(gap(f64::from(percent) / 100.0));
     }
@@ -218,7 +218,7 @@ fn a_slider_that_is_dragged_is_one_gesture() {
 #[test]
 fn a_slider_that_comes_back_to_where_it_was_has_done_nothing() {
     let mut editor = editor();
-    editor.begin();
+    editor.begin(Deed::Moved);
     assert!(!editor.can_undo());
     editor.set_settings(gap(0.7));
     assert!(editor.can_undo());
@@ -231,14 +231,14 @@ fn a_slider_that_comes_back_to_where_it_was_has_done_nothing() {
 #[test]
 fn a_gesture_takes_its_changes_back_together() {
     let mut editor = editor_with(4);
-    editor.begin();
+    editor.begin(Deed::Moved);
     editor.erase_scribbles(&[1]);
     editor.erase_scribbles(&[0, 1]);
     editor.commit();
     assert_eq!(shades(&editor), [3]);
     editor.undo();
     assert_eq!(shades(&editor), [0, 1, 2, 3]);
-    editor.begin();
+    editor.begin(Deed::Moved);
     editor.erase_scribbles(&[2]);
     editor.abort();
     assert_eq!(shades(&editor), [0, 1, 2, 3]);
@@ -265,7 +265,7 @@ fn scribbles_keep_their_numbers_wherever_they_come_to_lie() {
 #[test]
 fn a_gesture_that_restarts_forgets_what_it_did_and_goes_on() {
     let mut editor = editor_with(2);
-    editor.begin();
+    editor.begin(Deed::Moved);
     for shade in [5, 6, 7] {
         editor.restart();
         editor.replace_scribble(0, scribble(shade));
@@ -274,7 +274,7 @@ fn a_gesture_that_restarts_forgets_what_it_did_and_goes_on() {
     assert_eq!(shades(&editor), [7, 1]);
     editor.undo();
     assert_eq!(shades(&editor), [0, 1]);
-    editor.begin();
+    editor.begin(Deed::Moved);
     editor.replace_scribble(0, scribble(5));
     editor.restart();
     editor.commit();
@@ -363,7 +363,7 @@ fn perform(editor: &mut Editor, act: &Act) {
         Act::RemoveCurve(index) => editor.remove_curve(*index),
         Act::Restart => editor.restart(),
         Act::Set(settings) => editor.set_settings(*settings),
-        Act::Begin => editor.begin(),
+        Act::Begin => editor.begin(Deed::Moved),
         Act::Commit => editor.commit(),
         Act::Abort => editor.abort(),
         Act::Undo => assert_eq!(editor.can_undo(), editor.undo()),
@@ -454,7 +454,7 @@ fn a_picture_under_the_lines_comes_and_goes_by_gestures() {
     let tracing = |editor: &Editor| editor.document().tracing;
     editor.set_tracing(Some(Tracing::faded(1)));
     let faded = Tracing { image: 1, opacity: 0.25 };
-    editor.begin();
+    editor.begin(Deed::Moved);
     for opacity in [0.4, 0.3, 0.25] {
         editor.set_tracing(Some(Tracing { opacity, ..faded }));
     }
@@ -474,7 +474,7 @@ fn a_picture_under_the_lines_comes_and_goes_by_gestures() {
 #[test]
 fn a_slider_of_one_thing_does_not_swallow_that_of_another() {
     let mut editor = editor();
-    editor.begin();
+    editor.begin(Deed::Moved);
     editor.set_settings(gap(0.7));
     editor.set_tracing(Some(Tracing::faded(1)));
     editor.set_settings(gap(0.9));
@@ -514,7 +514,7 @@ fn repaint(editor: &mut Editor, from: Srgb8, to: Srgb8) {
 fn a_repainted_document_is_as_one_made_with_the_new_colour() {
     let [red, green] = [Srgb8([200, 0, 0]), Srgb8([0, 200, 0])];
     let mut editor = Editor::new(painted(red));
-    editor.begin();
+    editor.begin(Deed::Moved);
     repaint(&mut editor, red, green);
     editor.commit();
     assert_eq!(exactly(editor.document()), exactly(&painted(green)));
@@ -529,14 +529,14 @@ fn a_repainted_document_is_as_one_made_with_the_new_colour() {
 fn a_colour_on_its_way_past_another_does_not_take_it_along() {
     let [red, blue, green] = [Srgb8([200, 0, 0]), Srgb8([0, 0, 200]), Srgb8([0, 200, 0])];
     let mut editor = Editor::new(painted(red));
-    editor.begin();
+    editor.begin(Deed::Moved);
     for to in [Srgb8([100, 0, 100]), blue, green] {
         editor.restart();
         repaint(&mut editor, red, to);
     }
     editor.commit();
     assert_eq!(exactly(editor.document()), exactly(&painted(green)));
-    editor.begin();
+    editor.begin(Deed::Moved);
     for to in [blue, green] {
         editor.restart();
         repaint(&mut editor, green, to);
@@ -554,4 +554,57 @@ fn repainting_in_the_middle_of_a_scribble_keeps_it() {
     assert_eq!(shades(&editor), [2]);
     assert!(editor.undo());
     assert_eq!(shades(&editor), [1]);
+}
+
+#[test]
+fn each_gesture_has_a_name_whichever_way_it_was_gone() {
+    let mut editor = editor_with(2);
+    editor.set_settings(gap(0.7));
+    editor.set_settings(Settings { engine: EngineKind::Progressive, ..gap(0.7) });
+    editor.begin(Deed::Resized);
+    editor.replace_scribble(0, scribble(9));
+    editor.commit();
+    editor.set_tracing(Some(Tracing::faded(1)));
+    editor.set_tracing(Some(Tracing { opacity: 0.9, ..Tracing::faded(1) }));
+    editor.set_tracing(None);
+    let deeds = [
+        Deed::Added,
+        Deed::Added,
+        Deed::GapClosing,
+        Deed::Engine,
+        Deed::Resized,
+        Deed::Traced,
+        Deed::Faded,
+        Deed::Untraced,
+    ];
+    for _ in 0..=deeds.len() {
+        assert_eq!(editor.deeds().collect::<Vec<_>>(), deeds);
+        editor.undo();
+    }
+    assert_eq!(editor.place(), 0);
+    for place in 1..=deeds.len() {
+        editor.redo();
+        assert_eq!((editor.deeds().collect::<Vec<_>>(), editor.place()), (deeds.to_vec(), place));
+    }
+}
+
+#[test]
+fn one_goes_to_any_place_of_a_long_way_at_once() {
+    let mut editor = editor();
+    for shade in 0..2000_u32 {
+        begin(&mut editor, (shade % 256) as u8);
+    }
+    editor.commit();
+    for place in [0, 1999, 3, 1200] {
+        assert!(editor.go_to(place));
+        assert_eq!((editor.place(), shades(&editor).len()), (place, place));
+        assert_eq!(editor.deeds().count(), 2000);
+    }
+    assert!(!editor.go_to(1200));
+    assert!(editor.go_to(usize::MAX));
+    assert_eq!(editor.place(), 2000);
+    editor.go_to(10);
+    begin(&mut editor, 7);
+    assert!(!editor.go_to(2000), "what is in hand is kept, and ends what could be done again");
+    assert_eq!((editor.place(), editor.deeds().count()), (11, 11));
 }

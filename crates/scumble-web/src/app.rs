@@ -13,7 +13,7 @@ use wasm_bindgen_futures::spawn_local;
 use web_sys::{HtmlCanvasElement, console};
 
 use crate::boundary::{
-    color, color_model_from_name, command_from_js, field, js_from_effects, js_from_picture,
+    color, color_model_from_name, command_from_js, field, js_from_effects, js_from_history, js_from_picture,
 };
 use crate::command::Phase;
 use crate::effect::Effect;
@@ -101,6 +101,12 @@ impl App {
         let mut shared = self.shared.borrow_mut();
         shared.paint();
         shared.effects()
+    }
+
+    /// The way through the history of the drawing: `steps`, what gestures did, as keys of the page's messages; and `place`,
+    /// how many of them are not taken back.
+    pub fn history(&self) -> JsValue {
+        js_from_history(self.shared.borrow().session.history())
     }
 
     /// The exact bytes of the work, with what the pen has done since it came down.

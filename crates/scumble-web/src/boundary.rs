@@ -4,7 +4,7 @@
 
 use js_sys::{Array, Float64Array, Object, Reflect, Uint8Array};
 use kurbo::{Point, Rect, Vec2};
-use scumble_core::{Paint, Settings, Srgb8, Swatch};
+use scumble_core::{Deed, Paint, Settings, Srgb8, Swatch};
 use scumble_solve::Pixmap;
 use wasm_bindgen::{JsCast, JsValue};
 
@@ -12,14 +12,15 @@ use crate::brush::{Ink, Mode, ModeChange};
 use crate::command::{Arranging, Command, Selecting, Setting, ViewChange};
 use crate::effect::{Effect, SelectionState, SheetState, TracingState};
 use crate::solver::SolverState;
+use crate::view::Turn;
 
 mod names;
 
 pub(crate) use names::color_model_from_name;
 use names::{
-    blend_from_name, blend_name, edit_name, engine_from_name, engine_name, erasing_name, ink_from_name,
-    kind_from_name, kind_name, pressure_from_name, pressure_name, solver_from_name, solver_name, source_name,
-    tone_name, tool_from_name, tool_name,
+    blend_from_name, blend_name, deed_key, edit_name, engine_from_name, engine_name, erasing_name,
+    ink_from_name, kind_from_name, kind_name, pressure_from_name, pressure_name, solver_from_name,
+    solver_name, source_name, tone_name, tool_from_name, tool_name,
 };
 
 /// The command of a name, or `None` where there is none of it that takes these arguments.
@@ -60,6 +61,7 @@ pub(crate) fn command_from_js(name: &str, args: &JsValue) -> Option<Command> {
         "other-erasing" => Command::OtherErasing,
         "undo" => Command::Undo,
         "redo" => Command::Redo,
+        "go-to" => Command::GoTo(args.as_f64()? as usize),
         "blend" => Command::Set(Setting::Blend(blend_from_name(&args.as_string()?)?)),
         "engine" => Command::Set(Setting::Engine(engine_from_name(&args.as_string()?)?)),
         "gap-closing" => Command::Set(Setting::GapClosing(args.as_f64()?)),
@@ -99,6 +101,14 @@ fn view_change(name: &str, args: &JsValue) -> Option<ViewChange> {
             let [x, y, factor] = numbers(args)?;
             ViewChange::ZoomAt(Point::new(x, y), factor)
         }
+        "rotate-at" => {
+            let [x, y, degrees] = numbers(args)?;
+            ViewChange::RotateAt(Point::new(x, y), degrees)
+        }
+        "rotate-left" => ViewChange::RotateStep { is_clockwise: false },
+        "rotate-right" => ViewChange::RotateStep { is_clockwise: true },
+        "rotate-reset" => ViewChange::RotateReset,
+        "mirror" => ViewChange::Mirror,
         "resize" => {
             let [width_px, height_px, px_per_css] = numbers(args)?;
             ViewChange::Resize([width_px as u32, height_px as u32], px_per_css)
@@ -159,6 +169,8 @@ fn js_from_effect(effect: Effect) -> (&'static str, JsValue) {
         Effect::Redo(possible) => ("redo", possible.into()),
         Effect::Zoom(zoom) => ("zoom", zoom.into()),
         Effect::View(css_from_du) => ("view", Float64Array::from(&css_from_du.as_coeffs()[..]).into()),
+        Effect::Turn(turn) => ("turn", js_from_turn(turn)),
+        Effect::Turned(turn) => ("turned", js_from_turn(turn)),
         Effect::Tool(tool) => ("tool", tool_name(tool).into()),
         Effect::Mode(mode) => ("mode", js_from_mode(mode)),
         Effect::Color(Ink::Paint(color)) => ("color", color.to_string().into()),
@@ -212,6 +224,16 @@ fn js_from_effect(effect: Effect) -> (&'static str, JsValue) {
         Effect::Renderer(name) => ("renderer", name.into()),
         Effect::Lost(next) => ("lost", next.map_or(JsValue::NULL, JsValue::from)),
     }
+}
+
+fn js_from_turn(turn: Turn) -> JsValue {
+    object(&[("degrees", turn.degrees.into()), ("mirrored", turn.is_mirrored.into())])
+}
+
+/// What gestures did, as keys of the page's messages, and how many are not taken back.
+pub(crate) fn js_from_history((deeds, place): (Vec<Deed>, usize)) -> JsValue {
+    let steps: Array = deeds.into_iter().map(|deed| JsValue::from(deed_key(deed))).collect();
+    object(&[("steps", steps.into()), ("place", (place as f64).into())])
 }
 
 fn js_from_palette(palette: Vec<Swatch>) -> Array {

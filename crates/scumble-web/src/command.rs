@@ -159,6 +159,8 @@ pub enum Command {
     Undo,
     /// Do it again.
     Redo,
+    /// Take back or do again, until so many gestures are not taken back.
+    GoTo(usize),
     /// Another setting of the drawing.
     Set(Setting),
     /// Another palette for the drawing.
@@ -214,11 +216,27 @@ pub enum ViewChange {
     Pan(Vec2),
     /// Closer by a factor, about a place in CSS pixels.
     ZoomAt(Point, f64),
+    /// Rotated by an angle, clockwise in degrees, about a place in CSS pixels.
+    RotateAt(Point, f64),
+    /// A step clockwise, or the other way.
+    RotateStep {
+        /// Which.
+        is_clockwise: bool,
+    },
+    /// Not rotated.
+    RotateReset,
+    /// Left where right was.
+    Mirror,
     /// The canvas' size in device pixels, and the device pixels of one CSS pixel.
     Resize([u32; 2], f64),
 }
 
 impl ViewChange {
+    /// Whether it is a turn that a key asks for, of which people are told.
+    pub(crate) fn is_turn(self) -> bool {
+        matches!(self, Self::RotateStep { .. } | Self::RotateReset | Self::Mirror)
+    }
+
     pub(crate) fn apply(self, viewport: &mut Viewport) {
         match self {
             Self::ZoomIn => viewport.zoom_in(),
@@ -227,6 +245,10 @@ impl ViewChange {
             Self::Fit => viewport.fit(),
             Self::Pan(way_css) => viewport.pan(way_css),
             Self::ZoomAt(at_css, factor) => viewport.zoom_at(at_css, factor),
+            Self::RotateAt(at_css, degrees) => viewport.rotate_at(at_css, degrees),
+            Self::RotateStep { is_clockwise } => viewport.rotate_step(is_clockwise),
+            Self::RotateReset => viewport.rotate_reset(),
+            Self::Mirror => viewport.mirror(),
             Self::Resize([width_px, height_px], px_per_css) => {
                 viewport.resize(width_px, height_px, px_per_css);
             }

@@ -6,6 +6,7 @@ use scumble_core::{Paint, Settings, Swatch, Tracing};
 use crate::brush::{Ink, Mode};
 use crate::command::Tool;
 use crate::solver::SolverState;
+use crate::view::Turn;
 
 /// One thing that the page must know.
 #[derive(Clone, Debug, PartialEq)]
@@ -22,6 +23,8 @@ pub enum Effect {
     Zoom(f64),
     /// Takes du to CSS pixels of the canvas.
     View(Affine),
+    /// How the page lies on the canvas.
+    Turn(Turn),
     /// What the pen does.
     Tool(Tool),
     /// How the next scribble colours.
@@ -101,6 +104,8 @@ pub enum Effect {
     Picked(Paint),
     /// A scribble was abandoned.
     ScribbleDropped,
+    /// The page lies otherwise on the canvas.
+    Turned(Turn),
     /// A gesture was taken back.
     Undone,
     /// A gesture was done again.
@@ -184,6 +189,7 @@ pub(crate) struct State {
     pub(crate) redo: Option<bool>,
     pub(crate) zoom: Option<f64>,
     pub(crate) view: Option<Affine>,
+    pub(crate) turn: Option<Turn>,
     pub(crate) tool: Option<Tool>,
     pub(crate) mode: Option<Mode>,
     pub(crate) color: Option<Ink>,
@@ -210,6 +216,7 @@ impl State {
             news(self.redo, known.redo, Effect::Redo),
             news(self.zoom, known.zoom, Effect::Zoom),
             news(self.view, known.view, Effect::View),
+            news(self.turn, known.turn, Effect::Turn),
             news(self.tool, known.tool, Effect::Tool),
             news(self.mode, known.mode, Effect::Mode),
             news(self.color, known.color, Effect::Color),

@@ -7,7 +7,7 @@ use std::mem::take;
 
 use kurbo::{Affine, Rect};
 use scumble_core::drawing::LONGER_SIDE_DU;
-use scumble_core::{Boundary, Document, Drawing, MapError, Paint, Srgb8, Swatch, Tracing, Work, exact};
+use scumble_core::{Boundary, Deed, Document, Drawing, MapError, Paint, Srgb8, Swatch, Tracing, Work, exact};
 use scumble_solve::grid::GridProblem;
 use scumble_solve::{Field, Pixmap, View};
 
@@ -152,6 +152,11 @@ impl Session {
         self.sheet.editor.document()
     }
 
+    /// What the gestures did that can be undone or done again in this drawing, and how many of them are not taken back.
+    pub fn history(&self) -> (Vec<Deed>, usize) {
+        (self.sheet.editor.deeds().collect(), self.sheet.editor.place())
+    }
+
     /// The exact bytes of the work: the document, and what was opened with it.
     pub fn work(&self) -> Vec<u8> {
         exact::write(&self.sheet.work())
@@ -192,6 +197,7 @@ impl Session {
             Command::OtherErasing => self.turn_eraser(),
             Command::Undo => self.undo(),
             Command::Redo => self.redo(),
+            Command::GoTo(place) => self.go_to(place),
             Command::Set(setting) => self.set(setting),
             Command::Palette(palette) => self.set_palette(palette),
             Command::Repaint { palette, from, to } => self.repaint_swatch(palette, from, to),
@@ -212,6 +218,9 @@ impl Session {
             Command::View(change) => {
                 change.apply(&mut self.viewport);
                 self.stale.view = true;
+                if change.is_turn() {
+                    self.tell(Effect::Turned(self.viewport.turn()));
+                }
             }
         }
     }
@@ -285,7 +294,7 @@ impl Session {
 
     fn set(&mut self, setting: Setting) {
         if setting.is_slid() {
-            self.slide();
+            self.slide(Deed::GapClosing);
         } else {
             self.sheet.editor.commit();
         }
@@ -307,7 +316,7 @@ impl Session {
         if self.held.is_some() {
             return;
         }
-        self.slide();
+        self.slide(Deed::Repainted);
         let editor = &mut self.sheet.editor;
         editor.restart();
         editor.set_palette(palette);
@@ -324,15 +333,15 @@ impl Session {
     }
 
     fn fade_tracing(&mut self, opacity: f64) {
-        self.slide();
+        self.slide(Deed::Faded);
         let editor = &mut self.sheet.editor;
         editor.set_tracing(editor.document().tracing.map(|tracing| Tracing { opacity, ..tracing }));
     }
 
     /// A slider is dragged, which is one gesture.
-    fn slide(&mut self) {
+    fn slide(&mut self, deed: Deed) {
         if !self.sheet.editor.is_changing() {
-            self.sheet.editor.begin();
+            self.sheet.editor.begin(deed);
         }
     }
 
@@ -354,7 +363,7 @@ impl Session {
     }
 
     fn px_per_du(&self) -> f64 {
-        self.viewport.view().px_from_du.as_coeffs()[0]
+        self.viewport.px_per_du()
     }
 
     fn state(&self) -> State {
@@ -364,6 +373,7 @@ impl Session {
             redo: Some(self.sheet.editor.can_redo()),
             zoom: Some(self.viewport.zoom()),
             view: Some(self.viewport.css_from_du()),
+            turn: Some(self.viewport.turn()),
             tool: Some(self.tool),
             mode: Some(self.brush.mode),
             color: Some(self.ink_shown()),

@@ -1,8 +1,9 @@
-//! The part of the plane that the canvas shows: pan, zoom, fit.
+//! The part of the plane that the canvas shows: pan, zoom, fit, rotate, mirror.
 //!
-//! *css* coordinates are CSS pixels from the canvas' top left corner, *px* are device pixels, *du* drawing units.
-//! At a zoom of 1 (100%) one du is one CSS pixel. The origin of the drawing always lies on a corner of a device
-//! pixel, so that at 100% the canvas shows the pixels of the exported picture.
+//! *css* coordinates are CSS pixels from the canvas' top left corner, *px* are device pixels, *du* drawing units. *Turned*
+//! coordinates are du along the sides of the canvas: those of the drawing, mirrored and rotated as it is shown. At a zoom
+//! of 1 (100%) one du is one CSS pixel. Unless it is aslant, the origin of the drawing lies on a corner of a device pixel,
+//! so that at 100% the canvas shows the pixels of the exported picture.
 
 use kurbo::{Affine, Point, Rect, Size, Vec2};
 use scumble_solve::View;
@@ -20,7 +21,53 @@ const MARGIN_CSS: f64 = 24.0;
 /// So much of the page stays in sight however the view is moved, in CSS pixels.
 const KEPT_CSS: f64 = 64.0;
 
-/// Pan and zoom of a canvas over a page.
+/// Keys rotate to the next multiple of this, in degrees.
+const STEP_DEGREES: f64 = 15.0;
+
+/// How a page lies on the canvas.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Turn {
+    /// How far it is rotated, clockwise, within `-180..=180`.
+    pub degrees: f64,
+    /// Whether left and right were exchanged before that.
+    pub is_mirrored: bool,
+}
+
+impl Turn {
+    /// Takes du to turned ones.
+    fn turned_from_du(self) -> Affine {
+        rotation(self.degrees) * Affine::scale_non_uniform(if self.is_mirrored { -1.0 } else { 1.0 }, 1.0)
+    }
+
+    fn is_aslant(self) -> bool {
+        self.degrees % 90.0 != 0.0
+    }
+
+    fn rotated_to(self, degrees: f64) -> Self {
+        let turns = (degrees / 360.0).round();
+        Self { degrees: degrees - 360.0 * turns, ..self }
+    }
+
+    /// What is seen in a mirror.
+    fn mirrored(self) -> Self {
+        Self { degrees: -self.degrees, is_mirrored: !self.is_mirrored }
+    }
+}
+
+/// Clockwise where y goes down; exact for right angles.
+fn rotation(degrees: f64) -> Affine {
+    let quarters = (degrees / 90.0).round();
+    let (sin, cos) = (degrees - 90.0 * quarters).to_radians().sin_cos();
+    let [a, b] = match quarters.rem_euclid(4.0) as u8 {
+        0 => [cos, sin],
+        1 => [-sin, cos],
+        2 => [-cos, -sin],
+        _ => [sin, -cos],
+    };
+    Affine::new([a, b, -b, a, 0.0, 0.0])
+}
+
+/// Pan, zoom and turn of a canvas over a page.
 #[derive(Clone, Debug)]
 pub struct Viewport {
     width_px: u32,
@@ -28,6 +75,7 @@ pub struct Viewport {
     px_per_css: f64,
     page: Rect,
     zoom: f64,
+    turn: Turn,
     center_du: Point,
     /// Whether the view follows the canvas' size, because nobody has moved it.
     fitted: bool,
@@ -42,6 +90,7 @@ impl Viewport {
             px_per_css: 1.0,
             page,
             zoom: 1.0,
+            turn: Turn::default(),
             center_du: page.center(),
             fitted: true,
         };
@@ -61,16 +110,18 @@ impl Viewport {
         self.keep_in_sight();
     }
 
-    /// Shows all of another page.
+    /// Shows all of another page, as it is.
     pub fn show_page(&mut self, page: Rect) {
         self.page = page;
+        self.turn = Turn::default();
         self.fit();
     }
 
-    /// Shows all of the page, with a margin.
+    /// Shows all of the page, with a margin, as it is turned.
     pub fn fit(&mut self) {
         let room = self.size_css() - Size::new(2.0 * MARGIN_CSS, 2.0 * MARGIN_CSS);
-        let zoom = (room.width / self.page.width()).min(room.height / self.page.height());
+        let page = self.turned_from_du().transform_rect_bbox(self.page);
+        let zoom = (room.width / page.width()).min(room.height / page.height());
         self.zoom = within_range(zoom);
         self.center_du = self.page.center();
         self.fitted = true;
@@ -79,7 +130,7 @@ impl Viewport {
     /// Moves what is shown, by a way in CSS pixels.
     pub fn pan(&mut self, way_css: Vec2) {
         if way_css.is_finite() {
-            self.center_du -= way_css / self.zoom;
+            self.center_du -= self.way_du(way_css);
             self.fitted = false;
             self.keep_in_sight();
         }
@@ -87,20 +138,55 @@ impl Viewport {
 
     /// Multiplies the zoom; the place under a CSS pixel stays where it is.
     pub fn zoom_at(&mut self, at_css: Point, factor: f64) {
-        if !at_css.is_finite() || !factor.is_finite() || factor <= 0.0 {
-            return;
+        if factor.is_finite() && factor > 0.0 {
+            let zoom = within_range(self.zoom * factor);
+            self.change_about(at_css, |viewport| viewport.zoom = zoom);
         }
-        let zoom = within_range(self.zoom * factor);
-        let from_center_css = at_css - self.size_css().to_rect().center();
-        self.center_du += from_center_css * (1.0 / self.zoom - 1.0 / zoom);
-        self.zoom = zoom;
-        self.fitted = false;
-        self.keep_in_sight();
+    }
+
+    /// Rotates the page by an angle, clockwise, about the place under a CSS pixel.
+    pub fn rotate_at(&mut self, at_css: Point, degrees: f64) {
+        if degrees.is_finite() {
+            self.turn_about(at_css, self.turn.rotated_to(self.turn.degrees + degrees));
+        }
+    }
+
+    /// Rotates it about the middle of the canvas to the next of some even angles, clockwise or the other way.
+    pub fn rotate_step(&mut self, is_clockwise: bool) {
+        let steps = self.turn.degrees / STEP_DEGREES;
+        let next = if is_clockwise { (steps + 0.001).floor() + 1.0 } else { (steps - 0.001).ceil() - 1.0 };
+        self.turn_about(self.canvas_css().center(), self.turn.rotated_to(next * STEP_DEGREES));
+    }
+
+    /// Rotates it back to how it is.
+    pub fn rotate_reset(&mut self) {
+        self.turn_about(self.canvas_css().center(), self.turn.rotated_to(0.0));
+    }
+
+    /// Exchanges left and right of what is shown.
+    pub fn mirror(&mut self) {
+        self.turn_about(self.canvas_css().center(), self.turn.mirrored());
+    }
+
+    fn turn_about(&mut self, at_css: Point, turn: Turn) {
+        self.change_about(at_css, |viewport| viewport.turn = turn);
+    }
+
+    /// Changes zoom or turn; the place under a CSS pixel stays where it is.
+    fn change_about(&mut self, at_css: Point, change: impl FnOnce(&mut Self)) {
+        if at_css.is_finite() {
+            let from_center_css = at_css - self.canvas_css().center();
+            let place_du = self.center_du + self.way_du(from_center_css);
+            change(self);
+            self.center_du = place_du - self.way_du(from_center_css);
+            self.fitted = false;
+            self.keep_in_sight();
+        }
     }
 
     /// Sets the zoom about the middle of the canvas.
     pub fn zoom_to(&mut self, zoom: f64) {
-        self.zoom_at(self.size_css().to_rect().center(), zoom / self.zoom);
+        self.zoom_at(self.canvas_css().center(), zoom / self.zoom);
     }
 
     /// To the next larger level.
@@ -120,6 +206,26 @@ impl Viewport {
         self.zoom
     }
 
+    /// Device pixels of one du.
+    pub fn px_per_du(&self) -> f64 {
+        self.zoom * self.px_per_css
+    }
+
+    /// How the page lies on the canvas.
+    pub fn turn(&self) -> Turn {
+        self.turn
+    }
+
+    /// Takes du to turned ones; it has no shift.
+    pub fn turned_from_du(&self) -> Affine {
+        self.turn.turned_from_du()
+    }
+
+    /// A way on the canvas, in du of the drawing.
+    pub fn way_du(&self, way_css: Vec2) -> Vec2 {
+        (self.turned_from_du().inverse() * way_css.to_point()).to_vec2() / self.zoom
+    }
+
     /// What to paint.
     pub fn view(&self) -> View {
         View { px_from_du: self.px_from_du(), width_px: self.width_px, height_px: self.height_px }
@@ -131,10 +237,10 @@ impl Viewport {
     }
 
     fn px_from_du(&self) -> Affine {
-        let px_per_du = self.zoom * self.px_per_css;
+        let linear = Affine::scale(self.px_per_du()) * self.turned_from_du();
         let middle_px = Vec2::new(f64::from(self.width_px), f64::from(self.height_px)) / 2.0;
-        let origin_px = middle_px - self.center_du.to_vec2() * px_per_du;
-        Affine::translate(origin_px.round()) * Affine::scale(px_per_du)
+        let origin_px = middle_px - (linear * self.center_du).to_vec2();
+        Affine::translate(if self.turn.is_aslant() { origin_px } else { origin_px.round() }) * linear
     }
 
     /// The canvas in CSS pixels.
@@ -146,11 +252,18 @@ impl Viewport {
         Size::new(f64::from(self.width_px), f64::from(self.height_px)) / self.px_per_css
     }
 
+    /// The place of the page that is nearest to the middle of the canvas stays in sight.
     fn keep_in_sight(&mut self) {
         let reach = (self.size_css() / 2.0 - Size::new(KEPT_CSS, KEPT_CSS)).max(Size::ZERO) / self.zoom;
-        let allowed = self.page.inflate(reach.width, reach.height);
-        self.center_du.x = self.center_du.x.clamp(allowed.x0, allowed.x1);
-        self.center_du.y = self.center_du.y.clamp(allowed.y0, allowed.y1);
+        let Point { x, y } = self.center_du;
+        let nearest = Point::new(x.clamp(self.page.x0, self.page.x1), y.clamp(self.page.y0, self.page.y1));
+        let turned_from_du = self.turned_from_du();
+        let way = turned_from_du * (self.center_du - nearest).to_point();
+        let kept =
+            Point::new(way.x.clamp(-reach.width, reach.width), way.y.clamp(-reach.height, reach.height));
+        if kept != way {
+            self.center_du = nearest + (turned_from_du.inverse() * kept).to_vec2();
+        }
     }
 }
 
@@ -225,12 +338,86 @@ mod tests {
 
     #[test]
     fn the_page_cannot_be_lost() {
+        for degrees in [0.0, 30.0, 45.0, 90.0, -135.0] {
+            let mut viewport = viewport();
+            viewport.rotate_at(Point::ORIGIN, degrees);
+            viewport.pan(Vec2::new(1e9, -1e9));
+            let mut places = (0..=32)
+                .flat_map(|i| (0..=24).map(move |j| Point::new(32.0 * f64::from(i), 32.0 * f64::from(j))));
+            let canvas = Rect::new(0.0, 0.0, 800.0, 600.0);
+            let is_seen = |place: Point| canvas.contains(viewport.css_from_du() * place);
+            assert!(places.any(is_seen), "at {degrees} degrees");
+            viewport.pan(Vec2::new(f64::NAN, 0.0));
+            viewport.rotate_at(Point::ORIGIN, f64::NAN);
+            assert!(viewport.css_from_du().is_finite());
+        }
+    }
+
+    #[test]
+    fn the_place_that_it_is_rotated_about_stays_and_lengths_do() {
         let mut viewport = viewport();
-        viewport.pan(Vec2::new(1e9, -1e9));
+        let at = Point::new(223.0, 156.0);
+        viewport.mirror();
+        for degrees in [20.0, -55.0, 35.0, 170.0, 170.0] {
+            let place = viewport.css_from_du().inverse() * at;
+            viewport.rotate_at(at, degrees);
+            assert!(close(viewport.css_from_du() * place, at, 0.36), "{degrees}");
+            assert!((viewport.css_from_du().determinant().abs().sqrt() - viewport.zoom()).abs() < 1e-12);
+        }
+        assert!((viewport.turn().degrees - -20.0).abs() < 1e-9, "{:?}", viewport.turn());
+    }
+
+    #[test]
+    fn steps_go_to_multiples_of_15_degrees_and_round_to_where_they_began() {
+        let mut viewport = viewport();
+        let before = viewport.css_from_du();
+        viewport.rotate_at(Point::ORIGIN, 7.0);
+        viewport.rotate_step(false);
+        assert_eq!(viewport.turn().degrees, 0.0);
+        viewport.rotate_at(Point::ORIGIN, 7.0);
+        viewport.rotate_step(true);
+        assert_eq!(viewport.turn().degrees, 15.0);
+        for _ in 0..24 {
+            viewport.rotate_step(true);
+        }
+        assert_eq!(viewport.turn().degrees, 15.0);
+        viewport.rotate_reset();
+        viewport.fit();
+        assert_eq!(viewport.css_from_du(), before);
+    }
+
+    #[test]
+    fn in_the_mirror_left_is_right_and_a_lean_to_the_right_is_one_to_the_left() {
+        let mut viewport = viewport();
+        viewport.rotate_step(true);
+        let at = viewport.css_from_du() * Point::new(300.0, 200.0);
+        viewport.mirror();
+        let mirrored = viewport.css_from_du() * Point::new(300.0, 200.0);
+        assert!(close(mirrored, Point::new(800.0 - at.x, at.y), 1e-9), "{at} {mirrored}");
+        assert_eq!(viewport.turn(), Turn { degrees: -15.0, is_mirrored: true });
+    }
+
+    #[test]
+    fn what_is_not_aslant_lies_on_the_pixel_grid() {
+        for quarters in 0..4 {
+            let mut viewport = viewport();
+            viewport.resize(801, 603, 1.0);
+            viewport.zoom_to(1.0);
+            viewport.rotate_at(Point::new(3.3, 7.7), 90.0 * f64::from(quarters));
+            viewport.mirror();
+            assert!(viewport.view().px_from_du.as_coeffs().into_iter().all(|v| v.fract() == 0.0));
+        }
+    }
+
+    #[test]
+    fn all_of_a_page_fits_as_it_is_turned() {
+        let mut viewport = viewport();
+        viewport.rotate_at(Point::ORIGIN, 60.0);
+        viewport.fit();
         let shown = viewport.css_from_du().transform_rect_bbox(viewport.page);
-        let canvas = Rect::new(0.0, 0.0, 800.0, 600.0);
-        assert!(!shown.intersect(canvas).is_zero_area());
-        viewport.pan(Vec2::new(f64::NAN, 0.0));
-        assert!(viewport.css_from_du().is_finite());
+        assert!(close(shown.center(), Point::new(400.0, 300.0), 0.5), "{shown}");
+        assert!((shown.height() - (600.0 - 2.0 * MARGIN_CSS)).abs() < 1e-6, "{shown}");
+        viewport.show_page(viewport.page);
+        assert_eq!(viewport.turn(), Turn::default());
     }
 }

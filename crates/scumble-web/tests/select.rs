@@ -3,7 +3,7 @@
 mod page;
 
 use kurbo::{Point, Vec2};
-use scumble_core::{EngineKind, Scribble, Srgb8, exact};
+use scumble_core::{Deed, EngineKind, Scribble, Srgb8, exact};
 use scumble_web::command::{Arranging, Command, Phase, Selecting, Setting, Tool, ViewChange};
 use scumble_web::effect::{Edit, Effect, SelectionState};
 use scumble_web::painting::PAPER;
@@ -581,4 +581,38 @@ fn what_is_chosen_by_a_key_comes_into_sight() {
     page.session.command(Command::Select(Selecting::Next));
     let middle = page.session.css_from_du() * Point::new(350.0, 400.0);
     assert!((0.0..=1200.0).contains(&middle.x) && (0.0..=900.0).contains(&middle.y), "{middle}");
+}
+
+#[test]
+fn the_history_names_what_was_done_and_one_goes_to_any_step_of_it() {
+    let mut page = two();
+    page.session.command(Command::Set(Setting::Spread(true)));
+    page.session.command(Command::Select(Selecting::All));
+    page.session.command(Command::Color(GREEN.into()));
+    page.session.command(Command::Arrow(Vec2::new(1.0, 0.0), false));
+    page.session.command(Command::Settle);
+    page.session.command(Command::BrushSize(30.0));
+    page.session.command(Command::Settle);
+    page.session.command(Command::Arrange(Arranging::Duplicate));
+    page.session.command(Command::Arrange(Arranging::Delete));
+    let deeds = [
+        Deed::Added,
+        Deed::Added,
+        Deed::Spread,
+        Deed::Recolored,
+        Deed::Moved,
+        Deed::Widened,
+        Deed::Duplicated,
+        Deed::Deleted,
+    ];
+    assert_eq!(page.session.history(), (deeds.to_vec(), 8));
+    page.session.command(Command::GoTo(1));
+    assert_eq!(page.session.history(), (deeds.to_vec(), 1));
+    assert_eq!(colors(&page), [RED]);
+    assert_eq!(page.color_at(INSIDE), RED);
+    page.session.command(Command::GoTo(4));
+    assert_eq!(colors(&page), [GREEN, GREEN]);
+    assert_as_if_opened(&mut page);
+    page.session.command(Command::GoTo(usize::MAX));
+    assert_eq!(page.session.history().1, 8);
 }

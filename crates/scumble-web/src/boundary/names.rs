@@ -1,6 +1,6 @@
 //! The names by which the page knows what there is to choose from.
 
-use scumble_core::{Blend, ColorModel, EngineKind, Tone};
+use scumble_core::{Blend, ColorModel, Deed, EngineKind, Tone};
 
 use crate::brush::{Ink, Kind, Pressure};
 use crate::command::Tool;
@@ -36,6 +36,33 @@ pub(super) fn edit_name(edit: Edit) -> &'static str {
         Edit::Deleted => "deleted",
         Edit::Hidden => "hidden",
         Edit::Shown => "shown",
+    }
+}
+
+pub(super) fn deed_key(deed: Deed) -> &'static str {
+    match deed {
+        Deed::Added => "did-add",
+        Deed::Erased => "did-erase",
+        Deed::Rubbed => "did-rub",
+        Deed::Moved => "did-move",
+        Deed::Resized => "did-resize",
+        Deed::Widened => "brush-size",
+        Deed::Recolored => "did-recolour",
+        Deed::Duplicated => "did-duplicate",
+        Deed::Forward => "did-forward",
+        Deed::Backward => "did-backward",
+        Deed::Deleted => "did-delete",
+        Deed::Hidden => "did-hide",
+        Deed::Shown => "did-show",
+        Deed::GapClosing => "gap-closing",
+        Deed::Engine => "engine",
+        Deed::Blend => "blend",
+        Deed::Spread => "spread",
+        Deed::Palette => "palette",
+        Deed::Repainted => "did-repaint",
+        Deed::Traced => "tracing",
+        Deed::Untraced => "tracing-removed",
+        Deed::Faded => "did-fade",
     }
 }
 

@@ -2,7 +2,7 @@
 
 use kurbo::{Affine, Vec2};
 use scumble_core::work::are_too_long;
-use scumble_core::{Curve, Paint, Scribble};
+use scumble_core::{Curve, Deed, Paint, Scribble};
 
 use super::Session;
 use crate::brush::{Ink, within_sizes};
@@ -31,15 +31,16 @@ impl Session {
         }
     }
 
-    /// An arrow key: moves what is selected, or the view where nothing is.
+    /// An arrow key: moves what is selected, as it is seen, or the view where nothing is.
     pub(super) fn arrow(&mut self, direction: Vec2, is_far: bool) {
         let way = direction * if is_far { FAR } else { 1.0 };
         if self.selection.is_empty() {
             self.viewport.pan(-way * STEP_CSS);
             self.stale.view = true;
         } else if self.held.is_none() {
-            self.slide();
-            self.transform_selected(Affine::translate(way));
+            self.slide(Deed::Moved);
+            let way_du = self.viewport.way_du(way * self.viewport.zoom());
+            self.transform_selected(Affine::translate(way_du));
             self.tell_edited(Edit::Moved);
         }
     }
@@ -56,7 +57,7 @@ impl Session {
     /// Moves and stretches what is selected; some of it stays on the page.
     pub(super) fn transform_selected(&mut self, place: Affine) {
         let page = self.document().drawing.frame();
-        let Some(bounds) = self.selected_bounds() else { return };
+        let Some(bounds) = self.selected_bounds(Affine::IDENTITY) else { return };
         let back = way_to_page(place.transform_rect_bbox(bounds), page);
         let place = Affine::translate(back) * place;
         for i in self.selected_scribbles() {
@@ -122,7 +123,7 @@ impl Session {
             selected.reverse();
         }
         let before = self.sheet.editor.revision();
-        self.sheet.editor.begin();
+        self.sheet.editor.begin(if is_forward { Deed::Forward } else { Deed::Backward });
         for i in selected {
             let to = if is_forward { i + 1 } else { i.saturating_sub(1) };
             let is_free = self.sheet.editor.scribble_ids().get(to).is_some_and(|id| !self.selection.has(*id));
@@ -143,7 +144,7 @@ impl Session {
     /// Copies lie over everything, and are what is selected then.
     fn duplicate(&mut self) {
         let (count, selected) = (self.document().scribbles.len(), self.selected_scribbles());
-        self.sheet.editor.begin();
+        self.sheet.editor.begin(Deed::Duplicated);
         for i in selected {
             let copy = self.document().scribbles[i].clone();
             self.sheet.editor.insert_scribble(usize::MAX, copy);
@@ -154,8 +155,8 @@ impl Session {
             self.tell(Effect::Failed("the scribbles are too long in all; erase some of them".into()));
         } else if !ids.is_empty() {
             self.select(Selection::of(ids));
-            let beside_du = BESIDE_CSS / self.viewport.zoom();
-            self.transform_selected(Affine::translate((beside_du, beside_du)));
+            let beside_du = self.viewport.way_du(Vec2::new(BESIDE_CSS, BESIDE_CSS));
+            self.transform_selected(Affine::translate(beside_du));
             self.sheet.editor.commit();
             self.tell_edited(Edit::Duplicated);
         }
@@ -163,7 +164,7 @@ impl Session {
 
     fn delete(&mut self) {
         let [scribbles, curves] = [self.selected_scribbles(), self.selected_curves()];
-        self.sheet.editor.begin();
+        self.sheet.editor.begin(Deed::Deleted);
         for &i in curves.iter().rev() {
             self.sheet.editor.remove_curve(i);
         }
@@ -185,7 +186,7 @@ impl Session {
         if curves.is_empty() {
             return;
         }
-        self.sheet.editor.begin();
+        self.sheet.editor.begin(if opacity == 0 { Deed::Hidden } else { Deed::Shown });
         for i in curves {
             let mut curve = self.document().drawing.curves[i].clone();
             if let Some(line) = &mut curve.line {

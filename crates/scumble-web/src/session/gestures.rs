@@ -1,7 +1,7 @@
 //! What the pen does on the canvas: it scribbles, erases scribbles, picks a colour or moves the view.
 
 use kurbo::{Line, Point, Rect};
-use scumble_core::{Paint, Scribble, ScribbleKind};
+use scumble_core::{Deed, Paint, Scribble, ScribbleKind};
 
 use super::Session;
 use super::selecting::Grip;
@@ -109,7 +109,8 @@ impl Session {
     /// Moves the view so that a place in du lies under the pen.
     fn drag(&mut self, place: Point, points: &[Point]) {
         if let Some(&under) = points.last() {
-            self.viewport.pan((under - place) * self.viewport.zoom());
+            let css_from_du = self.viewport.css_from_du();
+            self.viewport.pan(css_from_du * under - css_from_du * place);
             self.stale.view = true;
         }
     }
@@ -183,7 +184,7 @@ impl Session {
     /// A click erases the uppermost scribble alone; what lies under it goes once the pen is dragged.
     fn begin_erasing(&mut self, points: &[Point]) {
         let Some(&last) = points.first() else { return };
-        self.sheet.editor.begin();
+        self.sheet.editor.begin(if self.erases_parts { Deed::Rubbed } else { Deed::Erased });
         self.held = Some(Held::Eraser(Eraser { last, erased: 0, has_rubbed: false }));
         let place = Line::new(last, last);
         let uppermost = self.touched(place).pop();

@@ -1,6 +1,6 @@
 //! What lies under the pen with the tool that selects.
 
-use kurbo::{Line, ParamCurveNearest, Point, Rect};
+use kurbo::{Affine, Line, ParamCurveNearest, Point, Rect};
 use scumble_core::{Curve, Document, Fill, Scribble};
 
 use super::Session;
@@ -30,7 +30,7 @@ impl Session {
             Hold::Handle(handle)
         } else if let Some(id) = thing() {
             Hold::Thing(id)
-        } else if !adds && self.frame_du().is_some_and(|frame| frame.contains(place)) {
+        } else if !adds && self.frame_turned().is_some_and(|frame| frame.contains(self.turned(place))) {
             Hold::Frame
         } else {
             Hold::Page
@@ -38,7 +38,7 @@ impl Session {
     }
 
     fn handle_at(&self, place: Point) -> Option<Handle> {
-        let frame = self.frame_du()?;
+        let (frame, place) = (self.frame_turned()?, self.turned(place));
         let reach_du = REACHES_CSS[usize::from(self.is_finger)][1] / self.viewport.zoom();
         // Within a small frame there must be room left to take hold of what it is around.
         let inside_du = reach_du.min(0.25 * frame.size().min_side());
@@ -48,6 +48,11 @@ impl Session {
             way.x.abs().max(way.y.abs()) <= reach_du
         };
         self.handles().iter().find(is_near).copied()
+    }
+
+    /// A place in du, in turned ones.
+    fn turned(&self, place: Point) -> Point {
+        self.viewport.turned_from_du() * place
     }
 
     fn reach_du(&self) -> f64 {
@@ -100,12 +105,13 @@ pub(super) fn is_line(curve: &Curve, fills: &[Fill]) -> bool {
     curve.line.is_some() && !fills.iter().any(is_outlined)
 }
 
-/// Whether a scribble, as it is drawn, reaches into a rectangle.
-pub(super) fn is_touched(scribble: &Scribble, marquee: Rect) -> bool {
+/// Whether a scribble, as it is drawn, reaches into a rectangle in turned du.
+pub(super) fn is_touched(scribble: &Scribble, marquee: Rect, turned_from_du: Affine) -> bool {
     let [a, c] = [marquee.origin(), Point::new(marquee.x1, marquee.y1)];
     let [b, d] = [Point::new(c.x, a.y), Point::new(a.x, c.y)];
-    let edges = [(a, b), (b, c), (c, d), (d, a)].map(|(from, to)| Line::new(from, to));
+    let du_from_turned = turned_from_du.inverse();
+    let edges = [(a, b), (b, c), (c, d), (d, a)].map(|(from, to)| du_from_turned * Line::new(from, to));
     let rest_du = 0.5 * (drawn_width_du(scribble) - scribble.width_du);
-    scribble.points.first().is_some_and(|first| marquee.contains(*first))
+    scribble.points.first().is_some_and(|first| marquee.contains(turned_from_du * *first))
         || edges.into_iter().any(|edge| scribble.is_touched(edge, rest_du))
 }

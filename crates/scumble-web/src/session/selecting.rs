@@ -1,8 +1,8 @@
 //! What the pen does with the tool that selects: a click chooses, a drag moves what is chosen, resizes it by a handle of
 //! its frame, or chooses all that lies in a rectangle.
 
-use kurbo::{Affine, Point, Rect, Shape};
-use scumble_core::{Curve, Document};
+use kurbo::{Affine, BezPath, Point, Rect, Shape, Vec2};
+use scumble_core::{Curve, Deed, Document};
 
 use super::Session;
 use super::gestures::{CLICK_CSS, Held};
@@ -61,25 +61,38 @@ impl Session {
         if grip.is_dragged {
             let (hold, way) = (grip.hold, to - grip.from);
             match hold {
-                Hold::Handle(handle) => self.place(begins, |frame| handle.resize(frame, way)),
-                Hold::Frame => self.place(begins, |_| Affine::translate(way)),
-                Hold::Thing(id) if self.selection.has(id) => self.place(begins, |_| Affine::translate(way)),
+                Hold::Handle(handle) => self.resize(begins, handle, way),
+                Hold::Frame => self.carry(begins, way),
+                Hold::Thing(id) if self.selection.has(id) => self.carry(begins, way),
                 _ => self.select_in_marquee(),
             }
         }
     }
 
-    /// Puts what is selected to a place that depends on the frame around its middle lines, as the gesture found it.
-    fn place(&mut self, begins: bool, place: impl Fn(Rect) -> Affine) {
+    /// Its frame lies along the sides of the canvas, and so does what a handle of it does.
+    fn resize(&mut self, begins: bool, handle: Handle, way: Vec2) {
+        let turned_from_du = self.viewport.turned_from_du();
+        let way = (turned_from_du * way.to_point()).to_vec2();
+        self.place(begins, Deed::Resized, |frame| {
+            turned_from_du.inverse() * handle.resize(frame, way) * turned_from_du
+        });
+    }
+
+    fn carry(&mut self, begins: bool, way: Vec2) {
+        self.place(begins, Deed::Moved, |_| Affine::translate(way));
+    }
+
+    /// Puts what is selected to a place that depends on the turned frame around its middle lines, as the gesture found it.
+    fn place(&mut self, begins: bool, deed: Deed, place: impl Fn(Rect) -> Affine) {
         if begins {
-            self.sheet.editor.begin();
+            self.sheet.editor.begin(deed);
         } else if !self.sheet.editor.is_changing() {
             // A command has ended it.
             self.held = None;
             return;
         }
         self.sheet.editor.restart();
-        if let Some(frame) = self.selected_bounds() {
+        if let Some(frame) = self.selected_bounds(self.viewport.turned_from_du()) {
             self.transform_selected(place(frame));
         }
     }
@@ -189,35 +202,37 @@ impl Session {
         self.selection.places_in(self.sheet.editor.curve_ids())
     }
 
-    /// The bounds of the middle lines of what is selected, in du.
-    pub(super) fn selected_bounds(&self) -> Option<Rect> {
+    /// The bounds of the middle lines of what is selected, taken from du to elsewhere.
+    pub(super) fn selected_bounds(&self, from_du: Affine) -> Option<Rect> {
         let Document { drawing, scribbles, .. } = self.document();
         let points = self.selected_scribbles().into_iter().flat_map(|i| &scribbles[i].points);
-        let dabs = points.map(|p| Rect::from_points(*p, *p));
-        let boxes = self.selected_curves().into_iter().map(|i| drawing.curves[i].path.bounding_box());
-        dabs.chain(boxes).reduce(|a, b| a.union(b))
+        let dabs = points.map(|p| Rect::from_points(from_du * *p, from_du * *p));
+        let paths = self.selected_curves().into_iter().map(|i| &drawing.curves[i].path);
+        dabs.chain(paths.map(|path| bounds(path, from_du))).reduce(|a, b| a.union(b))
     }
 
-    /// The frame around what is selected as it is drawn, in du.
-    pub(super) fn frame_du(&self) -> Option<Rect> {
+    /// The frame around what is selected as it is drawn, in turned du.
+    pub(super) fn frame_turned(&self) -> Option<Rect> {
         let Document { drawing, scribbles, .. } = self.document();
         let scribbles = self.selected_scribbles().into_iter().map(|i| drawn_width_du(&scribbles[i]));
         let lines = self.selected_curves().into_iter().filter_map(|i| drawing.curves[i].line.as_ref());
         let widest_du = scribbles.chain(lines.map(|line| line.stroke.width)).fold(0.0, f64::max);
         let rim_du = 0.5 * widest_du + RIM_CSS / self.viewport.zoom();
-        self.selected_bounds().map(|bounds| bounds.inflate(rim_du, rim_du))
+        let bounds = self.selected_bounds(self.viewport.turned_from_du());
+        bounds.map(|bounds| bounds.inflate(rim_du, rim_du))
     }
 
     pub(super) fn selection_state(&self) -> SelectionState {
         let [scribbles, curves] = [self.selected_scribbles(), self.selected_curves()];
-        let css = |rect: Rect| self.viewport.css_from_du().transform_rect_bbox(rect);
+        let css_from_turned = self.viewport.css_from_du() * self.viewport.turned_from_du().inverse();
+        let css = |rect: Rect| css_from_turned.transform_rect_bbox(rect);
         let drawing = &self.document().drawing;
         let is_hidden = |i: &usize| drawing.curves[*i].line.as_ref().is_some_and(|line| line.color.0[3] == 0);
         SelectionState {
             scribbles: scribbles.len(),
             lines: curves.len(),
             are_hidden: !curves.is_empty() && curves.iter().all(is_hidden),
-            frame_css: self.frame_du().map(css),
+            frame_css: self.frame_turned().map(css),
             handles: self.handles().len(),
             marquee_css: self.marquee().map(css),
         }
@@ -225,9 +240,10 @@ impl Session {
 
     /// The handles that the frame has: those of corners, then those of sides.
     pub(super) fn handles(&self) -> &'static [Handle] {
-        let is_stretchy = self.selected_bounds().is_some_and(|bounds| bounds.width() + bounds.height() > 0.0);
+        let bounds = self.selected_bounds(Affine::IDENTITY);
+        let is_stretchy = bounds.is_some_and(|bounds| bounds.width() + bounds.height() > 0.0);
         let are_lines = self.selected_scribbles().is_empty();
-        let size_css = self.frame_du().unwrap_or_default().size() * self.viewport.zoom();
+        let size_css = self.frame_turned().unwrap_or_default().size() * self.viewport.zoom();
         if !is_stretchy || are_lines || size_css.max_side() < LEAST_FRAME_CSS {
             &HANDLES[..0]
         } else if size_css.min_side() < LEAST_SIDE_CSS {
@@ -237,10 +253,15 @@ impl Session {
         }
     }
 
-    /// The rectangle that is being drawn to select what lies in it, in du.
+    /// The rectangle that is being drawn to select what lies in it, in turned du.
     fn marquee(&self) -> Option<Rect> {
         let Some(Held::Grip(grip)) = &self.held else { return None };
-        self.is_marquee(grip).then(|| Rect::from_points(grip.from, grip.to))
+        self.is_marquee(grip).then(|| self.marquee_of(grip))
+    }
+
+    fn marquee_of(&self, grip: &Grip) -> Rect {
+        let turned_from_du = self.viewport.turned_from_du();
+        Rect::from_points(turned_from_du * grip.from, turned_from_du * grip.to)
     }
 
     /// Whether it is a drag that began on nothing, or on a line that was not selected.
@@ -256,8 +277,10 @@ impl Session {
     fn select_in_marquee(&mut self) {
         let (Some(marquee), Some(Held::Grip(grip))) = (self.marquee(), &self.held) else { return };
         let scribbles = self.document().scribbles.iter().zip(self.sheet.editor.scribble_ids());
-        let touched = scribbles.filter(|(scribble, _)| self.scribbles_shown && is_touched(scribble, marquee));
-        let touched: Vec<u32> = touched.map(|(_, id)| *id).collect();
+        let turned_from_du = self.viewport.turned_from_du();
+        let is_in = |scribble| self.scribbles_shown && is_touched(scribble, marquee, turned_from_du);
+        let touched: Vec<u32> =
+            scribbles.filter(|(scribble, _)| is_in(scribble)).map(|(_, id)| *id).collect();
         let kept = if grip.adds { grip.before.clone() } else { Selection::default() };
         self.select(kept.with(touched));
     }
@@ -267,14 +290,19 @@ impl Session {
         if !self.selected_scribbles().is_empty() || !self.lines_shown {
             return;
         }
-        let marquee = Rect::from_points(grip.from, grip.to);
+        let (marquee, turned_from_du) = (self.marquee_of(grip), self.viewport.turned_from_du());
         let drawing = &self.document().drawing;
         let is_in = |curve: &Curve| {
-            let bounds = curve.path.bounding_box();
+            let bounds = bounds(&curve.path, turned_from_du);
             marquee.union(bounds) == marquee && is_line(curve, &drawing.fills)
         };
         let curves = drawing.curves.iter().zip(self.sheet.editor.curve_ids());
         let within: Vec<u32> = curves.filter(|(curve, _)| is_in(curve)).map(|(_, id)| *id).collect();
         self.select(self.selection.with(within));
     }
+}
+
+/// The bounds of a path in du, taken to elsewhere.
+fn bounds(path: &BezPath, from_du: Affine) -> Rect {
+    (from_du * path).bounding_box()
 }

@@ -139,6 +139,15 @@ impl Session {
         self.tell(Effect::Undone);
     }
 
+    /// Goes to a place in the history of the drawing.
+    pub(super) fn go_to(&mut self, place: usize) {
+        self.held = None;
+        if self.sheet.editor.go_to(place) {
+            self.things_changed();
+            self.forget_missing();
+        }
+    }
+
     pub(super) fn redo(&mut self) {
         self.settle();
         if self.sheet.editor.redo() {

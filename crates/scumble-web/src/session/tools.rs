@@ -1,6 +1,6 @@
 //! Which tool is at hand, and what it works with; what is set for it goes to what is selected, if that is what it is for.
 
-use scumble_core::Paint;
+use scumble_core::{Deed, Paint};
 
 use super::Session;
 use super::gestures::Held;
@@ -42,7 +42,7 @@ impl Session {
             self.brush.set_ink(ink);
         }
         self.set_tool(Tool::Select);
-        self.change_selected(is_sought, |session| session.recolor_selected(ink));
+        self.change_selected(Deed::Recolored, is_sought, |session| session.recolor_selected(ink));
         self.tell_edited(Edit::Recolored);
     }
 
@@ -60,16 +60,16 @@ impl Session {
         if self.selected_scribbles().is_empty() {
             self.brush.set_size(size_du(self.brush.size_du()));
         } else {
-            self.change_selected(is_slid, |session| session.resize_selected(size_du));
+            self.change_selected(Deed::Widened, is_slid, |session| session.resize_selected(size_du));
         }
     }
 
     /// A change of what is selected, which is a gesture of its own unless a slider makes it.
-    fn change_selected(&mut self, is_slid: bool, change: impl FnOnce(&mut Self)) {
+    fn change_selected(&mut self, deed: Deed, is_slid: bool, change: impl FnOnce(&mut Self)) {
         if is_slid {
-            self.slide();
+            self.slide(deed);
         } else {
-            self.sheet.editor.begin();
+            self.sheet.editor.begin(deed);
         }
         change(self);
         if !is_slid {

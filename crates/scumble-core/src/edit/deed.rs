@@ -1,0 +1,77 @@
+//! What a gesture did, for a list of what can be undone.
+
+use crate::settings::Settings;
+use crate::tracing::Tracing;
+
+/// What a gesture did.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Deed {
+    /// A scribble was drawn.
+    Added,
+    /// Scribbles were erased.
+    Erased,
+    /// Parts of scribbles were.
+    Rubbed,
+    /// Something is elsewhere.
+    Moved,
+    /// Something is larger or smaller.
+    Resized,
+    /// Scribbles are wider or narrower.
+    Widened,
+    /// Scribbles have another colour.
+    Recolored,
+    /// There is more of something.
+    Duplicated,
+    /// Scribbles lie further up.
+    Forward,
+    /// Scribbles lie further down.
+    Backward,
+    /// Something was taken away.
+    Deleted,
+    /// Lines are not drawn.
+    Hidden,
+    /// Lines are drawn again.
+    Shown,
+    /// Gaps count as closed otherwise.
+    GapClosing,
+    /// Another engine reads the scribbles.
+    Engine,
+    /// Colours are blended otherwise.
+    Blend,
+    /// Colours spread, or no longer do.
+    Spread,
+    /// There is another palette.
+    Palette,
+    /// A swatch has another colour, and all that was painted with it.
+    Repainted,
+    /// A picture to trace lies under the lines.
+    Traced,
+    /// There is none any more.
+    Untraced,
+    /// It is more faded, or less.
+    Faded,
+}
+
+impl Deed {
+    /// What made one of these settings the other.
+    pub(super) fn of_settings(before: Settings, after: Settings) -> Self {
+        if before.engine != after.engine {
+            Self::Engine
+        } else if before.blend != after.blend {
+            Self::Blend
+        } else if before.spread != after.spread {
+            Self::Spread
+        } else {
+            Self::GapClosing
+        }
+    }
+
+    /// What put one picture to trace in the place of the other.
+    pub(super) fn of_tracing(before: Option<Tracing>, after: Option<Tracing>) -> Self {
+        match (before, after) {
+            (_, None) => Self::Untraced,
+            (Some(before), Some(after)) if before.image == after.image => Self::Faded,
+            _ => Self::Traced,
+        }
+    }
+}
