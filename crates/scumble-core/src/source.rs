@@ -1,12 +1,13 @@
 //! Soft sources: what shading scribbles lay over the picture.
 //!
-//! Along its stroke a source of radius `R`, weight `w` and colour `c` draws a layer over the picture to its colour, and the rest of
-//! the plane draws it back to nothing: `−Δu + u / ℓ² + (w / R²) χ (u − c) = 0` (screened Poisson equation), where
-//! `χ = (1 − d² / R²)²` at the distance `d < R` from the stroke and zero beyond, and `ℓ = R − d / 2`. So the layer ends
-//! softly at the distance `2 R`, whatever the region is like; nothing flows through lines. The same equation with ones in place of
-//! colours gives its cover `α`, and the picture under it shows by `1 − α`. It stays between the colours that are given and has no
-//! crease. Where a pen varied `R` or `w` along the stroke, all is the greatest that any place of the stroke gives, as if it
-//! were drawn in dabs. Where sources overlap, their terms add up, and the greatest `ℓ` counts.
+//! Along its stroke a source of radius `R`, weight `w` and colour `c` draws a layer over the picture to its colour, and
+//! the rest of the plane draws it back to nothing: `−Δu + u / ℓ² + (w / R²) χ (u − c) = 0` (screened Poisson equation),
+//! where `χ = (1 − d² / R²)²` at the distance `d < R` from the stroke and zero beyond, and `ℓ = R − d / 2`. So the layer
+//! ends softly at the distance `2 R`, whatever the region is like; nothing flows through lines. The same equation with
+//! ones in place of colours gives its cover `α`, and the picture under it shows by `1 − α`. It stays between the colours
+//! that are given and has no crease. Where a pen varied `R` or `w` along the stroke, each of `w χ / R²` and `ℓ` is the
+//! greatest that any place of the stroke gives, as if it were drawn in dabs. Where sources overlap, their terms add up,
+//! and the greatest `ℓ` counts.
 
 use std::cmp::Ordering;
 
@@ -22,17 +23,18 @@ use crate::sort;
 pub struct SoftSource {
     /// The stroke, in du; at least one point, all finite.
     pub points: Vec<Point>,
-    /// Distance from the stroke at which it ends, in du; within [`RADII_DU`].
+    /// Distance from the stroke up to which it draws to its colour, in du; within [`RADII_DU`]. What it lays over the
+    /// picture ends at twice that.
     pub radius_du: f64,
-    /// How strong it is against its surroundings; positive. See [`weight`].
+    /// How strongly it draws against what the rest of the plane does; positive, without unit. See [`weight`].
     pub weight: f64,
     /// Its colour, in the blend space.
     pub color: BlendColor,
     /// Whether it shows in all regions within its radius, or only in the one that it begins in, or that
     /// most of it lies in where it leaves that at once.
     pub crosses: bool,
-    /// For each point the parts that are left of the radius and of the root of the weight there, within `0..=1`, and linear in
-    /// between; empty where all is left.
+    /// For each point the parts that are left of the radius and of the root of the weight there, within `0..=1`, and
+    /// linear in between; empty where all is left.
     pub parts: Vec<[f64; 2]>,
 }
 
@@ -42,13 +44,13 @@ pub const RADII_DU: [f64; 2] = [0.5, LONGER_SIDE_DU];
 /// Coordinates beyond this, in du, are taken as this: a thousand pages.
 const FARTHEST_DU: f64 = 1000.0 * LONGER_SIDE_DU;
 
-/// What full strength lets through of the picture under it, in the middle of a stroke: colours that are far apart in OKLab need
-/// that little to come within two levels of sRGB.
+/// What full strength lets through of the picture under it, in the middle of a stroke: colours that are far apart in
+/// OKLab need that little to come within two levels of sRGB.
 const LEAST_LEFT: f64 = 5e-4;
 
-/// The weight of a source by what it lets through of the picture under it, in the middle of a long and even stroke: times that, over
-/// what it does not let through. By the root of what it lets through, in eighths, from the solution of the equation across
-/// the stroke.
+/// The weight of a source by what it lets through of the picture under it, in the middle of a long and even stroke: times
+/// that, over what it does not let through. By the root of what it lets through, in eighths, from the solution of the
+/// equation across the stroke.
 const WEIGHTS: [f64; 9] = [1.0, 1.320, 1.968, 2.489, 2.869, 3.143, 3.342, 3.488, 3.598];
 
 /// The sources of the scribbles that shade, in an order that does not depend on theirs. Without strength, width or
@@ -81,8 +83,8 @@ fn soft_source(scribble: &Scribble, blend: Blend) -> Option<SoftSource> {
     })
 }
 
-/// The points of a stroke that are finite, and what a pen leaves of the radius and of the root of the weight there. Where strength
-/// changes much from one to the next, there are some between: the weight does not grow as evenly as it.
+/// The points of a stroke that are finite, and what a pen leaves of the radius and of the root of the weight there. Where
+/// strength changes much from one to the next, there are some between: the weight does not grow as evenly as it.
 fn pressed(scribble: &Scribble, shading: &Shading) -> (Vec<Point>, Vec<[f64; 2]>) {
     let near = |x: f64| x.clamp(-FARTHEST_DU, FARTHEST_DU);
     let finite = scribble.points.iter().enumerate().filter(|(_, p)| p.is_finite());
@@ -110,8 +112,8 @@ fn part(part: f64) -> f64 {
     if part.is_nan() { 1.0 } else { part.clamp(0.0, 1.0) }
 }
 
-/// The weight with which the middle of a long and even stroke covers by its strength what is under it, to a hundredth; and by
-/// 0.9995 at full strength. Zero for what is no number.
+/// The weight with which the middle of a long and even stroke covers by its strength what is under it, to a hundredth;
+/// and by 0.9995 at full strength. Zero for what is no number.
 pub fn weight(strength: f64) -> f64 {
     let strength = if strength.is_nan() { 0.0 } else { strength.clamp(0.0, 1.0) };
     let left = 1.0 - (1.0 - LEAST_LEFT) * strength;

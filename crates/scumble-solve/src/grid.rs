@@ -4,7 +4,7 @@
 //! |---|---|
 //! | all that is given | `constraints` |
 //! | where curves cut the links between pixels | `cut_links`, `wall` |
-//! | what shading scribbles do to pixels | `pulls`, `regions` |
+//! | the layer that shading scribbles lay over pixels | `pulls`, `regions` |
 //! | pixels that their colour cannot reach | `unreached` |
 //! | numbers in rows and columns, as the GPU has them | `texture` |
 //! | a grid and how its unknowns hang together | `level`, `parts` |
@@ -17,8 +17,9 @@
 //!
 //! Conjugate gradients, preconditioned by a symmetric multigrid cycle; after O. Tatebe, *The multigrid preconditioned
 //! conjugate gradient method* (1993). Interpolation is that of smoothed aggregation (P. Vaněk, J. Mandel, M. Brezina,
-//! 1996), which for whole cells is that of D. Y. Kwak, *V-cycle multigrid for cell-centered finite differences* (1999); the matrices of the
-//! coarser grids are not those of Galerkin but have the same five points as the finest, one for each part of a cell.
+//! 1996), which for whole cells is that of D. Y. Kwak, *V-cycle multigrid for cell-centered finite differences* (1999);
+//! the matrices of the coarser grids are not those of Galerkin but have the same five points as the finest, one for each
+//! part of a cell.
 //! Everything is computed texel by texel in `f32`, as it is on the GPU.
 
 mod constraints;

@@ -8,8 +8,8 @@
 //!
 //! Every region is a linear system of its own. Its geometry is looked at when one of its gaps is closed or opened, its
 //! matrix is factored when the set of its coloured sides changes, and a change of colours costs two triangular
-//! solves. What soft sources lay over a region is a system beside its own, of finer elements around their strokes alone. All sums are in a fixed order, so a picture is the same on every
-//! machine.
+//! solves. What soft sources lay over a region is a system beside its own, of finer elements around their strokes alone.
+//! All sums are in a fixed order, so a picture is the same on every machine.
 
 mod cells;
 mod cholesky;

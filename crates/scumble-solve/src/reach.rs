@@ -122,7 +122,8 @@ fn clipped([from, to]: [Point; 2], rect: Rect) -> [Point; 2] {
     if start < end { [start, end].map(|t| from.lerp(to, t)) } else { [from, from] }
 }
 
-/// Whether a brush comes near enough to a triangle to be taken into account there.
+/// Whether a brush draws at a triangle to its colour, or all but does. Where it only passes on what it drew elsewhere
+/// nothing comes of it: that would be through lines.
 fn meets(brush: &Brush, corners: [Point; 3]) -> bool {
     let [a, b, c] = corners;
     let middle = ((a.to_vec2() + b.to_vec2() + c.to_vec2()) / 3.0).to_point();

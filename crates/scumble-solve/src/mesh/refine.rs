@@ -14,8 +14,8 @@ const MAX_FINER: usize = 60_000;
 /// Longest edge in the middle of a stroke, in radii where it is.
 const LONGEST_EDGE: f64 = 0.75;
 
-/// Longest edge at the rim of a stroke, in radii: so much, and for a weight of one so much more, which falls with its root. There the
-/// colour passes into what is around it, in the less the stronger it is.
+/// Longest edge at the rim of a stroke, in radii: so much, and for a weight of one so much more, which falls with its
+/// root. There the colour passes into what is around it, on a way that is the shorter the stronger it is.
 const RIM_EDGE: [f64; 2] = [0.2, 1.4];
 
 /// How far from the rim the edges begin to grow, in radii.
@@ -85,13 +85,17 @@ impl Cells {
         let middle = ((a + b + c) / 3.0).to_point();
         let mut is_too_large = false;
         let most_du = (1.0 + RIM_WIDTH) * brush.radii_du[1] + longest_du / GROWTH;
-        brush.for_each_place(middle, most_du, &mut |Place { distance_du, radius_du }| {
-            let from_rim = distance_du / radius_du - 1.0;
-            let grown = GROWTH * (from_rim.abs() - RIM_WIDTH).max(0.0);
-            let edge = (RIM_EDGE[0] + RIM_EDGE[1] / brush.weight.sqrt()).min(LONGEST_EDGE) + grown;
-            let is_long = |edge: f64| longest_du > radius_du * edge;
-            is_too_large |= is_long(if from_rim < 0.0 { edge.min(LONGEST_EDGE) } else { edge });
+        brush.for_each_place(middle, most_du, &mut |place| {
+            is_too_large |= longest_du > place.radius_du * longest_edge(place, brush.weight);
         });
         is_too_large
     }
+}
+
+/// Longest edge that a place of a stroke allows where it is seen from, in radii.
+fn longest_edge(Place { distance_du, radius_du }: Place, weight: f64) -> f64 {
+    let from_rim = distance_du / radius_du - 1.0;
+    let grown = GROWTH * (from_rim.abs() - RIM_WIDTH).max(0.0);
+    let edge = (RIM_EDGE[0] + RIM_EDGE[1] / weight.sqrt()).min(LONGEST_EDGE) + grown;
+    if from_rim < 0.0 { edge.min(LONGEST_EDGE) } else { edge }
 }
