@@ -7,7 +7,7 @@
 use kurbo::Point;
 use scumble_core::Triangulation;
 
-use super::dofs::{Dofs, NONE};
+use super::dofs::{Dofs, NONE, Unknowns};
 use super::refine::{Refined, Shape};
 
 /// A triangle of the finer mesh.
@@ -25,12 +25,9 @@ pub(super) struct Cell {
 /// The weights of corners in themselves.
 pub(super) const WHOLE: [[f32; 3]; 3] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
 
-/// An edge of the finer mesh.
+/// The one or two triangles at an edge of the finer mesh.
 #[derive(Clone, Copy, Debug)]
-struct Edge {
-    /// The one or two triangles at it.
-    cells: [u32; 2],
-}
+struct Edge([u32; 2]);
 
 #[derive(Clone, Debug)]
 pub(super) struct Cells {
@@ -42,12 +39,13 @@ pub(super) struct Cells {
 impl Cells {
     /// The region as it is.
     pub(super) fn new(mesh: &Triangulation, dofs: &Dofs) -> Self {
-        let (numbers, point_count) = numbers(dofs);
+        let Dofs { triangles, unknowns, .. } = dofs;
+        let (numbers, point_count) = numbers(unknowns);
         let number = |dof: u32| numbers[dof as usize];
         let mut points = vec![Point::ORIGIN; point_count];
-        let mut edges = vec![Edge::NEW; dofs.count - point_count];
-        let mut cells = Vec::with_capacity(2 * dofs.triangles.len());
-        for (i, (&t, &[a, b, c, ab, bc, ca])) in dofs.triangles.iter().zip(&dofs.of_triangle).enumerate() {
+        let mut edges = vec![Edge::NEW; unknowns.count - point_count];
+        let mut cells = Vec::with_capacity(2 * triangles.len());
+        for (i, (&t, &[a, b, c, ab, bc, ca])) in triangles.iter().zip(&unknowns.of_element).enumerate() {
             let (corners, borders) = ([a, b, c].map(number), [ab, bc, ca].map(number));
             let cell = Cell { parent: i as u32, weights: WHOLE, corners, edges: borders };
             for (corner, p) in cell.corners.into_iter().zip(mesh.corners(t as usize)) {
@@ -64,7 +62,7 @@ impl Cells {
         let mut i = i as u32;
         loop {
             let edge = self.longest(i);
-            let [a, b] = self.edges[edge as usize].cells;
+            let Edge([a, b]) = self.edges[edge as usize];
             let twin = if a == i { b } else { a };
             if twin == NONE || self.longest(twin) == edge {
                 return self.split(edge);
@@ -87,7 +85,7 @@ impl Cells {
 
     /// Bisects an edge and the triangles at it.
     fn split(&mut self, edge: u32) {
-        let Edge { cells } = self.edges[edge as usize];
+        let Edge(cells) = self.edges[edge as usize];
         let cell = self.cells[cells[0] as usize];
         let k = place(&cell, edge);
         let [start, end] = [cell.corners[k], cell.corners[(k + 1) % 3]];
@@ -152,14 +150,14 @@ impl Cells {
 }
 
 impl Edge {
-    const NEW: Self = Self { cells: [NONE; 2] };
+    const NEW: Self = Self([NONE; 2]);
 
     fn is_side(&self) -> bool {
-        self.cells[1] == NONE
+        self.0[1] == NONE
     }
 
     fn replace(&mut self, old: u32, new: u32) {
-        if let Some(cell) = self.cells.iter_mut().find(|cell| **cell == old) {
+        if let Some(cell) = self.0.iter_mut().find(|cell| **cell == old) {
             *cell = new;
         }
     }
@@ -167,10 +165,10 @@ impl Edge {
 
 /// The numbers of a region's unknowns, those at corners and those in the middle of edges each from 0 on; and how many of
 /// the former there are. They depend on the triangles alone.
-fn numbers(dofs: &Dofs) -> (Vec<u32>, usize) {
-    let mut numbers = vec![NONE; dofs.count];
+fn numbers(unknowns: &Unknowns) -> (Vec<u32>, usize) {
+    let mut numbers = vec![NONE; unknowns.count];
     let mut next = [0, 0];
-    for (k, &dof) in dofs.of_triangle.iter().flat_map(|dofs| dofs.iter().enumerate()) {
+    for (k, &dof) in unknowns.of_element.iter().flat_map(|dofs| dofs.iter().enumerate()) {
         if numbers[dof as usize] == NONE {
             numbers[dof as usize] = next[k / 3];
             next[k / 3] += 1;

@@ -17,17 +17,22 @@ pub(super) const NONE: u32 = u32::MAX;
 /// The triangles of one region and their unknowns, counted from 0 in each region.
 #[derive(Debug)]
 pub(super) struct Dofs {
-    /// Triangles of the mesh, in ascending order; none where the elements are others.
+    /// Triangles of the mesh, in ascending order; each is an element.
     pub(super) triangles: Vec<u32>,
-    /// The unknowns of each of them, at corners 0, 1, 2 and in the middle of edges 01, 12, 20.
-    pub(super) of_triangle: Vec<[u32; 6]>,
+    pub(super) unknowns: Unknowns,
     /// The sides of curves that bound the region.
     pub(super) sides: Vec<Side>,
     /// The gaps that it has a part in, open or closed, in ascending order.
     pub(super) gaps: Vec<u32>,
-    /// Where the groups of unknowns end that are eliminated together; none before they are in the order of elimination.
+}
+
+/// The unknowns of some elements, counted from 0.
+#[derive(Debug)]
+pub(super) struct Unknowns {
+    /// Those of each element, at corners 0, 1, 2 and in the middle of edges 01, 12, 20.
+    pub(super) of_element: Vec<[u32; 6]>,
+    /// Where the groups end that are eliminated together; none before they are in the order of elimination.
     pub(super) group_ends: Vec<u32>,
-    /// Number of unknowns.
     pub(super) count: usize,
 }
 
@@ -48,7 +53,17 @@ pub(super) fn number(barriers: Barriers<'_>, triangles: &[u32]) -> Vec<Dofs> {
 }
 
 impl Dofs {
-    /// Those of elements that are not those of the mesh, of which these are the unknowns by other numbers.
+    /// Renumbers the unknowns in the order of elimination, once.
+    pub(super) fn order(&mut self) {
+        if let Some(rank) = self.unknowns.order() {
+            let of_sides = self.sides.iter_mut().flat_map(|side| &mut side.dofs);
+            of_sides.for_each(|dof| *dof = rank[*dof as usize]);
+        }
+    }
+}
+
+impl Unknowns {
+    /// Those of elements, by other numbers, which may leave some out.
     pub(super) fn of_elements(mut elements: Vec<[u32; 6]>) -> Self {
         let most = elements.as_flattened().iter().fold(0, |most, &dof| most.max(dof as usize + 1));
         let (mut numbers, mut count) = (vec![NONE; most], 0);
@@ -62,27 +77,19 @@ impl Dofs {
                 *dof = *number;
             }
         }
-        Self {
-            triangles: Vec::new(),
-            of_triangle: elements,
-            sides: Vec::new(),
-            gaps: Vec::new(),
-            group_ends: Vec::new(),
-            count: count as usize,
-        }
+        Self { of_element: elements, group_ends: Vec::new(), count: count as usize }
     }
 
-    /// Renumbers the unknowns, of which those at corners come first, in the order of elimination, once.
-    pub(super) fn order(&mut self) {
+    /// Renumbers them, of which those at corners come first, in the order of elimination, once; and says where in that each
+    /// of them is.
+    pub(super) fn order(&mut self) -> Option<Vec<u32>> {
         if !self.group_ends.is_empty() {
-            return;
+            return None;
         }
         let (rank, group_ends) = elimination_rank(self);
-        let of_sides = self.sides.iter_mut().flat_map(|side| &mut side.dofs);
-        for dof in self.of_triangle.iter_mut().flatten().chain(of_sides) {
-            *dof = rank[*dof as usize];
-        }
+        self.of_element.iter_mut().flatten().for_each(|dof| *dof = rank[*dof as usize]);
         self.group_ends = group_ends;
+        Some(rank)
     }
 }
 
@@ -98,12 +105,11 @@ impl Numbers<'_> {
         self.next = 0;
         half_edges(&triangles).for_each(|h| self.number_sector(h));
         half_edges(&triangles).for_each(|h| self.number_middle(h));
+        let of_element = triangles.iter().map(|&t| self.of_triangle[t as usize]).collect();
         Dofs {
-            of_triangle: triangles.iter().map(|&t| self.of_triangle[t as usize]).collect(),
+            unknowns: Unknowns { of_element, group_ends: Vec::new(), count: self.next as usize },
             sides: self.sides(&triangles),
             gaps: gaps(self.barriers.mesh, &triangles),
-            group_ends: Vec::new(),
-            count: self.next as usize,
             triangles,
         }
     }

@@ -20,7 +20,7 @@ fn weights(corners: [Point; 3]) -> [f64; 3] {
     [0, 1, 2].map(|i| -0.5 * edges[(i + 1) % 3].dot(edges[(i + 2) % 3]) / area2)
 }
 
-/// A symmetric matrix for the six unknowns of a triangle, in the order of [`super::dofs::Dofs::of_triangle`]: its lower
+/// A symmetric matrix for the six unknowns of a triangle, in the order of [`super::dofs::Unknowns::of_element`]: its lower
 /// half, column by column.
 pub(super) type Matrix = [f64; 21];
 

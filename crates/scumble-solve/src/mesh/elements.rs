@@ -4,7 +4,7 @@ use scumble_core::Triangulation;
 
 use super::SolveError;
 use super::dofs::Dofs;
-use super::element;
+use super::element::{self, Matrix};
 use super::system::System;
 
 /// Elements, and their system once one is needed.
@@ -35,17 +35,20 @@ impl Elements {
     /// Factors the system if that is not done yet.
     pub(super) fn factor(&mut self, mesh: &Triangulation, memory: &mut Vec<f64>) -> Result<(), SolveError> {
         let Some((_, system)) = &mut self.system else { return Ok(()) };
-        let triangles = &self.dofs.triangles;
-        system.factor(&|i| element::stiffness(mesh.corners(triangles[i] as usize)), memory)
+        system.factor(&matrices(mesh, &self.dofs), memory)
     }
 
     fn new_system(&mut self, mesh: &Triangulation, is_colored: &[bool]) -> System {
         self.dofs.order();
-        let mut fixed = vec![false; self.dofs.count];
+        let mut fixed = vec![false; self.dofs.unknowns.count];
         for (side, _) in self.dofs.sides.iter().zip(is_colored).filter(|(_, is_colored)| **is_colored) {
             side.dofs.iter().for_each(|&dof| fixed[dof as usize] = true);
         }
-        let triangles = &self.dofs.triangles;
-        System::new(&self.dofs, &|i| element::stiffness(mesh.corners(triangles[i] as usize)), &fixed)
+        System::new(&self.dofs.unknowns, &matrices(mesh, &self.dofs), &fixed)
     }
+}
+
+/// What each element adds to the matrix.
+fn matrices(mesh: &Triangulation, dofs: &Dofs) -> impl Fn(usize) -> Matrix {
+    |i| element::stiffness(mesh.corners(dofs.triangles[i] as usize))
 }

@@ -11,7 +11,7 @@ use scumble_core::{BlendColor, SoftSource};
 
 use super::SolveError;
 use super::cells::Cells;
-use super::dofs::{Dofs, NONE};
+use super::dofs::{NONE, Unknowns};
 use super::element::{self, Matrix, PLACES, Quadrature};
 use super::refine::{self, Refined, Shape};
 use super::system::System;
@@ -67,11 +67,11 @@ impl Layer {
         let Refined { shapes, dofs, dof_count } = refine::refine(coarse, &brushes);
         let mut patch = Patch { of_shape: vec![NONE; shapes.len()], ..Patch::default() };
         patch.integrate(&brushes, &shapes, &dofs);
-        let mut numbered = Dofs::of_elements(patch.dofs.clone());
+        let mut numbered = Unknowns::of_elements(patch.dofs.clone());
         numbered.order();
         let is_fixed = patch.rim(&dofs, dof_count, &numbered);
         let system = System::new(&numbered, &|i| patch.matrix(i), &is_fixed);
-        patch.dofs = numbered.of_triangle;
+        patch.dofs = numbered.of_element;
         Self { sources, shapes, patch, system, covers: Vec::new(), is_solved: false }
     }
 
@@ -200,12 +200,12 @@ impl Patch {
     }
 
     /// Which of its unknowns, as they are numbered now, are those of elements beyond it too.
-    fn rim(&self, all: &[[u32; 6]], count: usize, numbered: &Dofs) -> Vec<bool> {
+    fn rim(&self, all: &[[u32; 6]], count: usize, numbered: &Unknowns) -> Vec<bool> {
         let mut is_beyond = vec![false; count];
         let beyond = all.iter().zip(&self.of_shape).filter(|(_, of_patch)| **of_patch == NONE);
         beyond.flat_map(|(dofs, _)| dofs).for_each(|&dof| is_beyond[dof as usize] = true);
         let mut is_rim = vec![false; numbered.count];
-        let numbers = numbered.of_triangle.as_flattened().iter().zip(self.dofs.as_flattened());
+        let numbers = numbered.of_element.as_flattened().iter().zip(self.dofs.as_flattened());
         numbers.for_each(|(&number, &dof)| is_rim[number as usize] = is_beyond[dof as usize]);
         is_rim
     }

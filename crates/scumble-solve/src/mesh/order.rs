@@ -9,17 +9,17 @@ use faer::dyn_stack::{MemBuffer, MemStack};
 use faer::sparse::SymbolicSparseColMatRef;
 use faer::sparse::linalg::amd;
 
-use super::dofs::Dofs;
+use super::dofs::Unknowns;
 
 /// The place of each unknown in the order of elimination, and where the groups of a corner and of the edges before it
 /// end there. Corners come first among the unknowns.
-pub(super) fn elimination_rank(dofs: &Dofs) -> (Vec<u32>, Vec<u32>) {
+pub(super) fn elimination_rank(unknowns: &Unknowns) -> (Vec<u32>, Vec<u32>) {
     let corner_count =
-        dofs.of_triangle.iter().flat_map(|dofs| &dofs[..3]).fold(0, |most, &c| most.max(c + 1));
-    let corner_rank = corner_rank(dofs, corner_count as usize);
+        unknowns.of_element.iter().flat_map(|dofs| &dofs[..3]).fold(0, |most, &c| most.max(c + 1));
+    let corner_rank = corner_rank(unknowns, corner_count as usize);
     let mut group_of = corner_rank.clone();
-    group_of.resize(dofs.count, 0);
-    for dofs in &dofs.of_triangle {
+    group_of.resize(unknowns.count, 0);
+    for dofs in &unknowns.of_element {
         for i in 0..3 {
             let ends = [dofs[i], dofs[(i + 1) % 3]].map(|corner| corner_rank[corner as usize]);
             group_of[dofs[3 + i] as usize] = ends[0].min(ends[1]);
@@ -40,8 +40,8 @@ pub(super) fn elimination_rank(dofs: &Dofs) -> (Vec<u32>, Vec<u32>) {
 }
 
 /// The place of each corner in an order of the corners alone; where there is no memory to find one, as they are.
-fn corner_rank(dofs: &Dofs, count: usize) -> Vec<u32> {
-    let (column_starts, neighbours) = neighbours(dofs, count);
+fn corner_rank(unknowns: &Unknowns, count: usize) -> Vec<u32> {
+    let (column_starts, neighbours) = neighbours(unknowns, count);
     let pattern =
         SymbolicSparseColMatRef::new_unsorted_checked(count, count, &column_starts, None, &neighbours);
     let scratch = amd::order_maybe_unsorted_scratch::<u32>(count, neighbours.len());
@@ -58,15 +58,15 @@ fn corner_rank(dofs: &Dofs, count: usize) -> Vec<u32> {
 
 /// For each corner, the next corner of each of its triangles: where each begins in a list, and the list. An edge
 /// between two triangles is listed from both ends, one on a side from one end.
-fn neighbours(dofs: &Dofs, corner_count: usize) -> (Vec<u32>, Vec<u32>) {
-    let corners = || dofs.of_triangle.iter().flat_map(|&[a, b, c, ..]| [[a, b], [b, c], [c, a]]);
+fn neighbours(unknowns: &Unknowns, corner_count: usize) -> (Vec<u32>, Vec<u32>) {
+    let corners = || unknowns.of_element.iter().flat_map(|&[a, b, c, ..]| [[a, b], [b, c], [c, a]]);
     let mut starts = vec![0; corner_count + 1];
     corners().for_each(|[from, _]| starts[from as usize + 1] += 1);
     for corner in 0..corner_count {
         starts[corner + 1] += starts[corner];
     }
     let mut next = starts.clone();
-    let mut neighbours = vec![0; 3 * dofs.of_triangle.len()];
+    let mut neighbours = vec![0; 3 * unknowns.of_element.len()];
     for [from, to] in corners() {
         neighbours[next[from as usize] as usize] = to;
         next[from as usize] += 1;

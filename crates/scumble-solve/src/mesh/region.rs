@@ -69,7 +69,7 @@ impl Region {
     }
 
     pub(super) fn unknown_count(&self) -> usize {
-        self.base.dofs.count + self.layer.as_ref().map_or(0, Layer::unknown_count)
+        self.base.dofs.unknowns.count + self.layer.as_ref().map_or(0, Layer::unknown_count)
     }
 
     #[cfg(test)]
@@ -160,12 +160,19 @@ impl Region {
     fn emit_shapes(&self, barriers: Barriers<'_>, triangles: &mut [FieldTriangle]) {
         let single = |p: Point| [p.x as f32, p.y as f32];
         for (i, triangle) in triangles.iter_mut().enumerate() {
-            let t = self.base.dofs.triangles.get(i).copied().unwrap_or_default() as usize;
-            let shape = self.layer.as_ref().map(|layer| layer.shapes[i]);
-            triangle.corners =
-                shape.map_or_else(|| barriers.mesh.corners(t), |shape| shape.corners).map(single);
-            triangle.side_edges = shape.map_or_else(|| side_edges(barriers, t), |shape| shape.side_edges);
+            let (corners, side_edges) = self.shape(barriers, i);
+            (triangle.corners, triangle.side_edges) = (corners.map(single), side_edges);
         }
+    }
+
+    /// The corners of one of its triangles in the field, and which of its edges bound the region.
+    fn shape(&self, barriers: Barriers<'_>, i: usize) -> ([Point; 3], u32) {
+        if let Some(layer) = &self.layer {
+            let Shape { corners, side_edges, .. } = layer.shapes[i];
+            return (corners, side_edges);
+        }
+        let t = self.base.dofs.triangles[i] as usize;
+        (barriers.mesh.corners(t), side_edges(barriers, t))
     }
 
     /// Lays the layer over the colours.
@@ -186,7 +193,7 @@ impl Region {
         match self.coloring {
             Coloring::Paper => [[0.0; 4]; 6],
             Coloring::Flat(color) => [color.map(|c| c as f32); 6],
-            Coloring::Blended => self.base.dofs.of_triangle[i].map(|dof| self.values[dof as usize]),
+            Coloring::Blended => self.base.dofs.unknowns.of_element[i].map(|dof| self.values[dof as usize]),
         }
     }
 

@@ -7,7 +7,7 @@ use scumble_core::BlendColor;
 
 use super::SolveError;
 use super::cholesky::Factor;
-use super::dofs::Dofs;
+use super::dofs::Unknowns;
 use super::element::{self, Matrix};
 use super::fronts::{Fronts, NONE};
 
@@ -26,7 +26,7 @@ pub(super) struct System {
 
 impl System {
     /// Finds what couples the unknowns of elements, and the pattern of the factor.
-    pub(super) fn new(dofs: &Dofs, matrix: &dyn Fn(usize) -> Matrix, fixed: &[bool]) -> Self {
+    pub(super) fn new(unknowns: &Unknowns, matrix: &dyn Fn(usize) -> Matrix, fixed: &[bool]) -> Self {
         let (place_of, row_count) = places(fixed);
         let mut couplings = Vec::new();
         let couple = |(i, dofs): (usize, &[u32; 6])| {
@@ -37,8 +37,8 @@ impl System {
             }
             rows
         };
-        let rows: Vec<_> = dofs.of_triangle.iter().enumerate().map(couple).collect();
-        let fronts = Fronts::new(&rows, &group_ends(fixed, &dofs.group_ends));
+        let rows: Vec<_> = unknowns.of_element.iter().enumerate().map(couple).collect();
+        let fronts = Fronts::new(&rows, &group_ends(fixed, &unknowns.group_ends));
         Self { place_of, couplings: Couplings::new(&couplings, row_count), fronts, rows, factor: None }
     }
 
