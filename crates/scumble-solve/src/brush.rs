@@ -15,7 +15,8 @@ mod segment;
 /// Segments that share a box.
 const CHUNK: usize = 8;
 
-/// The least length in which a layer falls by a factor of e, in radii: so that the equation stays one that can be solved.
+/// The least length in which a layer falls by a factor of e, in radii where its stroke is thinnest: so that the equation
+/// stays one that can be solved.
 const LEAST_LENGTH: f64 = 0.125;
 
 /// A place of a stroke as it is from somewhere.

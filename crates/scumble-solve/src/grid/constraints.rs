@@ -21,8 +21,8 @@ pub struct Constraints {
     pub faces: Vec<Face>,
     /// What draws pixels towards colours without a curve between, in no order; some pixels are named more than once.
     pub pulls: Vec<Pull>,
-    /// The layer that shading scribbles lay over the picture, a problem of its own: one of colours, which cover as much as their
-    /// opacity, or that and then one of which the opacity is how much they cover. None where nothing shades.
+    /// The layer that shading scribbles lay over the picture, a problem of its own: one of colours, which cover as much as
+    /// their opacity, or that and then one of which the opacity is how much they cover. None where nothing shades.
     pub layers: Vec<Constraints>,
 }
 
@@ -30,15 +30,17 @@ impl Constraints {
     /// Those of a map and the colours of its sides in what a view shows.
     pub fn new(map: &PlanarMap, boundary: &Boundary, view: &View) -> Self {
         let regions = PixelRegions::new(map.triangulation(), boundary, view);
-        let layers = pulls::layers(&regions, &boundary.sources, view);
-        let layers = if layers.is_empty() { Vec::new() } else { Self::layers(map, boundary, view, layers) };
+        let layers = Self::layers(map, boundary, view, pulls::layers(&regions, &boundary.sources, view));
         let mut all = Self { layers, ..Self::without_pulls(map, boundary, view) };
         all.pulls = unreached::pulls(&regions, &all);
         all
     }
 
-    /// Layers of some pulls: nothing passes through lines.
+    /// A problem for each of some lists of pulls, in which nothing passes through lines.
     fn layers(map: &PlanarMap, boundary: &Boundary, view: &View, pulls: Vec<Vec<Pull>>) -> Vec<Self> {
+        if pulls.is_empty() {
+            return Vec::new();
+        }
         let bare = Boundary { closed_gaps: boundary.closed_gaps.clone(), ..Boundary::default() };
         let bare = Self::without_pulls(map, &bare, view);
         pulls.into_iter().map(|pulls| Self { pulls, ..bare.clone() }).collect()

@@ -1,4 +1,5 @@
-//! What shading scribbles lay over pixels: each that is under a stroke is drawn towards its colour, all others towards nothing.
+//! The layer that shading scribbles lay over pixels: each that is under a stroke is drawn towards its colour, and all of
+//! the region towards nothing.
 
 use std::{iter, mem};
 
@@ -28,23 +29,32 @@ const SAMPLES: f64 = 24.0;
 /// Most of these places in a row of a pixel.
 const MOST_SAMPLES: f64 = 8.0;
 
-/// What a brush has to draw a pixel against: its links, and so many times what its layer fades by. So thin strokes come nearest to
-/// the mesh solver's; measured for radii from a third of a pixel up.
+/// What a brush has to draw a pixel against: its links, and so many times what its layer fades by. So thin strokes come
+/// nearest to the mesh solver's; measured for radii from a third of a pixel up.
 const LINKS: f64 = 4.0;
 const FADES: f64 = 2.0;
 
-/// How strongly pixels are drawn to nothing where a layer has ended.
+/// How strongly pixels are drawn to nothing where a layer has ended, against a link.
 const HOLD: f64 = 1.0;
 
 /// The least length in which a layer fades, in px.
 const LEAST_LENGTH_PX: f64 = 0.25;
 
-/// The pulls of the layers of a boundary in what a view shows, in the regions that each source reaches: those of its colours,
-/// and where some have no opacity, those of what it covers.
+/// The pulls of the layer of some sources in what a view shows, in the regions that each reaches: those of their colours,
+/// and where some are not opaque, those of how much they cover.
 pub(super) fn layers(regions: &PixelRegions<'_>, sources: &[SoftSource], view: &View) -> Vec<Vec<Pull>> {
     if sources.is_empty() {
         return Vec::new();
     }
+    let Canvas { pulls, fades, .. } = drawn(regions, sources, view);
+    let is_opaque = sources.iter().all(|source| source.color[3] == 1.0);
+    let covering = |pull: &Pull| Pull { color: [1.0; 4], ..*pull };
+    let covers = (!is_opaque).then(|| pulls.iter().map(covering).collect());
+    let layers = iter::once(pulls).chain(covers);
+    layers.map(|pulls: Vec<_>| [pulls, fades.clone()].concat()).collect()
+}
+
+fn drawn(regions: &PixelRegions<'_>, sources: &[SoftSource], view: &View) -> Canvas {
     let all = regions.triangles();
     let places = reach::Regions::new(regions.mesh, &mut all.iter().map(Vec::as_slice));
     let shades: Vec<_> = sources.iter().map(|source| Shade::new(&places, source)).collect();
@@ -58,12 +68,7 @@ pub(super) fn layers(regions: &PixelRegions<'_>, sources: &[SoftSource], view: &
             canvas.fade(&spans);
         }
     }
-    let Canvas { pulls, fades, .. } = canvas;
-    let is_opaque = sources.iter().all(|source| source.color[3] == 1.0);
-    let covering = |pull: &Pull| Pull { color: [1.0; 4], ..*pull };
-    let covers = (!is_opaque).then(|| pulls.iter().map(covering).collect());
-    let layers = iter::once(pulls).chain(covers);
-    layers.map(|pulls: Vec<_>| [pulls, fades.clone()].concat()).collect()
+    canvas
 }
 
 /// A source, where it shows and with which colour.
@@ -116,19 +121,24 @@ impl Canvas {
         for span in spans.iter().filter(|span| bounds.y0 <= span.row as f64 && span.row as f64 <= bounds.y1) {
             for column in span.columns.start.max(columns.start)..span.columns.end.min(columns.end) {
                 let center = Point::new(column as f64, span.row as f64);
-                let at = self.du_from_centers * center;
-                shade.brush.near(at, self.du_per_px, &mut near);
+                shade.brush.near(self.du_from_centers * center, self.du_per_px, &mut near);
                 if !near.is_empty() {
-                    let pixel = self.pixel([column, span.row]);
-                    let length_px = shade.brush.pull(at, &near).length_du / self.du_per_px;
-                    let length_px = length_px.max(LEAST_LENGTH_PX);
-                    let longest_px = &mut self.lengths_px[pixel as usize];
-                    *longest_px = longest_px.max(length_px);
-                    let held = LINKS + FADES / (length_px * length_px);
-                    let strength = self.strength(&shade.brush, center, &near, held);
-                    self.pulls.push(Pull { pixel, strength: strength as f32, color: shade.color });
+                    self.pull(shade, self.pixel([column, span.row]), center, &near);
                 }
             }
+        }
+    }
+
+    /// Adds what a source does to a pixel that some of its segments are near.
+    fn pull(&mut self, shade: &Shade, pixel: u32, center: Point, near: &[Segment]) {
+        let length_du = shade.brush.pull(self.du_from_centers * center, near).length_du;
+        let length_px = (length_du / self.du_per_px).max(LEAST_LENGTH_PX);
+        let longest_px = &mut self.lengths_px[pixel as usize];
+        *longest_px = longest_px.max(length_px);
+        let held = LINKS + FADES / (length_px * length_px);
+        let strength = self.strength(&shade.brush, center, near, held);
+        if strength > 0.0 {
+            self.pulls.push(Pull { pixel, strength: strength as f32, color: shade.color });
         }
     }
 
@@ -148,8 +158,8 @@ impl Canvas {
         (y * i64::from(self.width_px) + x) as u32
     }
 
-    /// How strong a brush is in a pixel that is held so strongly, both against a link: it draws the pixel as far as it would draw
-    /// those that lie around places in it, in the mean.
+    /// How strong a brush is in a pixel that is held so strongly, both against a link: it draws the pixel as far as it
+    /// would draw those that lie around places in it, in the mean.
     fn strength(&self, brush: &Brush, center: Point, near: &[Segment], held: f64) -> f64 {
         let samples = (SAMPLES * self.du_per_px / brush.radii_du[0]).ceil().clamp(1.0, MOST_SAMPLES);
         let offset = |i: u32| (f64::from(i) + 0.5) / samples - 0.5;
