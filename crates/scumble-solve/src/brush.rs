@@ -152,6 +152,13 @@ impl Brush {
     }
 }
 
+/// The middle of a triangle, and how far its corners are from there at most, in du.
+pub(crate) fn around(corners: [Point; 3]) -> (Point, f64) {
+    let [a, b, c] = corners.map(Point::to_vec2);
+    let middle = ((a + b + c) / 3.0).to_point();
+    (middle, corners.map(|corner| corner.distance(middle)).into_iter().fold(0.0, f64::max))
+}
+
 fn bounds(segments: &[Segment]) -> Rect {
     let boxes = segments.iter().map(|segment| Rect::from_points(segment.start, segment.end()));
     boxes.reduce(|a, b| a.union(b)).unwrap_or_default()

@@ -7,7 +7,7 @@
 use kurbo::{Point, Rect};
 use scumble_core::{SoftSource, Triangulation};
 
-use crate::brush::Brush;
+use crate::brush::{self, Brush};
 
 /// A triangle that is in no region.
 const NONE: u32 = u32::MAX;
@@ -126,8 +126,7 @@ fn clipped([from, to]: [Point; 2], rect: Rect) -> [Point; 2] {
 /// nothing comes of it: that would be through lines.
 fn meets(brush: &Brush, corners: [Point; 3]) -> bool {
     let [a, b, c] = corners;
-    let middle = ((a.to_vec2() + b.to_vec2() + c.to_vec2()) / 3.0).to_point();
-    let spread_du = corners.into_iter().map(|corner| corner.distance(middle)).fold(0.0, f64::max);
+    let (middle, spread_du) = brush::around(corners);
     let reach_du = brush.radii_du[1] + spread_du;
     brush.bounds().overlaps(Rect::from_points(a, b).union_pt(c))
         && brush.distance_du(middle, reach_du) < reach_du

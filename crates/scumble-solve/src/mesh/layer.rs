@@ -15,7 +15,7 @@ use super::dofs::{NONE, Unknowns};
 use super::element::{self, Matrix, PLACES, Quadrature};
 use super::refine::{self, Refined, Shape};
 use super::system::System;
-use crate::brush::{Brush, Segment};
+use crate::brush::{self, Brush, Segment};
 
 /// A layer over a region.
 #[derive(Debug)]
@@ -220,10 +220,8 @@ impl Patch {
 
 /// The segments of each brush that count in a triangle.
 fn find_near(brushes: &[Brush], corners: [Point; 3], near: &mut [Vec<Segment>]) {
-    let [a, b, c] = corners.map(Point::to_vec2);
-    let middle = ((a + b + c) / 3.0).to_point();
-    let reach_du = corners.map(|corner| corner.distance(middle)).into_iter().fold(0.0, f64::max);
-    brushes.iter().zip(near).for_each(|(brush, near)| brush.near(middle, reach_du, near));
+    let (middle, spread_du) = brush::around(corners);
+    brushes.iter().zip(near).for_each(|(brush, near)| brush.near(middle, spread_du, near));
 }
 
 fn add(sum: &mut Matrix, other: &Matrix) {
