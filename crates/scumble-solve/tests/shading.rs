@@ -313,7 +313,8 @@ proptest! {
                 let channel = || given.iter().map(|color| color[i]).chain([0.0]);
                 let [least, most] = [channel().fold(0.0, f64::min), channel().fold(0.0, f64::max)];
                 let beyond = (least - value[i]).max(value[i] - most);
-                prop_assert!(beyond <= 1.0 / 255.0, "{} levels", beyond * 255.0);
+                // Nodes stay in the range; between them a quadratic may leave it a little.
+                prop_assert!(beyond <= 1.5 / 255.0, "{} levels", beyond * 255.0);
             }
         }
     }
