@@ -18,6 +18,7 @@ mod element;
 mod elements;
 mod fronts;
 mod layer;
+mod limit;
 mod order;
 mod refine;
 mod region;

@@ -118,7 +118,7 @@ fn assert_pixels(name: &str, pixels: &[[[u8; 4]; 2]], bounds: [f64; 2]) {
 const NEAR: [f64; 2] = [0.4, 3.0];
 
 /// The same for strokes of full strength a few pixels wide, which end within less than a pixel.
-const SUDDEN: [f64; 2] = [0.9, 4.0];
+const SUDDEN: [f64; 2] = [1.0, 5.0];
 
 /// The same for strokes that no pixel sees whole.
 const COARSE: [f64; 2] = [18.0, 30.0];

@@ -149,6 +149,11 @@ impl Layer {
 }
 
 impl Cover {
+    /// Whether it covers anything.
+    pub(super) fn is_any(&self) -> bool {
+        self.part > 0.0
+    }
+
     /// What is seen where it lies over something.
     pub(super) fn over(&self, under: BlendColor) -> BlendColor {
         [0, 1, 2, 3].map(|i| (1.0 - self.part) * under[i] + self.color[i])

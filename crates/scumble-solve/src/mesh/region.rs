@@ -9,7 +9,8 @@ use super::SolveError;
 use super::cells::{Cells, WHOLE};
 use super::dofs::Dofs;
 use super::elements::Elements;
-use super::layer::Layer;
+use super::layer::{Cover, Layer};
+use super::limit;
 use super::refine::Shape;
 use crate::barriers::Barriers;
 use crate::field::FieldTriangle;
@@ -182,9 +183,7 @@ impl Region {
         let range = range(given.chain(layer.colors()).chain(paper));
         for (i, triangle) in triangles.iter_mut().enumerate() {
             let under = self.colors_of_part(&layer.shapes[i]);
-            triangle.colors = layer.covers(i).map_or(under, |covers| {
-                array::from_fn(|k| clamped(covers[k].over(under[k].map(f64::from)), range))
-            });
+            triangle.colors = layer.covers(i).map_or(under, |covers| covered(under, &covers, range));
         }
     }
 
@@ -216,6 +215,18 @@ impl Region {
         let sides = self.base.dofs.sides.iter().zip(&self.given);
         sides.filter_map(|(side, given)| Some((side.dofs, given.as_ref()?)))
     }
+}
+
+/// Colours of an element under a layer, within a range. Edges at the rim of the layer stay as they are in the element beyond.
+fn covered(under: [[f32; 4]; 6], covers: &[Cover; 6], range: [BlendColor; 2]) -> [[f32; 4]; 6] {
+    let mut colors = array::from_fn(|k| clamped(covers[k].over(under[k].map(f64::from)), range));
+    for nodes in [[0, 1, 3], [1, 2, 4], [2, 0, 5]] {
+        let [a, b, middle] = nodes;
+        if nodes.iter().any(|&k| covers[k].is_any()) {
+            colors[middle] = limit::limited([colors[a], colors[b]], colors[middle], range);
+        }
+    }
+    colors
 }
 
 /// The least and the greatest of some colours, channel by channel.
