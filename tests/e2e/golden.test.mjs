@@ -72,7 +72,7 @@ describe("golden pictures", () => {
 
   if (process.env.GOLDEN === "accept") return;
   for (const [change, script] of Object.entries({
-    "a button that is missing": `document.querySelector('[data-action="undo"]').style.visibility = "hidden"`,
+    "a button that is missing": `document.getElementById("history").style.visibility = "hidden"`,
     "a swatch of another colour": `document.querySelector("#palette button").style.filter = "hue-rotate(20deg)"`,
     "a word that is another": `document.getElementById("drawing").textContent = "Teapot with flower"`,
     "a bar that is lower by two pixels": `document.querySelector("footer").style.paddingTop = "7px"`,
