@@ -110,7 +110,7 @@ for (const browser of /** @type {const} */ (["chromium", "firefox"])) {
       await editor.tab.click("button", "File");
       assert.ok(await isOpen(editor, "files"));
       await editor.tab.click("button", "Samples");
-      assert.ok(await isOpen(editor, "samples"));
+      await editor.tab.waitFor(`document.getElementById("samples").open`);
       assert.ok(!(await isOpen(editor, "files")));
       await editor.tab.press("Escape");
       await editor.tab.waitFor(`!document.getElementById("samples").open`);
