@@ -4,7 +4,6 @@
 //! are taken at pixel centres, away from curves and from the ends of curves, junctions and changes of what a side is;
 //! near those they are reported apart.
 
-mod centers;
 mod levels;
 mod zones;
 
@@ -13,7 +12,7 @@ use std::path::Path;
 use anyhow::Context;
 use scumble_core::{Boundary, PlanarMap, Settings, SideId};
 use scumble_solve::grid::{Constraints, GridSolver, JeschkeSolver, TOLERANCE};
-use scumble_solve::{Picture, View};
+use scumble_solve::{Picture, View, centers};
 
 use crate::set::{self, Kind};
 use crate::{made, stages};

@@ -1,13 +1,13 @@
 //! Soft sources: what shading scribbles lay over the picture.
 //!
-//! Along its stroke a source of radius `R`, weight `w` and colour `c` draws a layer over the picture to its colour, and
-//! the rest of the plane draws it back to nothing: `−Δu + u / ℓ² + (w / R²) χ (u − c) = 0` (screened Poisson equation),
-//! where `χ = (1 − d² / R²)²` at the distance `d < R` from the stroke and zero beyond, and `ℓ = R − d / 2`. So the layer
-//! ends softly at the distance `2 R`, whatever the region is like; nothing flows through lines. The same equation with
-//! ones in place of colours gives its cover `α`, and the picture under it shows by `1 − α`. It stays between the colours
-//! that are given and has no crease. Where a pen varied `R` or `w` along the stroke, each of `w χ / R²` and `ℓ` is the
-//! greatest that any place of the stroke gives, as if it were drawn in dabs. Where sources overlap, their terms add up,
-//! and the greatest `ℓ` counts.
+//! Along its stroke a source of radius `R` and weight `w` covers what is under it, by `α` from 0 to 1, and the rest of the
+//! plane draws that back to nothing: `−Δα + α / ℓ² + (w / R²) χ (α − 1) = 0` (screened Poisson equation), where
+//! `χ = (1 − d² / R²)²` at the distance `d < R` from the stroke and zero beyond, and `ℓ = R − d / 2`. So it ends softly at
+//! the distance `2 R`, whatever the region is like; nothing flows through lines. Where a pen varied `R` or `w` along the
+//! stroke, each of `w χ / R²` and `ℓ` is the greatest that any place of the stroke gives, as if it were drawn in dabs.
+//!
+//! The picture under a source shows by `1 − α`. Where several cover it, their colours count by `α / (1 − α)` each, and the
+//! picture under them by 1: so their order makes no difference, and all stays between the colours that are given.
 
 use std::cmp::Ordering;
 

@@ -8,7 +8,7 @@
 //! | levels, and the ways through them | `levels` |
 //! | sums over all texels | `reduction` |
 //! | a problem, and steps to its solution | `gradients` |
-//! | the picture and the layers over it | `stack` |
+//! | the picture and what lies over it | `stack` |
 //! | the solution as a layer of a scene | `layer` |
 //! | why it cannot be done | `error` |
 //!
@@ -43,8 +43,8 @@ pub struct GpuGridSolver {
     gpu: Gpu,
     /// Every step draws into the textures that the one before has read: what is done next, and what was done last.
     steps: [Step; 2],
-    /// By how much the last step changed each channel most, of the picture and of each layer.
-    changes: Vec<wgpu::TextureView>,
+    /// By how much the last step changed each channel most.
+    change: wgpu::TextureView,
 }
 
 impl GpuGridSolver {
@@ -57,7 +57,7 @@ impl GpuGridSolver {
         let mut stack = Stack::new(gpu, kernels, constraints, &mut recorder)?;
         recorder.take().play(gpu);
         let [first, second] = [(); 2].map(|()| stack.step(&mut recorder));
-        Ok(Self { gpu: gpu.clone(), steps: [first, second], changes: stack.changes() })
+        Ok(Self { gpu: gpu.clone(), steps: [first, second], change: stack.change().clone() })
     }
 
     /// Steps until a step changes no channel by more than `tolerance`, or [`MAX_STEPS`] are done; and how many it took.
@@ -86,12 +86,8 @@ impl GpuGridSolver {
     /// When the device fails.
     pub async fn last_change(&self) -> Result<f32, GpuError> {
         self.steps[1].measure.play(&self.gpu);
-        let mut largest = 0.0_f32;
-        for change in &self.changes {
-            let channels = texels::read(&self.gpu, change).await?.into_iter().flatten();
-            largest = channels.map(f32::abs).fold(largest, f32::max);
-        }
-        Ok(largest)
+        let changes = texels::read(&self.gpu, &self.change).await?;
+        Ok(changes.into_iter().flatten().fold(0.0, |largest, change| largest.max(change.abs())))
     }
 
     /// What [`GpuGridSolver::pixels`] reads, on the GPU.

@@ -4,7 +4,8 @@
 //! |---|---|
 //! | all that is given | `constraints` |
 //! | where curves cut the links between pixels | `cut_links`, `wall` |
-//! | the layer that shading scribbles lay over pixels | `pulls`, `regions` |
+//! | the layer that shading scribbles lay over pixels | `covers` |
+//! | the regions of a map among pixels | `regions` |
 //! | pixels that their colour cannot reach | `unreached` |
 //! | numbers in rows and columns, as the GPU has them | `texture` |
 //! | a grid and how its unknowns hang together | `level`, `parts` |
@@ -23,6 +24,7 @@
 //! Everything is computed texel by texel in `f32`, as it is on the GPU.
 
 mod constraints;
+mod covers;
 mod curve_cells;
 mod cut_links;
 mod gradients;
@@ -33,13 +35,13 @@ mod level;
 mod parts;
 mod picture;
 mod problem;
-mod pulls;
 mod regions;
 mod texture;
 mod unreached;
 mod wall;
 
-pub use constraints::Constraints;
+pub use constraints::{Constraints, Pull};
+pub use covers::Covers;
 pub use curve_cells::CurveCells;
 pub use cut_links::{Cut, Face, LEAST_FRACTION, Link};
 pub use hierarchy::{Hierarchy, STEPS};
@@ -47,7 +49,6 @@ pub use jeschke::JeschkeSolver;
 pub use level::Level;
 pub use picture::GridPicture;
 pub use problem::GridProblem;
-pub use pulls::Pull;
 pub use texture::{Texel, Texture};
 
 use gradients::Gradients;
@@ -66,15 +67,13 @@ pub const PAGE_STEPS: usize = 10;
 #[derive(Clone, Debug)]
 pub struct GridSolver {
     picture: Gradients,
-    /// What lies over it, as in [`Constraints::layers`].
-    layers: Vec<Gradients>,
+    covers: Option<Covers>,
 }
 
 impl GridSolver {
     /// With a first picture.
     pub fn new(constraints: &Constraints) -> Self {
-        let layers = constraints.layers.iter().map(Gradients::new).collect();
-        Self { picture: Gradients::new(constraints), layers }
+        Self { picture: Gradients::new(constraints), covers: constraints.covers.clone() }
     }
 
     /// Steps until a step changes no channel by more than `tolerance`, or [`MAX_STEPS`] are done; and how many it took.
@@ -90,24 +89,20 @@ impl GridSolver {
 
     /// By how much the last step changed the value that it changed most.
     pub fn last_change(&self) -> f32 {
-        let layers = self.layers.iter().map(Gradients::last_change);
-        layers.fold(self.picture.last_change(), f32::max)
+        self.picture.last_change()
     }
 
     /// One step of conjugate gradients.
     pub fn step(&mut self) {
         self.picture.step();
-        self.layers.iter_mut().for_each(Gradients::step);
     }
 
     /// Blend-space colours times opacity, and opacity, row by row.
     pub fn pixels(&self) -> Vec<Texel> {
         let under = self.picture.values();
-        let (Some(colors), Some(covers)) = (self.layers.first(), self.layers.last()) else {
-            return under.texels.clone();
-        };
+        let Some(covers) = &self.covers else { return under.texels.clone() };
         let mut pixels = Texture::new(under.width, under.height);
-        pixels.draw(|x, y| kernels::cover(under, colors.values(), covers.values(), x, y));
+        pixels.draw(|x, y| kernels::cover(under, &covers.colors, covers.parts(), x, y));
         pixels.texels
     }
 }

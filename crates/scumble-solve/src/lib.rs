@@ -4,6 +4,7 @@
 //! |---|---|
 //! | what no colour passes | `barriers` |
 //! | the soft brush of a shading scribble | `brush` |
+//! | a field at the centres of pixels | [`centers`] |
 //! | triangles with colours: the solved picture | [`field`] |
 //! | the grid solver, on pixels | [`grid`] |
 //! | lines, fills and scribbles as flat shapes | [`ink`] |
@@ -16,6 +17,7 @@
 
 mod barriers;
 mod brush;
+pub mod centers;
 pub mod field;
 pub mod grid;
 pub mod ink;

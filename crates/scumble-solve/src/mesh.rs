@@ -8,7 +8,7 @@
 //!
 //! Every region is a linear system of its own. Its geometry is looked at when one of its gaps is closed or opened, its
 //! matrix is factored when the set of its coloured sides changes, and a change of colours costs two triangular
-//! solves. What soft sources lay over a region is a system beside its own, of finer elements around their strokes alone.
+//! solves. How much a soft source covers of a region is a system beside its own, of finer elements around its stroke alone.
 //! All sums are in a fixed order, so a picture is the same on every machine.
 
 mod cells;
@@ -22,6 +22,7 @@ mod limit;
 mod order;
 mod refine;
 mod region;
+mod stroke;
 mod substitution;
 mod system;
 
@@ -101,11 +102,8 @@ impl MeshSolver {
         for (i, region) in (0..).zip(&mut self.regions) {
             let shading = boundary.sources.iter().zip(&reaches);
             let shading = shading.filter(|(_, reach)| reach.meets(&self.mesh, i, region.triangles()));
-            let sources = shading.map(|(source, _)| source.clone()).collect();
-            let memory = region.analyse(&self.mesh, &boundary.sides, sources).unwrap_or_default();
-            if memory.capacity() > self.memory.capacity() {
-                self.memory = memory;
-            }
+            let sources: Vec<_> = shading.map(|(source, _)| source.clone()).collect();
+            region.analyse(&self.mesh, &boundary.sides, &sources);
         }
     }
 

@@ -49,48 +49,53 @@ fn least_radius_du(source: &SoftSource) -> f64 {
     source.parts.iter().fold(source.radius_du, |least, [radius, _]| least.min(radius * source.radius_du))
 }
 
-/// At a node: the factor of `u` in the equation, what there is on its right side, and the same for the cover.
-fn term(sources: &[SoftSource], p: Point) -> [f64; 3] {
-    let least_du = |source: &SoftSource| 0.125 * least_radius_du(source);
-    let pulls: Vec<_> = sources.iter().map(|source| (pull(source, p), source)).collect();
-    let near = pulls.iter().filter(|([_, length_du], _)| *length_du > 0.0);
-    let length_du = near.map(|([_, length_du], source)| length_du.max(least_du(source))).fold(0.0, f64::max);
-    let least_du = sources.iter().map(least_du).fold(f64::INFINITY, f64::min);
-    let fade = if length_du > 0.0 { length_du } else { least_du }.powi(-2);
-    pulls.iter().fold([fade, 0.0, 0.0], |[sum, color, cover], ([strength, _], source)| {
-        [sum + strength, color + strength * source.color[0], cover + strength]
-    })
+/// At a node: the factor of `u` in the equation, and what there is on its right side.
+fn term(source: &SoftSource, p: Point) -> [f64; 2] {
+    let [strength, length_du] = pull(source, p);
+    let length_du = length_du.max(0.125 * least_radius_du(source));
+    [strength + length_du.powi(-2), strength]
 }
 
-/// What is seen at the nodes, row by row: five-point differences without flux through the walls, by successive
-/// over-relaxation until nothing changes by more than a thousandth of a level; laid over the colour of the walls.
-fn on_grid(sources: &[SoftSource]) -> Vec<f64> {
+/// How much a source covers at the nodes, row by row: five-point differences without flux through the walls, by successive
+/// over-relaxation until nothing changes by more than a thousandth of a level.
+fn covers(source: &SoftSource) -> Vec<f64> {
     let width = STEPS + 1;
-    let terms: Vec<_> = (0..width * width).map(|i| term(sources, place(i % width, i / width))).collect();
+    let terms: Vec<_> = (0..width * width).map(|i| term(source, place(i % width, i / width))).collect();
     let mirrored = |i: usize| if i < width { i } else { 2 * STEPS - i };
     let beside = |i: usize| [if i == 0 { 1 } else { i - 1 }, mirrored(i + 1)];
-    let mut values = vec![[0.0; 2]; width * width];
+    let mut values = vec![0.0; width * width];
     loop {
         let mut largest = 0.0_f64;
         for (row, column) in (0..width).flat_map(|row| (0..width).map(move |column| (row, column))) {
             let i = row * width + column;
             let [left, right] = beside(column).map(|column| values[row * width + column]);
             let [above, below] = beside(row).map(|row| values[row * width + column]);
-            for c in 0..2 {
-                let around = left[c] + right[c] + above[c] + below[c];
-                let sum = around + STEP_DU * STEP_DU * terms[i][1 + c];
-                let change = 1.95 * (sum / (4.0 + STEP_DU * STEP_DU * terms[i][0]) - values[i][c]);
-                values[i][c] += change;
-                largest = largest.max(change.abs());
-            }
+            let sum = left + right + above + below + STEP_DU * STEP_DU * terms[i][1];
+            let change = 1.95 * (sum / (4.0 + STEP_DU * STEP_DU * terms[i][0]) - values[i]);
+            values[i] += change;
+            largest = largest.max(change.abs());
         }
         if largest < 1e-3 / 255.0 / STEPS as f64 {
-            let seen = |(i, [color, cover]): (usize, &[f64; 2])| {
-                (1.0 - cover) * wall(place(i % width, i / width)) + color
-            };
-            return values.iter().enumerate().map(seen).collect();
+            return values;
         }
     }
+}
+
+/// What is seen at the nodes, row by row: the colours of the sources and of the walls, mixed by how much each covers against what
+/// it leaves.
+fn on_grid(sources: &[SoftSource]) -> Vec<f64> {
+    let width = STEPS + 1;
+    let layers: Vec<_> = sources.iter().map(covers).collect();
+    let seen = |i: usize| {
+        let parts = layers.iter().zip(sources).map(|(covers, source)| {
+            let weight = covers[i] / (1.0 - covers[i]);
+            [weight * source.color[0], weight]
+        });
+        let [color, weight] =
+            parts.fold([wall(place(i % width, i / width)), 1.0], |[c, w], [d, v]| [c + d, w + v]);
+        color / weight
+    };
+    (0..width * width).map(seen).collect()
 }
 
 fn on_mesh(sources: &[SoftSource]) -> Field {

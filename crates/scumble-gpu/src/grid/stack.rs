@@ -1,85 +1,83 @@
-//! The picture and the layers over it, problems of their own that are solved in the same steps.
+//! The picture and what lies over it.
 
-use std::iter;
-
-use scumble_solve::grid::{Constraints, Hierarchy};
+use scumble_solve::grid::{Constraints, Covers, Hierarchy};
 
 use super::error::GridError;
 use super::gradients::Gradients;
 use super::kernels::{Kernel, Kernels};
 use super::levels::GpuLevels;
 use super::tape::{Recorder, Tape};
-use super::texels::alike;
+use super::texels::{alike, uploaded};
 use crate::gpu::Gpu;
 
-/// A step of all of them, and what comes of it.
+/// A step, and what comes of it.
 #[derive(Debug)]
 pub(super) struct Step {
     pub(super) tape: Tape,
-    /// Finds out how large the changes were.
+    /// Finds out how large the change was.
     pub(super) measure: Tape,
     pub(super) seen: wgpu::TextureView,
 }
 
-/// All that is solved for a picture.
+/// A picture that is solved, and its layer.
 #[derive(Debug)]
 pub(super) struct Stack {
     picture: Gradients,
-    /// What lies over it, as in [`Constraints::layers`].
-    layers: Vec<Gradients>,
-    /// The picture under its layers, if it has any.
-    covered: Option<wgpu::TextureView>,
+    layer: Option<Layer>,
+}
+
+/// What lies over a picture, and the picture under it.
+#[derive(Debug)]
+struct Layer {
+    colors: wgpu::TextureView,
+    parts: wgpu::TextureView,
+    covered: wgpu::TextureView,
+}
+
+impl Layer {
+    fn new(gpu: &Gpu, covers: &Covers) -> Self {
+        let colors = uploaded(gpu, &covers.colors);
+        let parts = covers.parts.as_ref().map_or_else(|| colors.clone(), |parts| uploaded(gpu, parts));
+        Self { covered: alike(gpu, &colors), colors, parts }
+    }
 }
 
 impl Stack {
-    /// Records first pictures.
+    /// Records a first picture.
     pub(super) fn new(
         gpu: &Gpu,
         kernels: &Kernels,
         constraints: &Constraints,
         recorder: &mut Recorder<'_>,
     ) -> Result<Self, GridError> {
-        let mut begin = |constraints: &Constraints| {
-            let hierarchy = Hierarchy::new(constraints);
-            check(gpu, &hierarchy)?;
-            Ok::<_, GridError>(Gradients::new(gpu, GpuLevels::new(gpu, kernels, &hierarchy), recorder))
-        };
-        let picture = begin(constraints)?;
-        let layers = constraints.layers.iter().map(begin).collect::<Result<Vec<_>, _>>()?;
-        let covered = (!layers.is_empty()).then(|| alike(gpu, picture.values()));
-        let stack = Self { picture, layers, covered };
+        let hierarchy = Hierarchy::new(constraints);
+        check(gpu, &hierarchy)?;
+        let picture = Gradients::new(gpu, GpuLevels::new(gpu, kernels, &hierarchy), recorder);
+        let stack =
+            Self { picture, layer: constraints.covers.as_ref().map(|covers| Layer::new(gpu, covers)) };
         stack.cover(recorder);
         Ok(stack)
     }
 
-    /// Single texels that [`Step::measure`] draws: by how much the last step changed each channel most.
-    pub(super) fn changes(&self) -> Vec<wgpu::TextureView> {
-        self.problems().map(|problem| problem.change().clone()).collect()
+    /// A single texel that [`Step::measure`] draws: by how much the last step changed each channel most.
+    pub(super) fn change(&self) -> &wgpu::TextureView {
+        self.picture.change()
     }
 
     /// Records a step. After two of them, what is kept lies where it lay before.
     pub(super) fn step(&mut self, recorder: &mut Recorder<'_>) -> Step {
         self.picture.step(recorder);
-        self.layers.iter_mut().for_each(|layer| layer.step(recorder));
         let seen = self.cover(recorder).clone();
         let tape = recorder.take();
-        self.problems().for_each(|problem| problem.measure(recorder));
+        self.picture.measure(recorder);
         Step { tape, measure: recorder.take(), seen }
-    }
-
-    fn problems(&self) -> impl Iterator<Item = &Gradients> {
-        iter::once(&self.picture).chain(&self.layers)
     }
 
     /// Records what is seen.
     fn cover(&self, recorder: &mut Recorder<'_>) -> &wgpu::TextureView {
         let under = self.picture.values();
-        let (Some(colors), Some(covers), Some(covered)) =
-            (self.layers.first(), self.layers.last(), &self.covered)
-        else {
-            return under;
-        };
-        recorder.pass(Kernel::Cover, &[under, colors.values(), covers.values()], covered);
+        let Some(Layer { colors, parts, covered }) = &self.layer else { return under };
+        recorder.pass(Kernel::Cover, &[under, colors, parts], covered);
         covered
     }
 }

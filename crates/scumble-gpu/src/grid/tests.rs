@@ -202,7 +202,8 @@ fn pictures_are_those_of_the_cpu() {
     for (width_px, height_px) in [(256, 256), (130, 97), (5, 200), (1, 1)] {
         for (layers, shades) in SHADES.into_iter().enumerate() {
             let constraints = constraints(width_px, height_px, shades);
-            assert_eq!(constraints.layers.len(), layers);
+            let covers = constraints.covers.as_ref();
+            assert_eq!(covers.map_or(0, |covers| 1 + usize::from(covers.parts.is_some())), layers);
             assert_same_picture(&gpu, &constraints, TENTH);
         }
     }
@@ -229,9 +230,6 @@ fn a_picture_that_no_texture_holds_is_refused() {
     let most_px = gpu.device.limits().max_texture_dimension_2d;
     let kernels = Kernels::new(&gpu.device);
     let wide = Constraints { width_px: most_px + 1, height_px: 1, ..constraints(1, 1, &[]) };
-    let under_wide = Constraints { layers: vec![wide.clone()], ..constraints(1, 1, &[]) };
-    for constraints in [wide, under_wide] {
-        let solver = GpuGridSolver::new(&gpu, &kernels, &constraints);
-        assert_eq!(solver.err(), Some(GridError::TooLarge { most_px }));
-    }
+    let solver = GpuGridSolver::new(&gpu, &kernels, &wide);
+    assert_eq!(solver.err(), Some(GridError::TooLarge { most_px }));
 }

@@ -4,7 +4,7 @@
 pub type Texel = [f32; 4];
 
 /// Texels in rows.
-#[derive(Clone, Debug, Default)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct Texture {
     /// Texels of a row.
     pub width: usize,

@@ -3,9 +3,8 @@
 
 use scumble_core::BlendColor;
 
-use super::constraints::Constraints;
+use super::constraints::{Constraints, Pull};
 use super::level::Level;
-use super::pulls::Pull;
 use super::regions::PixelRegions;
 
 /// The pulls of these pixels, given all other constraints.

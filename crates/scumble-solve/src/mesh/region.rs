@@ -79,13 +79,8 @@ impl Region {
     }
 
     /// Takes in the colours and the sources that shade it; sets up the systems that are needed and are not those of
-    /// the last time. Returns the memory of a factor that is of no use any more.
-    pub(super) fn analyse(
-        &mut self,
-        mesh: &Triangulation,
-        colors: &SideColors,
-        sources: Vec<SoftSource>,
-    ) -> Option<Vec<f64>> {
+    /// the last time.
+    pub(super) fn analyse(&mut self, mesh: &Triangulation, colors: &SideColors, sources: &[SoftSource]) {
         let given = self.base.dofs.sides.iter().map(|side| colors.get(side.id.index()).copied().flatten());
         if !given.clone().eq(self.given.iter().copied()) {
             self.given = given.collect();
@@ -98,21 +93,20 @@ impl Region {
                 self.base.analyse(mesh, &is_colored);
             }
         }
-        self.shade(mesh, sources)
+        self.shade(mesh, sources);
     }
 
-    fn shade(&mut self, mesh: &Triangulation, sources: Vec<SoftSource>) -> Option<Vec<f64>> {
-        let is_known = self.layer.as_ref().map_or(sources.is_empty(), |layer| layer.is_of(&sources));
-        if is_known || self.layer.as_mut().is_some_and(|layer| layer.recolor(&sources)) {
-            return None;
+    fn shade(&mut self, mesh: &Triangulation, sources: &[SoftSource]) {
+        let is_known = self.layer.as_ref().map_or(sources.is_empty(), |layer| layer.is_of(sources));
+        if is_known || self.layer.as_mut().is_some_and(|layer| layer.recolor(sources)) {
+            return;
         }
         self.is_shaped = false;
         let before = self.layer.take();
         if !sources.is_empty() {
             let cells = self.cells.get_or_insert_with(|| Cells::new(mesh, &self.base.dofs));
-            self.layer = Some(Layer::new(cells, sources));
+            self.layer = Some(Layer::new(cells, sources, before));
         }
-        before.and_then(Layer::into_memory)
     }
 
     /// Factors the systems that are needed and not factored yet, and takes the memory for it.
@@ -140,7 +134,7 @@ impl Region {
     /// How many triangles it has in the field.
     pub(super) fn emitted_count(&self) -> usize {
         match (&self.layer, self.coloring) {
-            (Some(layer), _) => layer.shapes.len(),
+            (Some(layer), _) => layer.shapes().len(),
             (None, Coloring::Paper) => 0,
             (None, _) => self.base.dofs.triangles.len(),
         }
@@ -169,7 +163,7 @@ impl Region {
     /// The corners of one of its triangles in the field, and which of its edges bound the region.
     fn shape(&self, barriers: Barriers<'_>, i: usize) -> ([Point; 3], u32) {
         if let Some(layer) = &self.layer {
-            let Shape { corners, side_edges, .. } = layer.shapes[i];
+            let Shape { corners, side_edges, .. } = layer.shapes()[i];
             return (corners, side_edges);
         }
         let t = self.base.dofs.triangles[i] as usize;
@@ -182,8 +176,8 @@ impl Region {
         let given = self.given.iter().flatten().flatten().copied();
         let range = range(given.chain(layer.colors()).chain(paper));
         for (i, triangle) in triangles.iter_mut().enumerate() {
-            let under = self.colors_of_part(&layer.shapes[i]);
-            triangle.colors = layer.covers(i).map_or(under, |covers| covered(under, &covers, range));
+            let under = self.colors_of_part(&layer.shapes()[i]);
+            triangle.colors = covered(under, &layer.covers(i), range);
         }
     }
 
@@ -219,6 +213,9 @@ impl Region {
 
 /// Colours of an element under a layer, within a range. Edges at the rim of the layer stay as they are in the element beyond.
 fn covered(under: [[f32; 4]; 6], covers: &[Cover; 6], range: [BlendColor; 2]) -> [[f32; 4]; 6] {
+    if !covers.iter().any(Cover::is_any) {
+        return under;
+    }
     let mut colors = array::from_fn(|k| clamped(covers[k].over(under[k].map(f64::from)), range));
     for nodes in [[0, 1, 3], [1, 2, 4], [2, 0, 5]] {
         let [a, b, middle] = nodes;

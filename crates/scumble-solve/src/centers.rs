@@ -1,10 +1,13 @@
 //! The colours of a field at the centres of pixels.
 
 use kurbo::{Point, Vec2};
-use scumble_solve::{Field, FieldTriangle, View, quadratic};
+
+use crate::field::{Field, FieldTriangle};
+use crate::quadratic;
+use crate::scene::View;
 
 /// Blend-space colours times opacity, and opacity, row by row; zeros where there is no field.
-pub(super) fn colors(field: &Field, view: &View) -> Vec<[f32; 4]> {
+pub fn colors(field: &Field, view: &View) -> Vec<[f32; 4]> {
     let width = view.width_px as usize;
     let mut pixels = vec![[0.0; 4]; width * view.height_px as usize];
     for triangle in &field.triangles {
