@@ -29,7 +29,7 @@ pub(crate) struct Place {
 /// What a brush does at a place.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Pull {
-    /// The factor of `u − c` in the equation, in 1/du².
+    /// The factor of `α − 1` in the equation, in 1/du².
     pub(crate) strength: f64,
     /// The length `ℓ` in which the layer fades, in du.
     pub(crate) length_du: f64,

@@ -91,10 +91,14 @@ impl Stroke {
         self.dofs.iter().copied().zip(self.covers.iter().copied())
     }
 
-    /// Solves what is not solved yet, in some memory for a factor.
+    /// Solves what is not solved yet, in some memory for a factor. What fails is there to fail again: a stroke that could not be
+    /// solved is never taken for one that covers nothing.
     pub(super) fn solve(&mut self, memory: &mut Vec<f64>) -> Result<(), SolveError> {
+        if let Some(problem) = &mut self.problem {
+            problem.factor(&self.corners, memory)?;
+        }
         if let Some(problem) = self.problem.take() {
-            self.covers = problem.solve(&self.corners, memory)?;
+            self.covers = problem.solve(memory);
         }
         Ok(())
     }
@@ -154,9 +158,13 @@ impl Problem {
         Self { system, masses, places, loads }
     }
 
-    fn solve(mut self, corners: &[[Point; 3]], memory: &mut Vec<f64>) -> Result<Vec<f64>, SolveError> {
+    fn factor(&mut self, corners: &[[Point; 3]], memory: &mut Vec<f64>) -> Result<(), SolveError> {
         let masses = &self.masses;
-        self.system.factor(&|i| matrix(corners, masses, i), memory)?;
+        self.system.factor(&|i| matrix(corners, masses, i), memory)
+    }
+
+    /// How much is covered at the unknowns; gives the memory of the factor back. It is factored.
+    fn solve(self, memory: &mut Vec<f64>) -> Vec<f64> {
         let loads = self.loads.iter().map(|&(dofs, values)| (dofs, values, [1.0, 0.0, 0.0, 0.0]));
         let values = self.system.solve(iter::empty(), loads).unwrap_or_default();
         let places = self.system.places();
@@ -165,7 +173,7 @@ impl Problem {
         };
         let covers = self.places.iter().map(cover).collect();
         *memory = self.system.into_memory().unwrap_or_default();
-        Ok(covers)
+        covers
     }
 }
 
