@@ -37,6 +37,9 @@ const withoutDialogs = () => {
   Object.assign(window, { showOpenFilePicker: undefined, showSaveFilePicker: undefined });
 };
 
+/** What the page does at its next frame is done, and painted. */
+export const PAINTED = "new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)))";
+
 /** The guide of the first visit has been seen, where a test does not say otherwise. */
 const asSeen = () => {
   try {
@@ -152,7 +155,10 @@ async function chromiumTab(page) {
     },
     onRequest: (see) => void page.on("request", (request) => see(request.url())),
     prepare: (script) => page.addInitScript(script),
-    resize: (width_px, height_px) => page.setViewportSize({ width: width_px, height: height_px }),
+    resize: async (width_px, height_px) => {
+      await page.setViewportSize({ width: width_px, height: height_px });
+      await page.evaluate(PAINTED);
+    },
     limitStorage: async (bytes) => {
       const devtools = await page.context().newCDPSession(page);
       await devtools.send("Storage.overrideQuotaForOrigin", { origin: new URL(page.url()).origin, quotaSize: bytes });
@@ -272,7 +278,10 @@ function puppeteerTab(page) {
     },
     onRequest: (see) => void page.on("request", (request) => see(request.url())),
     prepare: (script) => page.evaluateOnNewDocument(script),
-    resize: (width_px, height_px) => page.setViewport({ width: width_px, height: height_px }),
+    resize: async (width_px, height_px) => {
+      await page.setViewport({ width: width_px, height: height_px });
+      await page.evaluate(PAINTED);
+    },
     limitStorage: async () => {
       throw new Error("storage is limited in Chromium");
     },

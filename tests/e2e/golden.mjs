@@ -7,6 +7,7 @@ import assert from "node:assert/strict";
 import { mkdir, readFile, writeFile } from "node:fs/promises";
 import { fileURLToPath } from "node:url";
 import pixelmatch from "pixelmatch";
+import { PAINTED } from "./browsers.mjs";
 import { Picture } from "./picture.mjs";
 
 const path = (/** @type {string} */ file) => fileURLToPath(new URL(file, import.meta.url));
@@ -38,7 +39,7 @@ export const ALIKE = `
 export async function atRest(tab) {
   const settled = `Promise.all([document.fonts.ready, ...[...document.images].filter((image) => image.src && image.loading !== "lazy").map((image) => image.decode())])`;
   const shot = async () => {
-    await tab.evaluate(`${settled}.then(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))))`);
+    await tab.evaluate(`${settled}.then(() => ${PAINTED})`);
     return Picture.decode(Buffer.from(await tab.screenshot()));
   };
   let [before, after] = [await shot(), await shot()];

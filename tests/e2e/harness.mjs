@@ -9,7 +9,7 @@ import { join } from "node:path";
 import { after, before } from "node:test";
 import { fileURLToPath } from "node:url";
 import { Picture } from "./picture.mjs";
-import { launch } from "./browsers.mjs";
+import { launch, PAINTED } from "./browsers.mjs";
 import { serve } from "./static_server.mjs";
 
 /** @typedef {import("./browsers.mjs").Tab} Tab */
@@ -320,7 +320,7 @@ export class Editor {
   }
 
   async screenshot() {
-    await this.tab.evaluate("new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)))");
+    await this.tab.evaluate(PAINTED);
     const { x, y, width, height } = await this.box();
     return Buffer.from(await this.tab.screenshot({ x, y, width, height }));
   }
