@@ -63,6 +63,7 @@ export const english = {
   "step-undone": ({ text }) => `${text}, undone`,
   "went-to": ({ text }) => `At: ${text}`,
   "did-add": "Scribble added",
+  "did-shade": "Shade added",
   "did-erase": "Erased",
   "did-rub": "Erased in part",
   "did-move": "Moved",
@@ -303,7 +304,7 @@ export const english = {
   "traced": ({ name }) => `${name} lies under the lines; exported pictures are without it`,
   "tracing-removed": "Tracing image removed",
   "saved": ({ name }) => `Saved ${name}`,
-  "scribble-added": ({ count }) => `Scribble added, ${count} in the drawing`,
+  "scribble-added": ({ count, isFill }) => `${isFill ? "Scribble" : "Shade"} added, ${count} in the drawing`,
   "scribbles-erased": ({ erased, count }) =>
     `${erased === 1 ? "Scribble" : `${erased} scribbles`} erased, ${count} in the drawing`,
   "scribbles-rubbed": ({ count }) => `Part of a scribble erased, ${count} in the drawing`,

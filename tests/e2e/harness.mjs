@@ -309,7 +309,7 @@ export class Editor {
    */
   async scribble(points, longer_side) {
     const way = await this.place(points, longer_side);
-    await this.until("Scribble added", () => this.drag(way));
+    await this.until("added, ", () => this.drag(way));
   }
 
   /** What the canvas shows once it has come to rest: twice the same in a row. */

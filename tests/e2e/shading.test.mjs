@@ -96,7 +96,7 @@ describe("shading", () => {
     assertClose((await colorsAt(editor, [[40, 50]]))[0], BLUE);
     await editor.tab.mouse.move(x + way[1][0], y + way[1][1]);
     assertClose((await colorsAt(editor, [MIDDLE]))[0], BLUE);
-    await editor.until("Scribble added", () => editor.tab.mouse.up());
+    await editor.until("Shade added", () => editor.tab.mouse.up());
   });
 
   test("without strength nothing changes, and undo restores every pixel", async () => {
@@ -165,7 +165,7 @@ describe("shading", () => {
     await editor.click("Blue");
     /** The colours in the middle of a dab, and within its radius, at full pressure. */
     const dabbed = async (/** @type {() => Promise<unknown>} */ dab) => {
-      await editor.until("Scribble added", dab);
+      await editor.until("Shade added", dab);
       const colors = await colorsAt(editor, [MIDDLE, [MIDDLE[0] + 4, MIDDLE[1]]]);
       await editor.until("Undone", () => editor.click("Undo"));
       return colors;

@@ -186,8 +186,9 @@ impl Editor {
         match self.in_hand.take() {
             None => {}
             Some(Gesture::Scribble) => {
-                let back = Change::RemoveScribble(self.document.scribbles.len() - 1);
-                self.keep(Deed::Added, vec![back]);
+                let last = self.document.scribbles.len() - 1;
+                let deed = Deed::of_scribble(&self.document.scribbles[last]);
+                self.keep(deed, vec![Change::RemoveScribble(last)]);
             }
             Some(Gesture::Changes(deed, mut back)) => {
                 // A slider that was dragged to and fro has changed nothing in the end.
@@ -277,7 +278,7 @@ impl Editor {
         self.commit_scribble();
         let id = self.ids.fresh();
         let index = index.min(self.document.scribbles.len());
-        self.change(Deed::Added, Change::InsertScribble(index, id, scribble));
+        self.change(Deed::of_scribble(&scribble), Change::InsertScribble(index, id, scribble));
     }
 
     /// Puts another scribble in the place of one, which takes over its number; nothing happens where there is none of this

@@ -558,7 +558,10 @@ fn repainting_in_the_middle_of_a_scribble_keeps_it() {
 
 #[test]
 fn each_gesture_has_a_name_whichever_way_it_was_gone() {
-    let mut editor = editor_with(2);
+    let mut editor = editor_with(1);
+    let shade = Scribble { kind: ScribbleKind::Shade(Shading::default()), ..scribble(1) };
+    editor.begin_scribble(shade.clone());
+    editor.insert_scribble(0, shade);
     editor.set_settings(gap(0.7));
     editor.set_settings(Settings { engine: EngineKind::Progressive, ..gap(0.7) });
     editor.begin(Deed::Resized);
@@ -569,7 +572,8 @@ fn each_gesture_has_a_name_whichever_way_it_was_gone() {
     editor.set_tracing(None);
     let deeds = [
         Deed::Added,
-        Deed::Added,
+        Deed::Shaded,
+        Deed::Shaded,
         Deed::GapClosing,
         Deed::Engine,
         Deed::Resized,

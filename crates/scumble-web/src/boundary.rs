@@ -190,7 +190,9 @@ fn js_from_effect(effect: Effect) -> (&'static str, JsValue) {
         ),
         Effect::Opened { notes } => ("opened", object(&[("notes", notes.into())])),
         Effect::Palette(palette) => ("palette", js_from_palette(palette).into()),
-        Effect::ScribbleAdded { count } => ("scribble-added", object(&[("count", (count as f64).into())])),
+        Effect::ScribbleAdded { count, is_fill } => {
+            ("scribble-added", object(&[("count", (count as f64).into()), ("isFill", is_fill.into())]))
+        }
         Effect::ScribblesErased { erased, count } => (
             "scribbles-erased",
             object(&[("erased", (erased as f64).into()), ("count", (count as f64).into())]),

@@ -62,6 +62,8 @@ pub enum Effect {
     ScribbleAdded {
         /// How many there are with it.
         count: usize,
+        /// Whether it fills; else it shades.
+        is_fill: bool,
     },
     /// Scribbles were taken away.
     ScribblesErased {

@@ -73,7 +73,7 @@ fn effects_tell_what_has_changed_and_only_that() {
     page.stroke(RED, &ACROSS);
     let sheet = |revision| Effect::Sheet(SheetState { sheet: 1, revision });
     let told = page.session.take_effects();
-    assert_eq!(told, [sheet(1), Effect::Undo(true), Effect::ScribbleAdded { count: 1 }]);
+    assert_eq!(told, [sheet(1), Effect::Undo(true), Effect::ScribbleAdded { count: 1, is_fill: true }]);
     page.session.command(Command::Undo);
     let told = page.session.take_effects();
     assert_eq!(told, [sheet(0), Effect::Undo(false), Effect::Redo(true), Effect::Undone]);

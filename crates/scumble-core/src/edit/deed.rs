@@ -1,13 +1,16 @@
 //! What a gesture did, for a list of what can be undone.
 
+use crate::scribble::Scribble;
 use crate::settings::Settings;
 use crate::tracing::Tracing;
 
 /// What a gesture did.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Deed {
-    /// A scribble was drawn.
+    /// A scribble that fills was drawn.
     Added,
+    /// One that shades was.
+    Shaded,
     /// Scribbles were erased.
     Erased,
     /// Parts of scribbles were.
@@ -53,6 +56,11 @@ pub enum Deed {
 }
 
 impl Deed {
+    /// What put a scribble into the drawing.
+    pub(super) fn of_scribble(scribble: &Scribble) -> Self {
+        if scribble.is_fill() { Self::Added } else { Self::Shaded }
+    }
+
     /// What made one of these settings the other.
     pub(super) fn of_settings(before: Settings, after: Settings) -> Self {
         if before.engine != after.engine {

@@ -42,6 +42,7 @@ pub(super) fn edit_name(edit: Edit) -> &'static str {
 pub(super) fn deed_key(deed: Deed) -> &'static str {
     match deed {
         Deed::Added => "did-add",
+        Deed::Shaded => "did-shade",
         Deed::Erased => "did-erase",
         Deed::Rubbed => "did-rub",
         Deed::Moved => "did-move",

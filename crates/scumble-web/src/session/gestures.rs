@@ -165,7 +165,9 @@ impl Session {
         }
         self.sheet.editor.commit();
         self.scribbles_changed();
-        self.tell(Effect::ScribbleAdded { count: self.document().scribbles.len() });
+        let scribbles = &self.document().scribbles;
+        let is_fill = scribbles.last().is_some_and(Scribble::is_fill);
+        self.tell(Effect::ScribbleAdded { count: scribbles.len(), is_fill });
     }
 
     /// Whether the last scribble may touch the page: it colours nothing where it does not.
