@@ -27,7 +27,7 @@ pub(crate) fn constraints(width_px: u32, height_px: u32, shades: &[BlendColor]) 
     let colors = boundary(&map, &[[0.2, 0.9], [0.7, 0.4], [0.1, 1.0]]);
     let sources = STROKES.into_iter().zip(shades).map(|(stroke, color)| source(stroke, *color));
     let boundary = Boundary { sources: sources.collect(), ..colors };
-    Constraints::new(&map, &boundary, &view(width_px, height_px))
+    Constraints::new(&map, &boundary, &view(width_px, height_px)).expect("solved")
 }
 
 fn source(stroke: [(f64, f64); 2], color: BlendColor) -> SoftSource {

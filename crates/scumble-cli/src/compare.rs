@@ -80,7 +80,7 @@ fn row(picture: &mut Picture, mut boundary: Boundary, view: &View, half: bool) -
         uncolor_half(picture.map(), &mut boundary);
     }
     let blend = Settings::default().blend;
-    let constraints = Constraints::new(picture.map(), &boundary, view);
+    let constraints = Constraints::new(picture.map(), &boundary, view)?;
     let zones = zones::zones(picture.map(), &boundary, view);
     let mesh = levels(&centers::colors(picture.mesh().solve(&boundary, blend)?, view), blend);
     let mut solver = GridSolver::new(&constraints);

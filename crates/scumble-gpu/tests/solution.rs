@@ -50,7 +50,7 @@ fn page(side_px: u32) -> View {
 /// A problem with so many pixels to a side, solved, in a renderer.
 fn solved(gpu: &Gpu, side_px: u32) -> (GridProblem, GpuGridSolver, Renderer) {
     let map = map();
-    let problem = GridProblem::new(&map, &boundary(&map), &page(side_px), Blend::Oklab);
+    let problem = GridProblem::new(&map, &boundary(&map), &page(side_px), Blend::Oklab).expect("solved");
     let mut solver =
         GpuGridSolver::new(gpu, &GridKernels::new(&gpu.device), &problem.constraints).expect("a solver");
     (0..8).for_each(|_| solver.step());

@@ -41,7 +41,7 @@ fn on_mesh(picture: &mut Picture, document: &Document, boundary: &Boundary, view
 }
 
 fn on_grid(picture: &Picture, document: &Document, boundary: &Boundary, view: &View) -> Pixmap {
-    let mut solver = GridSolver::new(&Constraints::new(picture.map(), boundary, view));
+    let mut solver = GridSolver::new(&Constraints::new(picture.map(), boundary, view).expect("solved"));
     solver.solve(1e-4);
     let pixels = solver.pixels().to_vec();
     paint_grid(&GridPicture::new(picture.map(), view, document.settings.blend, pixels), &[], view, PAPER)

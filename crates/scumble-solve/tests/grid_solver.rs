@@ -43,7 +43,7 @@ fn beside(map: &PlanarMap, side: SideId) -> Point {
 }
 
 fn solved(map: &PlanarMap, boundary: &Boundary, size_px: u32) -> (Vec<[f32; 4]>, usize) {
-    let mut solver = GridSolver::new(&Constraints::new(map, boundary, &view(size_px)));
+    let mut solver = GridSolver::new(&Constraints::new(map, boundary, &view(size_px)).expect("solved"));
     let steps = solver.solve(1e-5);
     (solver.pixels(), steps)
 }
@@ -203,7 +203,7 @@ fn a_channel_that_is_right_stays_right_while_others_are_solved() {
         let map = map(&[BezPath::from_svg(triangle).expect("a path")]);
         let color = |i: usize| (i % 2 == 1).then_some([[(i / 2 % 2) as f64, 0.0, 0.0, 1.0]; 3]);
         let boundary = (0..map.side_count()).map(color).collect::<Vec<_>>().into();
-        let mut solver = GridSolver::new(&Constraints::new(&map, &boundary, &view(SIZE_PX)));
+        let mut solver = GridSolver::new(&Constraints::new(&map, &boundary, &view(SIZE_PX)).expect("solved"));
         (0..MAX_STEPS).for_each(|_| solver.step());
         for pixel in &solver.pixels() {
             assert!(pixel[3] == 0.0 || (pixel[3] - 1.0).abs() < 1e-4, "{triangle}: {pixel:?}");
@@ -228,7 +228,7 @@ fn a_painted_grid_looks_like_the_painted_mesh_at_its_edges_too() {
 #[test]
 fn jeschkes_solver_comes_near_with_many_steps() {
     let (map, boundary) = shaded_disk();
-    let constraints = Constraints::new(&map, &boundary, &view(128));
+    let constraints = Constraints::new(&map, &boundary, &view(128)).expect("solved");
     let error_after = |steps: usize| {
         let mut solver = JeschkeSolver::new(&constraints);
         (0..steps).for_each(|_| solver.step());
@@ -245,7 +245,7 @@ fn odd_pictures_are_solved() {
     let (map, boundary) = shaded_disk();
     for (width_px, height_px) in [(1, 1), (1, 7), (33, 2), (5, 64)] {
         let view = View { px_from_du: Affine::scale(1.0 / 16.0), width_px, height_px };
-        let constraints = Constraints::new(&map, &boundary, &view);
+        let constraints = Constraints::new(&map, &boundary, &view).expect("solved");
         let mut solver = GridSolver::new(&constraints);
         solver.solve(1e-4);
         assert!(solver.pixels().as_flattened().iter().all(|c| c.is_finite()));

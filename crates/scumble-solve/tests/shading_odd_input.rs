@@ -76,7 +76,7 @@ fn any_source_makes_a_picture() {
             for size_px in [1, 16] {
                 let px_from_du = Affine::scale(f64::from(size_px) / 1024.0);
                 let view = View { px_from_du, width_px: size_px, height_px: size_px };
-                let mut solver = GridSolver::new(&Constraints::new(&map, &boundary, &view));
+                let mut solver = GridSolver::new(&Constraints::new(&map, &boundary, &view).expect("solved"));
                 solver.solve(1e-4);
                 check(solver.pixels().into_iter(), 0.01, &source);
             }

@@ -18,11 +18,11 @@ const JESCHKE_STEPS: usize = 8;
 /// Spreads the colours and paints the page.
 ///
 /// # Errors
-/// When there is no GPU that can do it.
+/// When there is no GPU that can do it, or a shade cannot be solved.
 pub(super) fn paint(opened: &Opened, boundary: &Boundary, options: &ColorOptions) -> anyhow::Result<Pixmap> {
     let (drawing, look) = (&opened.document.drawing, &options.look);
     let view = stages::page_view(drawing, look.size_px);
-    let constraints = Constraints::new(opened.picture.map(), boundary, &view);
+    let constraints = Constraints::new(opened.picture.map(), boundary, &view)?;
     let pixels = solve(&constraints, options.solver)?;
     let picture = GridPicture::new(opened.picture.map(), &view, options.settings.blend, pixels);
     let shapes = render::shapes(drawing, &opened.picture, look);

@@ -7,6 +7,7 @@ use super::cut_links::{self, Cut, Face, Link};
 
 use super::regions::PixelRegions;
 use super::unreached;
+use crate::mesh::SolveError;
 use crate::scene::View;
 
 /// A term on the diagonal of a pixel.
@@ -39,14 +40,17 @@ pub struct Constraints {
 
 impl Constraints {
     /// Those of a map and the colours of its sides in what a view shows.
-    pub fn new(map: &PlanarMap, boundary: &Boundary, view: &View) -> Self {
+    ///
+    /// # Errors
+    /// See [`SolveError`]: where something shades.
+    pub fn new(map: &PlanarMap, boundary: &Boundary, view: &View) -> Result<Self, SolveError> {
         let (cuts, faces) = cut_links::cut_links(map, boundary, view);
         let (width_px, height_px) = (view.width_px, view.height_px);
-        let covers = Covers::new(map, boundary, view);
+        let covers = Covers::new(map, boundary, view)?;
         let mut all = Self { width_px, height_px, cuts, faces, pulls: Vec::new(), covers };
         let regions = PixelRegions::new(map.triangulation(), boundary, view);
         all.pulls = unreached::pulls(&regions, &all);
-        all
+        Ok(all)
     }
 
     /// Whether a link leads to another pixel of the picture.

@@ -4,7 +4,7 @@ use scumble_core::{Blend, Boundary, PlanarMap, SoftSource};
 
 use super::texture::Texture;
 use crate::centers;
-use crate::mesh::MeshSolver;
+use crate::mesh::{MeshSolver, SolveError};
 use crate::scene::View;
 
 /// A layer on the pixels of a picture.
@@ -18,23 +18,25 @@ pub struct Covers {
 
 impl Covers {
     /// Those of the sources of a boundary in what a view shows; none where nothing shades.
-    pub(super) fn new(map: &PlanarMap, boundary: &Boundary, view: &View) -> Option<Self> {
+    ///
+    /// # Errors
+    /// See [`SolveError`].
+    pub(super) fn new(map: &PlanarMap, boundary: &Boundary, view: &View) -> Result<Option<Self>, SolveError> {
         let sources = &boundary.sources;
         if sources.is_empty() {
-            return None;
+            return Ok(None);
         }
         let mut solver = MeshSolver::new(map.refined().clone());
         let mut layer = |sources: Vec<SoftSource>| {
             let boundary = Boundary { sides: Vec::new(), closed_gaps: boundary.closed_gaps.clone(), sources };
-            let field = solver.solve(&boundary, Blend::default()).ok()?;
-            let texels = centers::colors(field, view);
-            Some(Texture { width: view.width_px as usize, height: view.height_px as usize, texels })
+            let texels = centers::colors(solver.solve(&boundary, Blend::default())?, view);
+            Ok(Texture { width: view.width_px as usize, height: view.height_px as usize, texels })
         };
         let colors = layer(sources.clone())?;
         let is_opaque = sources.iter().all(|source| source.color[3] == 1.0);
         let covering = || sources.iter().map(|source| SoftSource { color: [1.0; 4], ..source.clone() });
         let parts = if is_opaque { None } else { Some(layer(covering().collect())?) };
-        Some(Self { colors, parts })
+        Ok(Some(Self { colors, parts }))
     }
 
     /// How much is covered, in the last channel.

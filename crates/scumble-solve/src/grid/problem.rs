@@ -4,6 +4,7 @@ use scumble_core::{Blend, Boundary, PlanarMap};
 
 use super::constraints::Constraints;
 use super::curve_cells::CurveCells;
+use crate::mesh::SolveError;
 use crate::scene::View;
 
 /// A picture to be solved on the pixels of a view.
@@ -21,8 +22,11 @@ pub struct GridProblem {
 
 impl GridProblem {
     /// What a map and the colours of its sides make of a view.
-    pub fn new(map: &PlanarMap, boundary: &Boundary, view: &View, blend: Blend) -> Self {
-        let constraints = Constraints::new(map, boundary, view);
-        Self { view: *view, blend, constraints, curves: CurveCells::new(map, view) }
+    ///
+    /// # Errors
+    /// See [`SolveError`]: where something shades.
+    pub fn new(map: &PlanarMap, boundary: &Boundary, view: &View, blend: Blend) -> Result<Self, SolveError> {
+        let constraints = Constraints::new(map, boundary, view)?;
+        Ok(Self { view: *view, blend, constraints, curves: CurveCells::new(map, view) })
     }
 }

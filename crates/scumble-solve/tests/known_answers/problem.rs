@@ -78,7 +78,8 @@ impl Problem<'_> {
         let map = self.map(DEFAULT_DU);
         let px_from_du = Affine::scale(f64::from(size_px) / PAGE_DU);
         let view = View { px_from_du, width_px: size_px, height_px: size_px };
-        let mut solver = GridSolver::new(&Constraints::new(&map, &self.boundary(&map), &view));
+        let mut solver =
+            GridSolver::new(&Constraints::new(&map, &self.boundary(&map), &view).expect("solved"));
         solver.solve(1e-5);
         let center = |i: u32| Point::new(f64::from(i % size_px) + 0.5, f64::from(i / size_px) + 0.5);
         let pixels = (0..).zip(solver.pixels()).filter(|(_, pixel)| pixel[3] > 0.5);

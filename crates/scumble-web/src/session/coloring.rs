@@ -95,7 +95,10 @@ impl Session {
         let is_other_view = self.problem.as_ref().is_none_or(|problem| problem.view != view);
         if take(&mut self.stale.problem) || is_other_view {
             let blend = self.sheet.editor.document().settings.blend;
-            self.problem = Some(GridProblem::new(self.sheet.picture.map(), &self.boundary, &view, blend));
+            match GridProblem::new(self.sheet.picture.map(), &self.boundary, &view, blend) {
+                Ok(problem) => self.problem = Some(problem),
+                Err(error) => self.effects.push(Effect::Failed(error.to_string())),
+            }
             self.changed.problem = true;
             self.stale.view = true;
         }
