@@ -143,17 +143,14 @@ impl Editor {
         self.document.scribbles.push(scribble);
     }
 
-    /// Carries the scribble in hand on, through points in du. Points that are not finite are left out.
-    pub fn extend_scribble(&mut self, points: &[Point]) {
-        if let (true, Some(scribble)) = (self.is_scribbling(), self.document.scribbles.last_mut()) {
-            scribble.points.extend(points.iter().copied().filter(|p| p.is_finite()));
-        }
-    }
-
-    /// Gives the scribble in hand another kind, as a pen does by how hard it presses.
-    pub fn press_scribble(&mut self, kind: ScribbleKind) {
-        if let (true, Some(scribble)) = (self.is_scribbling(), self.document.scribbles.last_mut()) {
-            scribble.kind = kind;
+    /// Gives the scribble in hand another way, through points in du, and a kind, as a pen does by how hard it presses.
+    /// Nothing happens where there are no points, or one is not finite.
+    pub fn draw_scribble(&mut self, points: Vec<Point>, kind: ScribbleKind) {
+        let is_way = !points.is_empty() && points.iter().all(|p| p.is_finite());
+        if let (true, true, Some(scribble)) =
+            (is_way, self.is_scribbling(), self.document.scribbles.last_mut())
+        {
+            (scribble.points, scribble.kind) = (points, kind);
         }
     }
 

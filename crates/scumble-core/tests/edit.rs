@@ -72,7 +72,7 @@ fn undo_and_redo_walk_through_whole_gestures() {
     let mut editor = editor();
     for shade in [1, 2] {
         begin(&mut editor, shade);
-        editor.extend_scribble(&[Point::new(1.0, 1.0), Point::new(2.0, 2.0)]);
+        editor.draw_scribble(vec![Point::new(1.0, 1.0), Point::new(2.0, 2.0)], ScribbleKind::Fill);
         editor.commit();
     }
     let full = editor.document().scribbles.clone();
@@ -98,13 +98,13 @@ fn an_aborted_gesture_never_was() {
 }
 
 #[test]
-fn a_pen_that_presses_harder_changes_the_scribble_in_hand_and_no_other() {
+fn a_pen_changes_the_scribble_in_hand_and_no_other() {
     let mut editor = editor();
     let shade = ScribbleKind::Shade(Shading::default());
     begin(&mut editor, 1);
-    editor.press_scribble(shade.clone());
+    editor.draw_scribble(vec![Point::ZERO], shade.clone());
     editor.commit();
-    editor.press_scribble(ScribbleKind::Fill);
+    editor.draw_scribble(vec![Point::ZERO], ScribbleKind::Fill);
     let of = |editor: &Editor| {
         editor.document().scribbles.iter().map(|scribble| scribble.kind.clone()).collect::<Vec<_>>()
     };
@@ -138,16 +138,17 @@ fn a_new_gesture_ends_what_could_be_redone() {
 }
 
 #[test]
-fn points_that_are_no_numbers_are_left_out() {
+fn a_way_that_is_none_leaves_the_scribble_as_it_is() {
     let mut editor = editor();
     begin(&mut editor, 1);
-    editor.extend_scribble(&[
-        Point::new(f64::NAN, 1.0),
-        Point::new(2.0, f64::INFINITY),
-        Point::new(3.0, 3.0),
-    ]);
+    let end = Point::new(3.0, 3.0);
+    for way in [vec![end, Point::new(f64::NAN, 1.0)], vec![Point::new(2.0, f64::INFINITY)], Vec::new()] {
+        editor.draw_scribble(way, ScribbleKind::Fill);
+        assert_eq!(editor.document().scribbles[0].points, [Point::ZERO]);
+    }
+    editor.draw_scribble(vec![end], ScribbleKind::Fill);
     editor.commit();
-    assert_eq!(editor.document().scribbles[0].points, [Point::ZERO, Point::new(3.0, 3.0)]);
+    assert_eq!(editor.document().scribbles[0].points, [end]);
 }
 
 #[test]

@@ -2,6 +2,8 @@
 
 use scumble_core::{Paint, PenPressure, ScribbleKind, Shading, Srgb8, Tone};
 
+use crate::stroke::Sample;
+
 /// Smallest and largest width of a scribble that fills, and of one that shades, in du.
 const SIZES_DU: [[f64; 2]; 2] = [[2.0, 96.0], [2.0, 256.0]];
 
@@ -190,14 +192,20 @@ impl Brush {
         }
     }
 
-    /// What a scribble is by a pen that has pressed so hard at each of its points.
-    pub(crate) fn pressed(&self, pressures: &[f32]) -> ScribbleKind {
+    /// How far pressure reaches across a scribble, at most, in du.
+    pub(crate) fn pressure_du(&self) -> f64 {
+        let counts = self.mode.kind == Kind::Shade && self.mode.pressure != Pressure::Off;
+        if counts { 0.5 * self.size_du() } else { 0.0 }
+    }
+
+    /// What a scribble is by a pen on a way.
+    pub(crate) fn pressed(&self, way: &[Sample]) -> ScribbleKind {
         let Mode { kind, strength, crosses, pressure } = self.mode;
         if kind == Kind::Fill {
             return ScribbleKind::Fill;
         }
-        let parts = |least: f64| pressures.iter().map(|&pressure| part(pressure).max(least)).collect();
-        let is_even = pressures.iter().all(|&pressure| part(pressure) == 1.0);
+        let parts = |least: f64| way.iter().map(|sample| part(sample.pressure).max(least)).collect();
+        let is_even = way.iter().all(|sample| part(sample.pressure) == 1.0);
         let pressure = match pressure {
             Pressure::Radius if !is_even => PenPressure::Radius(parts(LEAST_RADIUS)),
             Pressure::Strength if !is_even => PenPressure::Strength(parts(0.0)),
@@ -207,8 +215,7 @@ impl Brush {
     }
 }
 
-/// Pressure in whole steps, within `0..=1`; 1 for what is no number.
-fn part(pressure: f32) -> f64 {
-    let steps = f64::from(pressure) * PRESSURE_STEPS;
-    if steps.is_nan() { 1.0 } else { steps.round().clamp(0.0, PRESSURE_STEPS) / PRESSURE_STEPS }
+/// Pressure in whole steps.
+fn part(pressure: f64) -> f64 {
+    (pressure * PRESSURE_STEPS).round() / PRESSURE_STEPS
 }

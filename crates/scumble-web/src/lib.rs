@@ -5,6 +5,7 @@
 //! | a document under gestures and commands | [`session`] |
 //! | what there is to paint | [`painting`] |
 //! | what the pen draws with | [`brush`] |
+//! | the way of a pen, smooth and simple | [`stroke`] |
 //! | what the page can ask for | [`command`] |
 //! | what the page must know | [`effect`] |
 //! | what is selected, and its frame | `selection` |
@@ -27,6 +28,7 @@ mod regions;
 mod selection;
 pub mod session;
 pub mod solver;
+pub mod stroke;
 pub mod view;
 
 #[cfg(target_arch = "wasm32")]

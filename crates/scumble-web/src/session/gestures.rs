@@ -9,6 +9,7 @@ use crate::brush::{Brush, Ink};
 use crate::command::{Phase, Tool};
 use crate::effect::Effect;
 use crate::layers::drawn_width_du;
+use crate::stroke::{self, Sample};
 
 /// The eraser reaches this far, in CSS pixels.
 const ERASER_REACH_CSS: f64 = 5.0;
@@ -20,24 +21,36 @@ pub(super) const CLICK_CSS: f64 = 4.0;
 #[derive(Clone, Debug, Default)]
 pub(super) struct Stroke {
     brush: Brush,
-    /// The pressure at each of its points.
-    pressures: Vec<f32>,
+    /// Where the pen was, and how it pressed there.
+    samples: Vec<Sample>,
 }
 
 impl Stroke {
     fn begin(&mut self, brush: Brush) {
         self.brush = brush;
-        self.pressures.clear();
+        self.samples.clear();
     }
 
-    fn press(&mut self, phase: Phase, pressures: impl Iterator<Item = f32>) {
+    fn press(&mut self, phase: Phase, samples: &[Sample]) {
         // A pen that is lifted reports no pressure where it was.
-        let last = self.pressures.last().copied().filter(|_| phase == Phase::Up);
-        self.pressures.extend(pressures.map(|pressure| last.unwrap_or(pressure)));
+        let last = self.samples.last().map(|last| last.pressure).filter(|_| phase == Phase::Up);
+        let pressed = |sample: &Sample| Sample { pressure: last.unwrap_or(sample.pressure), ..*sample };
+        self.samples.extend(samples.iter().map(pressed));
     }
 
-    fn kind(&self) -> ScribbleKind {
-        self.brush.pressed(&self.pressures)
+    /// The way through its samples, and what it is by how hard the pen pressed there.
+    fn drawn(&self, du_from_css: f64) -> (Vec<Point>, ScribbleKind) {
+        self.along(&stroke::smooth(&self.samples, du_from_css))
+    }
+
+    /// The same as it is kept.
+    fn kept(&self, du_from_css: f64) -> (Vec<Point>, ScribbleKind) {
+        let way = stroke::smooth(&self.samples, du_from_css);
+        self.along(&stroke::simplified(&way, self.brush.pressure_du(), du_from_css))
+    }
+
+    fn along(&self, way: &[Sample]) -> (Vec<Point>, ScribbleKind) {
+        (way.iter().map(|sample| sample.place).collect(), self.brush.pressed(way))
     }
 }
 
@@ -67,11 +80,12 @@ impl Session {
     ///
     /// Samples that lie nowhere are left out. Pressure is within `0..=1`, and 1 for what has none.
     pub fn pointer(&mut self, phase: Phase, samples: &[f32]) {
-        let (points, pressures): (Vec<_>, Vec<_>) = self.samples_du(samples).unzip();
+        let samples: Vec<_> = self.samples_du(samples).collect();
+        let points: Vec<_> = samples.iter().map(|sample| sample.place).collect();
         if matches!(phase, Phase::Down | Phase::Add) {
             self.stroke.begin(self.brush);
         }
-        self.stroke.press(phase, pressures.into_iter());
+        self.stroke.press(phase, &samples);
         match (phase, self.tool) {
             (Phase::Down | Phase::Add, Tool::Scribble) => self.begin_scribble(&points),
             (Phase::Down | Phase::Add, Tool::Select) => self.begin_selecting(&points, phase == Phase::Add),
@@ -84,18 +98,19 @@ impl Session {
         }
     }
 
-    /// Points in du, each with its pressure.
-    fn samples_du(&self, samples: &[f32]) -> impl Iterator<Item = (Point, f32)> {
+    fn samples_du(&self, samples: &[f32]) -> impl Iterator<Item = Sample> {
         let du_from_css = self.viewport.css_from_du().inverse();
-        let samples = samples.chunks_exact(3);
-        let samples = samples
-            .map(move |sample| (du_from_css * Point::new(sample[0].into(), sample[1].into()), sample[2]));
-        samples.filter(|(point, _)| point.is_finite())
+        let samples = samples.as_chunks().0.iter().map(move |&[x, y, pressure]| Sample {
+            place: du_from_css * Point::new(x.into(), y.into()),
+            pressure: if pressure.is_nan() { 1.0 } else { f64::from(pressure).clamp(0.0, 1.0) },
+        });
+        samples.filter(|sample| sample.place.is_finite())
     }
 
     fn carry_on(&mut self, points: &[Point]) {
         if self.sheet.editor.is_scribbling() {
-            self.extend_scribble(points);
+            let (points, kind) = self.stroke.drawn(self.du_from_css());
+            self.sheet.editor.draw_scribble(points, kind);
             self.scribbles_changed();
         } else if let Some(Held::Hand(place)) = self.held {
             self.drag(place, points);
@@ -117,7 +132,7 @@ impl Session {
 
     fn end(&mut self, points: &[Point]) {
         if self.sheet.editor.is_scribbling() {
-            return self.end_scribble(points);
+            return self.end_scribble();
         }
         self.carry_on(points);
         match (self.held.take(), points.last()) {
@@ -148,18 +163,15 @@ impl Session {
             Ink::Paint(color) => color,
             Ink::Tone(tone) => Paint::Color(tone.step(self.color_under(first))),
         };
-        let (width_du, kind) = (self.stroke.brush.size_du(), self.stroke.kind());
-        self.sheet.editor.begin_scribble(Scribble { color, kind, width_du, points: points.to_vec() });
+        let (points, kind) = self.stroke.drawn(self.du_from_css());
+        let width_du = self.stroke.brush.size_du();
+        self.sheet.editor.begin_scribble(Scribble { color, kind, width_du, points });
         self.scribbles_changed();
     }
 
-    fn extend_scribble(&mut self, points: &[Point]) {
-        self.sheet.editor.extend_scribble(points);
-        self.sheet.editor.press_scribble(self.stroke.kind());
-    }
-
-    fn end_scribble(&mut self, points: &[Point]) {
-        self.extend_scribble(points);
+    fn end_scribble(&mut self) {
+        let (points, kind) = self.stroke.kept(self.du_from_css());
+        self.sheet.editor.draw_scribble(points, kind);
         if !self.is_on_page() {
             return self.drop_scribble();
         }
@@ -168,6 +180,10 @@ impl Session {
         let scribbles = &self.document().scribbles;
         let is_fill = scribbles.last().is_some_and(Scribble::is_fill);
         self.tell(Effect::ScribbleAdded { count: scribbles.len(), is_fill });
+    }
+
+    fn du_from_css(&self) -> f64 {
+        1.0 / self.viewport.zoom()
     }
 
     /// Whether the last scribble may touch the page: it colours nothing where it does not.
