@@ -7,6 +7,7 @@ import { mkdtemp, readdir, rm, writeFile } from "node:fs/promises";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { after, before } from "node:test";
+import { setTimeout } from "node:timers/promises";
 import { fileURLToPath } from "node:url";
 import { Picture } from "./picture.mjs";
 import { launch, PAINTED } from "./browsers.mjs";
@@ -299,6 +300,24 @@ export class Editor {
     await this.tab.mouse.move(x + startX, y + startY);
     await this.tab.mouse.down();
     for (const [px, py] of rest) await this.tab.mouse.move(x + px, y + py);
+    await this.tab.mouse.up();
+  }
+
+  /**
+   * The same at a number of moves each second, whether or not the page keeps up.
+   * @param {[number, number][]} points in CSS pixels of the canvas
+   * @param {number} rate_hz
+   */
+  async trace([[startX, startY], ...rest], rate_hz) {
+    const { x, y } = await this.box();
+    await this.tab.mouse.move(x + startX, y + startY);
+    await this.tab.mouse.down();
+    const begin_ms = performance.now();
+    const moves = rest.map(async ([px, py], i) => {
+      await setTimeout(begin_ms + ((i + 1) * 1000) / rate_hz - performance.now());
+      await this.tab.mouse.move(x + px, y + py);
+    });
+    await Promise.all(moves);
     await this.tab.mouse.up();
   }
 
