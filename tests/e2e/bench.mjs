@@ -26,6 +26,9 @@ const PAGE = `<!doctype html><script type="importmap">
 /** The pen is taken over every so many-th drawing of a set. */
 const PEN_EVERY = 10;
 
+/** So often a pen reports where it is. */
+const PEN_HZ = 240;
+
 /** How often the page is opened. */
 const VISITS = 9;
 
@@ -94,14 +97,23 @@ async function tables(program, set) {
   }
 }
 
-/** Notes, in the page, for each frame after a pen's move, when that move was and how long the frame's work took. */
+/**
+ * Notes, in the page, how many samples a pen's moves brought, and for each frame after such moves how long its work took
+ * and how long before its end the first of them was.
+ */
 function noteFrames() {
   /** @type {number | undefined} */
   let moved_ms;
   /** @type {[number, number][]} */
   const frames_ms = [];
-  Object.assign(window, { frames_ms });
-  addEventListener("pointermove", (event) => void (event.buttons && (moved_ms ??= event.timeStamp)), true);
+  const noted = { frames_ms, samples: 0 };
+  Object.assign(window, { noted });
+  const note = (/** @type {PointerEvent} */ event) => {
+    if (event.buttons === 0) return;
+    moved_ms ??= event.timeStamp;
+    noted.samples += event.getCoalescedEvents().length;
+  };
+  addEventListener("pointermove", note, true);
   const ask = window.requestAnimationFrame.bind(window);
   window.requestAnimationFrame = (act) =>
     ask((now) => {
@@ -114,10 +126,10 @@ function noteFrames() {
 }
 
 /**
- * Times of frames while the scribbles of a set are drawn: of their work, and from the first move to its end.
+ * What the page noted while the scribbles of a set were drawn, and how many samples there were.
  * @param {string} set
  * @param {"webgpu" | "cpu"} renderer
- * @returns {Promise<[number, number][]>} in ms
+ * @returns {Promise<{frames_ms: [number, number][], samples: number, sent: number}>}
  */
 async function penTimes(set, renderer) {
   const session = await start("chromium");
@@ -127,8 +139,9 @@ async function penTimes(set, renderer) {
     const editor = await Editor.open(tab, `${session.url}?renderer=${renderer}`, renderer);
     /** @type {{id: string}[]} */
     const entries = JSON.parse(await readFile(join(set, "index.json"), "utf8"));
-    for (const { id } of entries.filter((_, i) => i % PEN_EVERY === 0)) await scribbleAll(editor, join(set, id));
-    return await tab.evaluate("frames_ms");
+    let sent = 0;
+    for (const { id } of entries.filter((_, i) => i % PEN_EVERY === 0)) sent += await scribbleAll(editor, join(set, id));
+    return { ...(await tab.evaluate("noted")), sent };
   } finally {
     await session.close();
   }
@@ -138,6 +151,7 @@ async function penTimes(set, renderer) {
  * Opens a drawing and draws its scribbles, but for dabs.
  * @param {Editor} editor
  * @param {string} folder
+ * @returns how many samples these have
  */
 async function scribbleAll(editor, folder) {
   await editor.until("Opened", () => editor.tab.chooseFiles([join(folder, "drawing.svg")]));
@@ -145,9 +159,9 @@ async function scribbleAll(editor, folder) {
   const longer_side = Math.max(Number(size?.[1]), Number(size?.[2]));
   /** @type {{scribbles: {points: [number, number][]}[]}} */
   const { scribbles } = JSON.parse(await readFile(join(folder, "dense.json"), "utf8"));
-  for (const { points } of scribbles.filter(({ points }) => points.length > 1)) {
-    await editor.drag(await editor.place(points, longer_side));
-  }
+  const ways = scribbles.map(({ points }) => points).filter((way) => way.length > 1);
+  for (const way of ways) await editor.trace(await editor.place(way, longer_side), PEN_HZ);
+  return ways.reduce((sum, way) => sum + way.length - 1, 0);
 }
 
 /**
@@ -208,9 +222,10 @@ async function printStart() {
 async function printPen(set) {
   console.log(`\n${"the pen in the page".padEnd(46)} median ms      95 %   largest`);
   for (const renderer of /** @type {const} */ (["webgpu", "cpu"])) {
-    const times_ms = await penTimes(set, renderer);
-    console.log(row(`${renderer}: a frame's work`, times_ms.map(([work_ms]) => work_ms)));
-    console.log(row(`${renderer}: from a move to the end of its frame`, times_ms.map(([, wait_ms]) => wait_ms)));
+    const { frames_ms, samples, sent } = await penTimes(set, renderer);
+    console.log(row(`${renderer}: a frame's work`, frames_ms.map(([work_ms]) => work_ms)));
+    console.log(row(`${renderer}: from a sample to the end of its frame`, frames_ms.map(([, wait_ms]) => wait_ms)));
+    console.log(`${renderer}: ${samples} of ${sent} samples at ${PEN_HZ} Hz came`);
   }
 }
 
