@@ -1,6 +1,9 @@
 //! A colour field: triangles with a quadratic of colour on each. It is the picture, at every zoom.
 
+use kurbo::Rect;
 use scumble_core::Blend;
+
+use crate::scene::bounds;
 
 /// The colours of the coloured regions of a drawing. Where there is no triangle, the paper shows.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -15,6 +18,16 @@ pub struct Field {
 const TRIANGLE_BYTES: usize = 4 * 31;
 
 impl Field {
+    /// What all triangles lie within, in du, that are not the same in another field at their places in the list; `None`
+    /// where there are none.
+    pub fn changed_within(&self, other: &Self) -> Option<Rect> {
+        if self.blend != other.blend || self.triangles.len() != other.triangles.len() {
+            return bounds(self.triangles.iter().chain(&other.triangles).map(|triangle| &triangle.corners));
+        }
+        let pairs = self.triangles.iter().zip(&other.triangles).filter(|(a, b)| a != b);
+        bounds(pairs.flat_map(|(a, b)| [&a.corners, &b.corners]))
+    }
+
     /// The same as bytes, for another module of the page.
     pub fn to_bytes(&self) -> Vec<u8> {
         let mut bytes = Vec::with_capacity(1 + TRIANGLE_BYTES * self.triangles.len());

@@ -1,6 +1,8 @@
 //! What a painter paints, on the CPU or on the GPU: paper, a colour field, flat shapes over it.
 
-use kurbo::Affine;
+use std::ops::Range;
+
+use kurbo::{Affine, Point, Rect, Vec2};
 use scumble_core::{Rgba8, Srgb8};
 
 use crate::field::Field;
@@ -25,6 +27,19 @@ pub struct Shape {
     pub color: Rgba8,
 }
 
+impl Shape {
+    /// What it lies within, in du; `None` where there is nothing of it.
+    pub fn bounds(&self) -> Option<Rect> {
+        bounds(&self.triangles)
+    }
+}
+
+/// What triangles lie within.
+pub(crate) fn bounds<'a>(triangles: impl IntoIterator<Item = &'a [[f32; 2]; 3]>) -> Option<Rect> {
+    let corners = triangles.into_iter().flatten().map(|&[x, y]| Point::new(x.into(), y.into()));
+    corners.map(|corner| Rect::from_points(corner, corner)).reduce(|a, b| a.union(b))
+}
+
 /// Which part of the plane a picture shows, at which size.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct View {
@@ -34,4 +49,13 @@ pub struct View {
     pub width_px: u32,
     /// Picture size.
     pub height_px: u32,
+}
+
+impl View {
+    /// Some rows of it, from the first one on, as a view of their own.
+    #[must_use]
+    pub fn rows(&self, rows: Range<u32>) -> Self {
+        let up = Vec2::new(0.0, -f64::from(rows.start));
+        Self { px_from_du: self.px_from_du.then_translate(up), height_px: rows.end - rows.start, ..*self }
+    }
 }

@@ -64,7 +64,8 @@ impl Layers {
         self.tolerance_du == tolerance_du(px_per_du)
     }
 
-    pub(crate) fn set_scribbles(&mut self, scribbles: &[Scribble], are_selected: Vec<bool>) {
+    /// Draws other scribbles, and tells within what the picture of them is another, in du.
+    pub(crate) fn set_scribbles(&mut self, scribbles: &[Scribble], are_selected: Vec<bool>) -> Option<Rect> {
         let mark = |i: usize| are_selected.get(i) == Some(&true);
         let is_kept = |i: &usize| {
             self.scribbles.get(*i) == Some(&scribbles[*i])
@@ -72,11 +73,15 @@ impl Layers {
         };
         let kept = (0..scribbles.len()).take_while(is_kept).count();
         let fresh = scribbles.get(kept..).unwrap_or_default();
-        let shapes =
-            (kept..).zip(fresh).flat_map(|(i, scribble)| shapes(scribble, mark(i), self.tolerance_du));
-        self.shapes.splice(EACH * kept..EACH * self.scribbles.len(), shapes);
+        let shapes: Vec<_> = (kept..)
+            .zip(fresh)
+            .flat_map(|(i, scribble)| shapes(scribble, mark(i), self.tolerance_du))
+            .collect();
+        let added = bounds(&shapes);
+        let removed: Vec<_> = self.shapes.splice(EACH * kept..EACH * self.scribbles.len(), shapes).collect();
         self.scribbles.splice(kept.., fresh.iter().cloned());
         self.are_selected = are_selected;
+        [added, bounds(&removed)].into_iter().flatten().reduce(|a, b| a.union(b))
     }
 
     pub(crate) fn clear_ink(&mut self) {
@@ -100,6 +105,10 @@ impl Layers {
         let triangles = around.into_iter().flat_map(halves).collect();
         self.shapes.push(Shape { triangles, color: Rgba8([r, g, b, 255]) });
     }
+}
+
+fn bounds(shapes: &[Shape]) -> Option<Rect> {
+    shapes.iter().filter_map(Shape::bounds).reduce(|a, b| a.union(b))
 }
 
 /// How wide a scribble is drawn, in du.

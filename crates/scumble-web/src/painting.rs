@@ -1,5 +1,8 @@
 //! What there is to paint, and what paints it.
 
+use std::ops::Range;
+
+use kurbo::Rect;
 use scumble_core::Srgb8;
 use scumble_solve::grid::GridProblem;
 use scumble_solve::{Field, Pixmap, Scene, View, paint};
@@ -32,7 +35,7 @@ impl Painting<'_> {
 }
 
 /// What of a painting is not what it was in the frame before.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Changed {
     /// The colour field.
     pub field: bool,
@@ -42,11 +45,58 @@ pub struct Changed {
     pub scribbles: bool,
     /// The layer of ink.
     pub ink: bool,
+    /// All that has changed lies within, in du.
+    pub within_du: Option<Rect>,
 }
+
+/// Beyond all that can be drawn, in du.
+const EVERYWHERE: Rect = Rect::new(-1e9, -1e9, 1e9, 1e9);
 
 impl Changed {
     /// Everything, as for a painter that has painted nothing yet.
-    pub const ALL: Self = Self { field: true, problem: true, scribbles: true, ink: true };
+    pub const ALL: Self =
+        Self { field: true, problem: true, scribbles: true, ink: true, within_du: Some(EVERYWHERE) };
+
+    /// Adds what has changed within a part of the plane, in du.
+    pub(crate) fn add_within(&mut self, part_du: Option<Rect>) {
+        self.within_du = [self.within_du, part_du].into_iter().flatten().reduce(|a, b| a.union(b));
+    }
+
+    /// Adds what may have changed anywhere.
+    pub(crate) fn add_everywhere(&mut self) {
+        self.within_du = Some(EVERYWHERE);
+    }
+
+    /// The whole picture under the shapes.
+    pub(crate) fn add_colors(&mut self) {
+        (self.field, self.problem) = (true, true);
+        self.add_everywhere();
+    }
+
+    /// The rows of a view that show it, and one more on either side.
+    fn rows(&self, view: &View) -> Range<u32> {
+        let Some(within_du) = self.within_du else { return 0..0 };
+        let within_px = view.px_from_du.transform_rect_bbox(within_du).inflate(0.0, 1.0);
+        // A cast keeps within the range of its type.
+        (within_px.y0 as u32).min(view.height_px)..(within_px.y1.ceil() as u32).min(view.height_px)
+    }
+}
+
+/// The painter on the CPU, for a canvas that keeps what it has shown: it paints the rows that have changed.
+#[derive(Debug, Default)]
+pub struct RowPainter {
+    shown: Option<(View, Option<Srgb8>)>,
+}
+
+impl RowPainter {
+    /// The rows of a painting that are not as they were the time before, and the first one's number; none where all are.
+    pub fn paint(&mut self, painting: &Painting<'_>, changed: &Changed) -> Option<(u32, Pixmap)> {
+        let Painting { view, paper, .. } = *painting;
+        let is_as_before = self.shown.replace((view, paper)) == Some((view, paper));
+        let rows = if is_as_before { changed.rows(&view) } else { 0..view.height_px };
+        let first = rows.start;
+        (!rows.is_empty()).then(|| (first, paint(&painting.scene(), &view.rows(rows))))
+    }
 }
 
 /// Puts paintings on the screen.
@@ -69,11 +119,7 @@ pub struct Export {
 impl Export {
     /// Paints some rows of it, from the first one on. Without paper, what nothing covers is transparent.
     pub fn rows(&self, first: u32, count: u32, paper: Option<Srgb8>) -> Pixmap {
-        let view = View {
-            px_from_du: self.view.px_from_du.then_translate((0.0, -f64::from(first)).into()),
-            height_px: count,
-            ..self.view
-        };
+        let view = self.view.rows(first..first + count);
         paint(&Scene { paper, field: &self.field, shapes: self.layers.shapes() }, &view)
     }
 }

@@ -8,12 +8,12 @@ use scumble_gpu::{
     Gpu, GpuError, GpuGridSolver, GridKernels, Layer, Renderer, instance, probe, surface_format,
 };
 use scumble_solve::grid::{GridProblem, PAGE_STEPS};
-use scumble_solve::{View, paint};
+use scumble_solve::{Pixmap, View};
 use thiserror::Error;
 use wasm_bindgen::{Clamped, JsCast};
 use web_sys::{CanvasRenderingContext2d, HtmlCanvasElement, ImageData};
 
-use crate::painting::{Changed, Painter, Painting};
+use crate::painting::{Changed, Painter, Painting, RowPainter};
 use crate::solver::Grids;
 
 /// The name of the painter on the CPU.
@@ -79,7 +79,7 @@ impl Painter for Screen {
         match self {
             Self::Gpu(screen) => screen.paint(painting, changed),
             Self::Cpu(screen) => {
-                screen.paint(painting);
+                screen.paint(painting, &changed);
                 true
             }
         }
@@ -215,27 +215,32 @@ pub struct CpuScreen {
     context: CanvasRenderingContext2d,
     width_px: u32,
     height_px: u32,
+    painter: RowPainter,
 }
 
 impl CpuScreen {
     fn open(canvas: HtmlCanvasElement) -> Result<Self, ScreenError> {
         let context = canvas.get_context("2d").ok().flatten().and_then(|context| context.dyn_into().ok());
         let context = context.ok_or_else(|| ScreenError::Canvas("no 2D context".into()))?;
-        Ok(Self { canvas, context, width_px: 0, height_px: 0 })
+        Ok(Self { canvas, context, width_px: 0, height_px: 0, painter: RowPainter::default() })
     }
 
-    fn paint(&mut self, painting: &Painting<'_>) {
-        let view = painting.view;
-        if (self.width_px, self.height_px) != (view.width_px, view.height_px) {
-            (self.width_px, self.height_px) = (view.width_px, view.height_px);
-            set_size(&self.canvas, &view);
+    fn paint(&mut self, painting: &Painting<'_>, changed: &Changed) {
+        let View { width_px, height_px, .. } = painting.view;
+        if (self.width_px, self.height_px) != (width_px, height_px) {
+            (self.width_px, self.height_px) = (width_px, height_px);
+            set_size(&self.canvas, &painting.view);
         }
-        let pixels = paint(&painting.scene(), &view).rgba;
-        let image =
-            ImageData::new_with_u8_clamped_array_and_sh(Clamped(&pixels), view.width_px, view.height_px);
+        if let Some((row, pixels)) = self.painter.paint(painting, changed) {
+            self.show(row, &pixels);
+        }
+    }
+
+    fn show(&self, row: u32, Pixmap { width_px, height_px, rgba }: &Pixmap) {
+        let image = ImageData::new_with_u8_clamped_array_and_sh(Clamped(rgba), *width_px, *height_px);
         if let Ok(image) = image {
             // Fails for a detached buffer only, which a fresh one is not.
-            let _ = self.context.put_image_data(&image, 0.0, 0.0);
+            let _ = self.context.put_image_data(&image, 0.0, row.into());
         }
     }
 }

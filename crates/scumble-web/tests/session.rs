@@ -2,7 +2,7 @@
 
 mod page;
 
-use kurbo::{Point, Vec2};
+use kurbo::{Point, Rect, Vec2};
 use scumble_core::{Blend, ColorPoint, EngineKind, Paint, Settings, Srgb8, Swatch, Tracing, exact};
 use scumble_web::brush::Ink;
 use scumble_web::command::{Command, Phase, Setting, Tool, ViewChange};
@@ -91,7 +91,14 @@ fn frames_are_painted_only_when_something_has_changed() {
     assert_eq!(page.canvas.frames.last(), Some(&Changed::default()), "a move of the view uploads nothing");
     page.session.command(Command::Scribbles(false));
     page.color_at(INSIDE);
-    assert_eq!(page.canvas.frames.last(), Some(&Changed { scribbles: true, ..Changed::default() }));
+    let hidden = page.canvas.frames.last().copied().expect("a frame");
+    assert_eq!(hidden, Changed { scribbles: true, within_du: hidden.within_du, ..Changed::default() });
+    // The stroke with its rim, and no more.
+    let within = hidden.within_du.expect("a stroke");
+    let stroke =
+        ACROSS.map(Point::from).map(|p| Rect::from_points(p, p)).into_iter().reduce(|a, b| a.union(b));
+    let room = within.size() - stroke.expect("a stroke").size();
+    assert!((16.0..24.0).contains(&room.width) && (16.0..24.0).contains(&room.height), "{within}");
 }
 
 #[test]

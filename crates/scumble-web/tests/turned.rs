@@ -115,7 +115,10 @@ fn a_drag_moves_it_with_the_pen_and_an_arrow_as_it_points() {
         assert_close(css(&page), at + way + Vec2::new(10.0, 0.0));
         page.session.command(Command::Arrange(Arranging::Duplicate));
         let places = points(&page);
-        assert_close(page.session.css_from_du() * places[places.len() / 2 + third], at + way + Vec2::new(26.0, 16.0));
+        assert_close(
+            page.session.css_from_du() * places[places.len() / 2 + third],
+            at + way + Vec2::new(26.0, 16.0),
+        );
     }
 }
 

@@ -20,7 +20,7 @@ impl Session {
         self.refresh_boundary();
         let source = self.choice();
         if source != std::mem::replace(&mut self.source, source) {
-            (self.changed.field, self.changed.problem) = (true, true);
+            self.changed.add_colors();
             self.stale.view = true;
         }
         if source == Source::Grid { self.refresh_problem() } else { self.refresh_field() }
@@ -28,14 +28,14 @@ impl Session {
 
     pub(super) fn show_result(&mut self, shown: bool) {
         self.result_shown = shown;
-        (self.changed.field, self.changed.problem) = (true, true);
+        self.changed.add_colors();
         self.stale.view = true;
     }
 
     /// Instead of the result or none.
     pub(super) fn show_regions(&mut self, shown: bool) {
         self.regions = shown.then(Regions::default);
-        (self.changed.field, self.changed.problem) = (true, true);
+        self.changed.add_colors();
         (self.stale.view, self.stale.lines) = (true, true);
     }
 
@@ -43,7 +43,7 @@ impl Session {
         if let Some(regions) = &mut self.regions
             && regions.follow(self.sheet.map_key(), self.sheet.picture.map())
         {
-            self.changed.field = true;
+            self.changed.add_colors();
             (self.stale.view, self.stale.lines) = (true, true);
         }
     }
@@ -83,7 +83,10 @@ impl Session {
     fn solve(&mut self) {
         let blend = self.sheet.editor.document().settings.blend;
         match self.sheet.picture.mesh().solve(&self.boundary, blend) {
-            Ok(field) => self.field.clone_from(field),
+            Ok(field) => {
+                self.changed.add_within(self.field.changed_within(field));
+                self.field.clone_from(field);
+            }
             Err(error) => self.effects.push(Effect::Failed(error.to_string())),
         }
         self.changed.field = true;
@@ -100,6 +103,7 @@ impl Session {
                 Err(error) => self.effects.push(Effect::Failed(error.to_string())),
             }
             self.changed.problem = true;
+            self.changed.add_everywhere();
             self.stale.view = true;
         }
     }

@@ -28,7 +28,7 @@ impl Session {
     /// The drawing as it was before it was coloured, or what else is to be shown.
     pub(super) fn show_before(&mut self, shown: bool) {
         self.is_before = shown;
-        (self.changed.field, self.changed.problem) = (true, true);
+        self.changed.add_colors();
         (self.stale.view, self.stale.lines, self.stale.scribbles) = (true, true, true);
     }
 
@@ -64,6 +64,7 @@ impl Session {
         self.layers.add_lines(&marked(drawing, selected, self.px_per_du()), self.sheet.picture.map());
         self.layers.add_desk(drawing.frame(), self.desk);
         self.changed.ink = true;
+        self.changed.add_everywhere();
         self.stale.view = true;
     }
 
@@ -71,7 +72,7 @@ impl Session {
         let are_shown = self.scribbles_shown && !self.is_before;
         let scribbles = if are_shown { &*self.sheet.editor.document().scribbles } else { &[] };
         let is_selected = self.sheet.editor.scribble_ids().iter().map(|id| self.selection.has(*id)).collect();
-        self.layers.set_scribbles(scribbles, is_selected);
+        self.changed.add_within(self.layers.set_scribbles(scribbles, is_selected));
         self.changed.scribbles = true;
         self.stale.view = true;
     }

@@ -5,7 +5,7 @@ use scumble_core::{Document, Scribble, Srgb8, Work, exact};
 use scumble_io::import_svg;
 use scumble_solve::{Pixmap, paint};
 use scumble_web::command::{Command, Phase, ViewChange};
-use scumble_web::painting::{Changed, Painter, Painting};
+use scumble_web::painting::{Changed, Painter, Painting, RowPainter};
 use scumble_web::session::Session;
 
 pub(crate) const DESK: Srgb8 = Srgb8([90, 91, 92]);
@@ -19,13 +19,28 @@ pub(crate) const SQUARE: &[u8] = br#"<svg xmlns="http://www.w3.org/2000/svg" vie
 pub(crate) struct Canvas {
     pub(crate) frames: Vec<Changed>,
     pub(crate) shown: Option<Pixmap>,
+    painter: RowPainter,
 }
 
 impl Painter for Canvas {
     fn paint(&mut self, painting: &Painting<'_>, changed: Changed) -> bool {
         self.frames.push(changed);
-        self.shown = Some(paint(&painting.scene(), &painting.view));
+        let whole = paint(&painting.scene(), &painting.view);
+        self.repaint(painting, &changed);
+        assert_eq!(self.shown.as_ref(), Some(&whole), "rows that have changed, painted alone");
         true
+    }
+}
+
+impl Canvas {
+    fn repaint(&mut self, painting: &Painting<'_>, changed: &Changed) {
+        let Some((row, rows)) = self.painter.paint(painting, changed) else { return };
+        if rows.height_px == painting.view.height_px {
+            self.shown = Some(rows);
+        } else if let Some(shown) = &mut self.shown {
+            let first = 4 * (row * rows.width_px) as usize;
+            shown.rgba[first..first + rows.rgba.len()].copy_from_slice(&rows.rgba);
+        }
     }
 }
 
