@@ -144,6 +144,7 @@ export const german = {
   "select-next": "Den nächsten darunter auswählen",
   "select-previous": "Den nächsten darüber auswählen",
   "select-all": "Alle Kritzel auswählen",
+  "select-more": "Mehr auswählen",
   "select-none": "Nichts auswählen",
   "delete-selected": "Löschen",
   "duplicate": "Verdoppeln",

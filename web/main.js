@@ -21,7 +21,7 @@ import { Pointers } from "./pointer.js";
 import { Recent } from "./recent.js";
 import { Samples } from "./samples.js";
 import { copyLink, isLink, sendLink, showLink } from "./share.js";
-import { showSelection } from "./selection.js";
+import { selectsMore, showSelection, toggleMore } from "./selection.js";
 import { Steps } from "./steps.js";
 import { putAside } from "./storage.js";
 import { connectSwatches, labelSwatches, shownSwatches, swatch } from "./swatches.js";
@@ -144,7 +144,7 @@ const samples = new Samples((sample, isColored) => opening.sample(sample, isColo
 const recent = new Recent((id) => opening.kept(id), (id) => keeper.drop(drawings.forget(id)));
 const colors = new Colors(engine, (file) => opening.file(file));
 const steps = new Steps(engine);
-const pointers = new Pointers(stage, engine);
+const pointers = new Pointers(stage, engine, selectsMore);
 
 function nameShown() {
   const { shown } = drawings;
@@ -223,6 +223,7 @@ const actions = {
     showFirstSteps();
   },
   "skip-steps": skipFirstSteps,
+  "select-more": toggleMore,
   drop: () => {
     // Escape closes what is open, and does no more.
     if (pointers.cancel() || document.querySelector(":popover-open") || skipFirstSteps()) return;

@@ -138,6 +138,7 @@ export const english = {
   "select-next": "Select the next one down",
   "select-previous": "Select the next one up",
   "select-all": "Select all scribbles",
+  "select-more": "Select more",
   "select-none": "Deselect",
   "delete-selected": "Delete",
   "duplicate": "Duplicate",

@@ -35,14 +35,17 @@ export class Pointers {
   /** How far two fingers have turned since the second came down, in degrees. */
   #twist = 0;
   #isFinger = false;
+  #isAdding;
 
   /**
    * @param {HTMLElement} stage the element around the canvas
    * @param {Engine} engine
+   * @param {() => boolean} isAdding whether each press adds, as one with Shift does
    */
-  constructor(stage, engine) {
+  constructor(stage, engine, isAdding) {
     this.#stage = stage;
     this.#engine = engine;
+    this.#isAdding = isAdding;
     const on = /** @type {(kind: string, act: (event: any) => void) => void} */ (
       (kind, act) => stage.addEventListener(kind, act, { passive: false })
     );
@@ -120,7 +123,7 @@ export class Pointers {
 
   /** @param {PointerEvent} event */
   #startStroke(event) {
-    const main = event.altKey ? "pick" : event.shiftKey ? "add" : "down";
+    const main = event.altKey ? "pick" : event.shiftKey || this.#isAdding() ? "add" : "down";
     const phase = event.button === 0 ? main : event.button === ERASER_BUTTON ? "erase" : null;
     if (phase === null) return;
     this.#pen = event.pointerId;

@@ -43,8 +43,24 @@ function lay(element, box) {
   Object.assign(element.style, { transform: `translate(${x}px, ${y}px)`, width: `${width}px`, height: `${height}px` });
 }
 
+/** Whether a press adds to what is selected, as one with Shift does: fingers have no Shift. */
+export function selectsMore() {
+  return button("select-more").ariaPressed === "true";
+}
+
+/** From now on, or no longer; a bar that goes ends it. */
+export function toggleMore() {
+  setMore(!selectsMore());
+}
+
+/** @param {boolean} isMore */
+function setMore(isMore) {
+  button("select-more").ariaPressed = String(isMore);
+}
+
 /** A bar that goes leaves the focus to the canvas. @param {boolean} isShown */
 function showBar(isShown) {
+  if (!isShown) setMore(false);
   if (!isShown && bar.contains(document.activeElement)) element("canvas").focus();
   bar.hidden = !isShown;
 }

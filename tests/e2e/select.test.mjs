@@ -205,6 +205,13 @@ for (const browser of /** @type {const} */ (["chromium", "firefox"])) {
       assert.equal((await colorsAt(editor, [LEFT_ROOM]))[0], WHITE);
       await swipe([[3, 3]], "Nothing selected");
       await swipe([[3, 3], [100, 50], [190, 95]], "2 scribbles selected");
+      await swipe([[3, 3]], "Nothing selected");
+      await swipe([[50, 63]], "Scribble 1 of 2 selected");
+      await editor.click("Select more");
+      await swipe(IN_PILLAR.slice(0, 1), "2 scribbles selected");
+      await swipe([[50, 63]], "Scribble 2 of 2 selected");
+      await editor.click("Select more");
+      await swipe([[50, 63]], "Scribble 1 of 2 selected");
     });
 
     test("the bar fits, and the canvas keeps its place", async () => {
