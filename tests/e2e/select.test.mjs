@@ -70,7 +70,7 @@ for (const browser of /** @type {const} */ (["chromium", "firefox"])) {
       assert.deepEqual(await bar(editor), []);
       const before = await editor.picture();
       await drag(editor, [[50, 60]], "Scribble 1 of 2 selected");
-      assert.deepEqual(await bar(editor), ["Send backward", "Bring forward", "Duplicate", "Delete", "Deselect"]);
+      assert.deepEqual(await bar(editor), ["Send backward", "Bring forward", "Duplicate", "Delete", "Select more", "Deselect"]);
       const way = await editor.place([[50, 60], [90, 62], [150, 62]], SIDE);
       const { x, y } = await editor.box();
       await editor.tab.mouse.move(x + way[0][0], y + way[0][1]);
@@ -142,7 +142,7 @@ for (const browser of /** @type {const} */ (["chromium", "firefox"])) {
       await editor.scribble([[120, 30], [130, 30]], SIDE);
       await editor.tab.press("v");
       await drag(editor, [WALL], "1 line selected");
-      assert.deepEqual(await bar(editor), ["Hide", "Delete", "Deselect"]);
+      assert.deepEqual(await bar(editor), ["Hide", "Delete", "Select more", "Deselect"]);
       await editor.until("1 line hidden", () => editor.click("Hide"));
       await editor.until("1 line shown again", () => editor.click("Show again"));
       await editor.until("1 line hidden", () => editor.click("Hide"));
@@ -205,13 +205,14 @@ for (const browser of /** @type {const} */ (["chromium", "firefox"])) {
       assert.equal((await colorsAt(editor, [LEFT_ROOM]))[0], WHITE);
       await swipe([[3, 3]], "Nothing selected");
       await swipe([[3, 3], [100, 50], [190, 95]], "2 scribbles selected");
+      const moved = /** @type {Point} */ ([170, 44]);
       await swipe([[3, 3]], "Nothing selected");
-      await swipe([[50, 63]], "Scribble 1 of 2 selected");
+      await swipe([moved], "Scribble 1 of 2 selected");
       await editor.click("Select more");
       await swipe(IN_PILLAR.slice(0, 1), "2 scribbles selected");
-      await swipe([[50, 63]], "Scribble 2 of 2 selected");
+      await swipe([moved], "Scribble 2 of 2 selected");
       await editor.click("Select more");
-      await swipe([[50, 63]], "Scribble 1 of 2 selected");
+      await swipe([moved], "Scribble 1 of 2 selected");
     });
 
     test("the bar fits, and the canvas keeps its place", async () => {
