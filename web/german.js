@@ -74,6 +74,7 @@ export const german = {
   "did-rub": "Teilweise radiert",
   "did-move": "Verschoben",
   "did-resize": "Größe geändert",
+  "did-reshade": "Anders getönt",
   "did-recolour": "Umgefärbt",
   "did-duplicate": "Verdoppelt",
   "did-forward": "Nach vorn geholt",

@@ -68,6 +68,7 @@ export const english = {
   "did-rub": "Erased in part",
   "did-move": "Moved",
   "did-resize": "Resized",
+  "did-reshade": "Shaded otherwise",
   "did-recolour": "Recoloured",
   "did-duplicate": "Duplicated",
   "did-forward": "Brought forward",

@@ -227,6 +227,29 @@ describe("shading", () => {
     assert.deepEqual(editor.tab.faults, []);
   });
 
+  test("strength is for the shade that is selected, and is shown as it is", async () => {
+    const editor = await open();
+    await editor.slide("strength", 40);
+    await editor.click("Blue");
+    await editor.scribble([MIDDLE, [70, 60]], SIDE);
+    await editor.slide("strength", 90);
+    await editor.tab.click("radio", "Fill");
+    await editor.until("selected", () => editor.tab.press("n"));
+    const shown = async () => {
+      const { strength, kind, tool } = await controls(editor);
+      return [strength, kind, tool];
+    };
+    assert.deepEqual(await shown(), ["40%", "shade", "select"]);
+    await editor.slide("strength", 100);
+    assert.deepEqual(await shown(), ["100%", "shade", "select"]);
+    assertClose((await colorsAt(editor, [MIDDLE]))[0], BLUE);
+    await editor.until("Undone", () => editor.click("Undo"));
+    assert.deepEqual(await shown(), ["40%", "shade", "select"]);
+    await editor.until("Nothing selected", () => editor.tab.press("Escape"));
+    assert.deepEqual(await shown(), ["90%", "fill", "select"]);
+    assert.deepEqual(editor.tab.faults, []);
+  });
+
   test("samples open with their highlights", async () => {
     const editor = await session.open("cpu");
     for (const [name, side, [highlight, dark]] of SHADED) {

@@ -74,6 +74,17 @@ impl Default for Mode {
 }
 
 impl Mode {
+    /// That of a scribble that shades like this. A pen that pressed evenly says nothing of itself.
+    pub(crate) fn of_shade(shading: &Shading, pen: Pressure) -> Self {
+        let Shading { strength, crosses, ref pressure } = *shading;
+        let pressure = match pressure {
+            PenPressure::Even => pen,
+            PenPressure::Radius(_) => Pressure::Radius,
+            PenPressure::Strength(_) => Pressure::Strength,
+        };
+        Self { kind: Kind::Shade, strength, crosses, pressure }
+    }
+
     /// Smallest and largest size of its brush, in du.
     pub fn sizes_du(&self) -> [f64; 2] {
         SIZES_DU[self.kind as usize]
@@ -96,16 +107,51 @@ pub enum ModeChange {
 }
 
 impl ModeChange {
+    /// What it makes of the next scribble.
     pub(crate) fn apply(self, mode: &mut Mode) {
         match self {
             Self::Kind(kind) => mode.kind = kind,
             Self::OtherKind => {
                 mode.kind = if mode.kind == Kind::Fill { Kind::Shade } else { Kind::Fill };
             }
-            Self::Strength(strength) if strength.is_nan() => {}
-            Self::Strength(strength) => mode.strength = strength.clamp(0.0, 1.0),
+            Self::Strength(strength) => mode.strength = within_range(strength, mode.strength),
             Self::Crosses(crosses) => mode.crosses = crosses,
             Self::Pressure(pressure) => mode.pressure = pressure,
+        }
+    }
+
+    /// What it makes of one that shades already, which stays of its kind.
+    pub(crate) fn apply_to(self, shading: &mut Shading) {
+        match self {
+            Self::Kind(_) | Self::OtherKind => {}
+            Self::Strength(strength) => shading.strength = within_range(strength, shading.strength),
+            Self::Crosses(crosses) => shading.crosses = crosses,
+            Self::Pressure(pressure) => shading.pressure = pressure.of(parts_of(&shading.pressure)),
+        }
+    }
+}
+
+fn within_range(strength: f64, before: f64) -> f64 {
+    if strength.is_nan() { before } else { strength.clamp(0.0, 1.0) }
+}
+
+fn parts_of(pressure: &PenPressure) -> Vec<f64> {
+    match pressure {
+        PenPressure::Even => Vec::new(),
+        PenPressure::Radius(parts) | PenPressure::Strength(parts) => parts.clone(),
+    }
+}
+
+impl Pressure {
+    /// What a pen gives that has pressed so hard at each of its points, in parts of `0..=1`.
+    fn of(self, parts: Vec<f64>) -> PenPressure {
+        let is_even = parts.iter().all(|part| *part == 1.0);
+        match self {
+            Self::Radius if !is_even => {
+                PenPressure::Radius(parts.into_iter().map(|part| part.max(LEAST_RADIUS)).collect())
+            }
+            Self::Strength if !is_even => PenPressure::Strength(parts),
+            _ => PenPressure::Even,
         }
     }
 }
@@ -146,10 +192,9 @@ impl Brush {
         tone.map_or(Ink::Paint(self.color), Ink::Tone)
     }
 
-    /// A tone that is picked again is put away.
     pub(crate) fn set_ink(&mut self, ink: Ink) {
         match ink {
-            Ink::Tone(tone) => self.tone = Some(tone).filter(|_| self.tone != Some(tone)),
+            Ink::Tone(tone) => self.tone = Some(tone),
             Ink::Paint(color) => {
                 self.tone = None;
                 if color != self.color {
@@ -204,13 +249,7 @@ impl Brush {
         if kind == Kind::Fill {
             return ScribbleKind::Fill;
         }
-        let parts = |least: f64| way.iter().map(|sample| part(sample.pressure).max(least)).collect();
-        let is_even = way.iter().all(|sample| part(sample.pressure) == 1.0);
-        let pressure = match pressure {
-            Pressure::Radius if !is_even => PenPressure::Radius(parts(LEAST_RADIUS)),
-            Pressure::Strength if !is_even => PenPressure::Strength(parts(0.0)),
-            _ => PenPressure::Even,
-        };
+        let pressure = pressure.of(way.iter().map(|sample| part(sample.pressure)).collect());
         ScribbleKind::Shade(Shading { strength, crosses, pressure })
     }
 }

@@ -4,7 +4,7 @@ mod page;
 
 use scumble_core::{Paint, PenPressure, Scribble, ScribbleKind, Shading, Srgb8, Tone};
 use scumble_web::brush::{Ink, Kind, Mode, ModeChange, Pressure};
-use scumble_web::command::{Command, Phase, Tool};
+use scumble_web::command::{Command, Phase, Selecting, Tool};
 use scumble_web::effect::Effect;
 
 use page::{Page, SQUARE, open};
@@ -128,7 +128,7 @@ fn a_tone_is_taken_from_the_stroke_that_was_drawn_just_before() {
 }
 
 #[test]
-fn a_tone_goes_when_a_colour_or_the_same_tone_is_picked_and_does_not_fill() {
+fn a_tone_goes_when_a_colour_is_picked_and_does_not_fill() {
     let mut page = page();
     let tone = Ink::Tone(Tone::Warmer);
     let told = |page: &mut Page, command: Command| {
@@ -140,8 +140,7 @@ fn a_tone_goes_when_a_colour_or_the_same_tone_is_picked_and_does_not_fill() {
         })
     };
     assert_eq!(told(&mut page, Command::Color(tone)), Some(tone));
-    assert_eq!(told(&mut page, Command::Color(tone)), Some(RED.into()));
-    told(&mut page, Command::Color(tone));
+    assert_eq!(told(&mut page, Command::Color(tone)), None, "it stays");
     assert_eq!(told(&mut page, Command::SwapColors), Some(RED.into()));
     told(&mut page, Command::Color(tone));
     assert_eq!(told(&mut page, Command::Mode(ModeChange::OtherKind)), Some(RED.into()));
@@ -204,6 +203,57 @@ fn samples_that_lie_nowhere_take_their_pressure_along() {
     page.session.pointer(Phase::Move, &[f32::NAN, 0.0, 0.9, 520.0, 400.0, 0.4]);
     let shading = last(&page).shading().expect("a shade");
     assert_eq!(shading.pressure, PenPressure::Radius(vec![0.2, 0.4]));
+}
+
+#[test]
+fn a_tone_of_a_shade_that_is_selected_is_one_of_what_is_under_it() {
+    let mut page = page();
+    page.stroke(BLUE, &[MIDDLE]);
+    page.session.command(Command::Select(Selecting::Next));
+    let shade = last(&page).clone();
+    assert!(!shade.is_fill());
+    for tone in [Tone::Darker, Tone::Darker, Tone::Lighter] {
+        page.session.command(Command::Color(Ink::Tone(tone)));
+        assert_eq!(last(&page).color, Paint::Color(tone.step(RED)));
+    }
+    page.session.command(Command::Undo);
+    page.session.command(Command::Undo);
+    assert_eq!(last(&page), &shade, "the same tone again is no change");
+}
+
+#[test]
+fn strength_crossing_and_pen_are_for_the_shades_that_are_selected() {
+    let mut page = page();
+    set(&mut page, ModeChange::Strength(0.25));
+    page.session.pointer(Phase::Down, &samples(400.0, &[0.5]));
+    page.session.pointer(Phase::Move, &samples(420.0, &[0.75]));
+    page.session.pointer(Phase::Up, &[]);
+    let drawn = last(&page).clone();
+    set(&mut page, ModeChange::Strength(0.9));
+    page.session.command(Command::Select(Selecting::All));
+    page.session.take_effects();
+    let mode = |page: &mut Page| {
+        page.session.take_effects().into_iter().rev().find_map(|effect| match effect {
+            Effect::Mode(mode) => Some(mode),
+            _ => None,
+        })
+    };
+    for strength in [0.3, 0.5] {
+        page.session.command(Command::Mode(ModeChange::Strength(strength)));
+        assert_eq!(last(&page).shading().expect("a shade").strength, strength);
+        assert_eq!(mode(&mut page).map(|mode| mode.strength), Some(strength), "and it is shown");
+    }
+    page.session.command(Command::Settle);
+    page.session.command(Command::Mode(ModeChange::Crosses(true)));
+    page.session.command(Command::Mode(ModeChange::Pressure(Pressure::Strength)));
+    let pressure = PenPressure::Strength(vec![0.5, 0.75]);
+    let after = Shading { strength: 0.5, crosses: true, pressure };
+    assert_eq!(last(&page).kind, ScribbleKind::Shade(after));
+    (0..3).for_each(|_| page.session.command(Command::Undo));
+    assert_eq!(last(&page), &drawn, "a slider that was dragged is one gesture");
+    page.session.take_effects();
+    page.session.command(Command::Select(Selecting::None));
+    assert_eq!(mode(&mut page).map(|mode| mode.strength), Some(0.9), "that of the next one");
 }
 
 #[test]

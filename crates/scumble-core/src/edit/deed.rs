@@ -21,6 +21,8 @@ pub enum Deed {
     Resized,
     /// Scribbles are wider or narrower.
     Widened,
+    /// Scribbles shade otherwise: more or less, up to the lines or beyond, by another pen.
+    Reshaded,
     /// Scribbles have another colour.
     Recolored,
     /// There is more of something.

@@ -48,6 +48,7 @@ pub(super) fn deed_key(deed: Deed) -> &'static str {
         Deed::Moved => "did-move",
         Deed::Resized => "did-resize",
         Deed::Widened => "brush-size",
+        Deed::Reshaded => "did-reshade",
         Deed::Recolored => "did-recolour",
         Deed::Duplicated => "did-duplicate",
         Deed::Forward => "did-forward",

@@ -2,10 +2,10 @@
 
 use kurbo::{Affine, Vec2};
 use scumble_core::work::are_too_long;
-use scumble_core::{Curve, Deed, Paint, Scribble};
+use scumble_core::{Curve, Deed, Paint, Scribble, ScribbleKind, Tone};
 
 use super::Session;
-use crate::brush::{Ink, within_sizes};
+use crate::brush::{Ink, Mode, ModeChange, within_sizes};
 use crate::command::Arranging;
 use crate::effect::{Edit, Effect};
 use crate::selection::{Selection, way_to_page};
@@ -78,15 +78,51 @@ impl Session {
 
     /// Gives the selected scribbles a colour.
     pub(super) fn recolor_selected(&mut self, ink: Ink) {
-        for i in self.selected_scribbles() {
-            let color = match (ink, self.document().scribbles[i].color) {
-                (Ink::Paint(color), _) => color,
-                (Ink::Tone(tone), Paint::Color(color)) => Paint::Color(tone.step(color)),
-                (Ink::Tone(_), Paint::Clear) => Paint::Clear,
-            };
+        let selected = self.selected_scribbles();
+        let colors = match ink {
+            Ink::Paint(color) => vec![color; selected.len()],
+            Ink::Tone(tone) => self.toned(tone, &selected),
+        };
+        for (i, color) in selected.into_iter().zip(colors) {
             self.sheet.editor.recolor_scribble(i, color);
         }
         self.things_changed();
+    }
+
+    /// A step from the colours of scribbles or, where they shade, from those under their first points without them.
+    fn toned(&mut self, tone: Tone, scribbles: &[usize]) -> Vec<Paint> {
+        let under = self.colors_under(&self.selected_shades());
+        let toned =
+            |i| match under.get(i).map_or(self.document().scribbles[*i].color, |color| (*color).into()) {
+                Paint::Color(color) => Paint::Color(tone.step(color)),
+                Paint::Clear => Paint::Clear,
+            };
+        scribbles.iter().map(toned).collect()
+    }
+
+    /// Those of the selected scribbles that shade.
+    pub(super) fn selected_shades(&self) -> Vec<usize> {
+        let mut selected = self.selected_scribbles();
+        selected.retain(|i| !self.document().scribbles[*i].is_fill());
+        selected
+    }
+
+    /// Shades otherwise with those that are selected.
+    pub(super) fn reshade_selected(&mut self, change: ModeChange) {
+        for i in self.selected_shades() {
+            self.change_scribble(i, |scribble| {
+                if let ScribbleKind::Shade(shading) = &mut scribble.kind {
+                    change.apply_to(shading);
+                }
+            });
+        }
+        self.things_changed();
+    }
+
+    /// That of the first of the selected scribbles that shades, or of the next scribble.
+    pub(super) fn mode_shown(&self) -> Mode {
+        let first = self.selected_shades().first().and_then(|i| self.document().scribbles[*i].shading());
+        first.map_or(self.brush.mode, |shading| Mode::of_shade(shading, self.brush.mode.pressure))
     }
 
     /// The colour of the selected scribbles, if they share one, or that of the next.

@@ -1,5 +1,7 @@
 //! The colour at a place of the picture: under the pen for tones, and as the canvas shows it for the tool that picks it.
 
+use std::collections::BTreeMap;
+
 use kurbo::{Affine, Line, Point, Vec2};
 use scumble_core::{Paint, Scribble, Srgb8};
 use scumble_solve::{Field, Scene, View, paint};
@@ -29,7 +31,24 @@ impl Session {
     /// The colour of the picture at a place in du, under lines and scribbles.
     pub(super) fn color_under(&mut self, place: Point) -> Srgb8 {
         self.refresh_field();
-        color_at(place, Scene { paper: Some(PAPER), field: &self.field, shapes: &[] }).0
+        color_at(place, &Scene { paper: Some(PAPER), field: &self.field, shapes: &[] }).0
+    }
+
+    /// The colours under the first points of some scribbles, by their indices, in the picture without all of these.
+    pub(super) fn colors_under(&mut self, scribbles: &[usize]) -> BTreeMap<usize, Srgb8> {
+        if scribbles.is_empty() {
+            return BTreeMap::new();
+        }
+        self.refresh_map();
+        let mut document = self.document().clone();
+        let places: Vec<_> = scribbles.iter().map(|i| (*i, document.scribbles[*i].points[0])).collect();
+        for i in scribbles.iter().rev() {
+            document.scribbles.remove(*i);
+        }
+        self.stale.colors();
+        let Ok(field) = self.sheet.picture.update(&document) else { return BTreeMap::new() };
+        let scene = Scene { paper: Some(PAPER), field, shapes: &[] };
+        places.into_iter().map(|(i, place)| (i, color_at(place, &scene).0)).collect()
     }
 
     /// That of the scribble there, which has a rim that is not its own, or else what is painted, without the scribbles.
@@ -37,9 +56,9 @@ impl Session {
         self.refresh_field();
         self.refresh_ink();
         let (shapes, blank) = (self.layers.ink(), Field::default());
-        let (_, ink) = color_at(place, Scene { paper: None, field: &blank, shapes });
+        let (_, ink) = color_at(place, &Scene { paper: None, field: &blank, shapes });
         let field = if self.result_shown { &self.field } else { &blank };
-        let (painted, _) = color_at(place, Scene { paper: Some(PAPER), field, shapes });
+        let (painted, _) = color_at(place, &Scene { paper: Some(PAPER), field, shapes });
         self.scribble_shown(place).filter(|_| ink < HALF).unwrap_or(painted.into())
     }
 
@@ -56,10 +75,10 @@ impl Session {
 }
 
 /// The colour of a scene at a place in du, and its opacity.
-fn color_at(place: Point, scene: Scene<'_>) -> (Srgb8, u8) {
+fn color_at(place: Point, scene: &Scene<'_>) -> (Srgb8, u8) {
     let middle_px = Vec2::new(0.5, 0.5);
     let px_from_du =
         Affine::translate(middle_px) * Affine::scale(CLOSE) * Affine::translate(-place.to_vec2());
-    let pixel = paint(&scene, &View { px_from_du, width_px: 1, height_px: 1 });
+    let pixel = paint(scene, &View { px_from_du, width_px: 1, height_px: 1 });
     pixel.rgba.first_chunk().map_or((PAPER, 0), |&[r, g, b, a]| (Srgb8([r, g, b]), a))
 }

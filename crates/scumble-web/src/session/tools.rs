@@ -4,7 +4,7 @@ use scumble_core::{Deed, Paint};
 
 use super::Session;
 use super::gestures::Held;
-use crate::brush::{Brush, Ink};
+use crate::brush::{Brush, Ink, ModeChange};
 use crate::command::Tool;
 use crate::effect::{Edit, Effect};
 use crate::selection::Selection;
@@ -53,6 +53,16 @@ impl Session {
         } else {
             self.take_ink(Ink::Paint(color), true);
         }
+    }
+
+    /// How the next scribble colours or, but for its kind, those that are selected and shade.
+    pub(super) fn change_mode(&mut self, change: ModeChange) {
+        let is_kind = matches!(change, ModeChange::Kind(_) | ModeChange::OtherKind);
+        if is_kind || self.selected_shades().is_empty() {
+            return self.change_brush(|brush| change.apply(&mut brush.mode));
+        }
+        let is_slid = matches!(change, ModeChange::Strength(_));
+        self.change_selected(Deed::Reshaded, is_slid, |session| session.reshade_selected(change));
     }
 
     /// Another size, which depends on the one that there is.
