@@ -242,6 +242,7 @@ describe("shading", () => {
     assert.deepEqual(await shown(), ["40%", "shade", "select"]);
     await editor.slide("strength", 100);
     assert.deepEqual(await shown(), ["100%", "shade", "select"]);
+    await editor.toggle("Show scribbles");
     assertClose((await colorsAt(editor, [MIDDLE]))[0], BLUE);
     await editor.until("Undone", () => editor.click("Undo"));
     assert.deepEqual(await shown(), ["40%", "shade", "select"]);
