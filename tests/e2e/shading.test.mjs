@@ -242,12 +242,13 @@ describe("shading", () => {
     assert.deepEqual(await shown(), ["40%", "shade", "select"]);
     await editor.slide("strength", 100);
     assert.deepEqual(await shown(), ["100%", "shade", "select"]);
-    await editor.toggle("Show scribbles");
-    assertClose((await colorsAt(editor, [MIDDLE]))[0], BLUE);
     await editor.until("Undone", () => editor.click("Undo"));
     assert.deepEqual(await shown(), ["40%", "shade", "select"]);
+    await editor.until("Redone", () => editor.click("Redo"));
     await editor.until("Nothing selected", () => editor.tab.press("Escape"));
     assert.deepEqual(await shown(), ["90%", "fill", "select"]);
+    await editor.toggle("Show scribbles");
+    assertClose((await colorsAt(editor, [MIDDLE]))[0], BLUE);
     assert.deepEqual(editor.tab.faults, []);
   });
 
