@@ -25,7 +25,7 @@ import { selectsMore, showSelection, toggleMore } from "./selection.js";
 import { Steps } from "./steps.js";
 import { putAside } from "./storage.js";
 import { connectSwatches, labelSwatches, shownSwatches, swatch } from "./swatches.js";
-import { areLinesShown, connect, done, failed, labelControls, shown, showName, showUnkept, showUpdate, tell, toggle, warn } from "./toolbar.js";
+import { areLinesShown, connect, doFingersDraw, done, failed, labelControls, shown, showFingers, showName, showUnkept, showUpdate, tell, toggle, warn } from "./toolbar.js";
 import { connectBar, connectRadios } from "./toolbars.js";
 import { Tracing } from "./tracing.js";
 import { followVersions, takeVersion } from "./versions.js";
@@ -144,7 +144,10 @@ const samples = new Samples((sample, isColored) => opening.sample(sample, isColo
 const recent = new Recent((id) => opening.kept(id), (id) => keeper.drop(drawings.forget(id)));
 const colors = new Colors(engine, (file) => opening.file(file));
 const steps = new Steps(engine);
-const pointers = new Pointers(stage, engine, selectsMore);
+const pointers = new Pointers(stage, engine, selectsMore, (fingersDraw) => {
+  showFingers(fingersDraw);
+  tell(say(fingersDraw ? "fingers-draw" : "pen-draws"));
+});
 
 function nameShown() {
   const { shown } = drawings;
@@ -224,6 +227,7 @@ const actions = {
   },
   "skip-steps": skipFirstSteps,
   "select-more": toggleMore,
+  fingers: () => pointers.letFingersDraw(!doFingersDraw()),
   drop: () => {
     // Escape closes what is open, and does no more.
     if (pointers.cancel() || document.querySelector(":popover-open") || skipFirstSteps()) return;

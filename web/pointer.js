@@ -1,7 +1,10 @@
 // Pointers over the canvas: the pen does what its tool does, or picks a colour while Alt is held; wheel, pinch, middle
 // button and Space move and zoom the view.
 
+import { Fingers } from "./fingers.js";
+
 /** @typedef {import("./engine.js").Engine} Engine */
+/** @typedef {import("./fingers.js").Place} Place */
 
 /** The button of the eraser at the other end of a pen. */
 const ERASER_BUTTON = 5;
@@ -13,8 +16,8 @@ const ZOOM_LIMIT_PX = 24;
 const PX_PER_LINE = 16;
 /** Two fingers rotate the page once they have turned so far. */
 const TWIST_DEGREES = 12;
-
-/** @typedef {{ x: number, y: number }} Place */
+/** What a tap of so many fingers does. @type {Record<number, string>} */
+const TAPS = { 2: "undo", 3: "redo" };
 
 export class Pointers {
   #stage;
@@ -24,8 +27,10 @@ export class Pointers {
   #penPoints = 0;
   /** @type {number | null} The pointer that drags the view. */
   #hand = null;
-  /** @type {Map<number, Place>} Fingers on the canvas. */
-  #fingers = new Map();
+  #fingers = new Fingers();
+  /** Whether fingers draw; once there is a pen they do not, or hands that rest would. */
+  #fingersDraw = true;
+  #hasPen = false;
   /** @type {Place} Where the hand was last. */
   #last = { x: 0, y: 0 };
   /** @type {"pan" | "rotate" | ""} What a drag does while a key is held. */
@@ -36,16 +41,19 @@ export class Pointers {
   #twist = 0;
   #isFinger = false;
   #isAdding;
+  #tell;
 
   /**
    * @param {HTMLElement} stage the element around the canvas
    * @param {Engine} engine
    * @param {() => boolean} isAdding whether each press adds, as one with Shift does
+   * @param {(fingersDraw: boolean) => void} tell called when fingers draw no longer, or again
    */
-  constructor(stage, engine, isAdding) {
+  constructor(stage, engine, isAdding, tell) {
     this.#stage = stage;
     this.#engine = engine;
     this.#isAdding = isAdding;
+    this.#tell = tell;
     const on = /** @type {(kind: string, act: (event: any) => void) => void} */ (
       (kind, act) => stage.addEventListener(kind, act, { passive: false })
     );
@@ -89,21 +97,46 @@ export class Pointers {
     event.preventDefault();
     // A press beside a panel closes that, and no more.
     if (document.querySelector(":popover-open")) return;
+    const isFinger = event.pointerType === "touch";
+    if (event.pointerType === "pen") this.#meetPen();
+    // A hand that rests beside the pen.
+    if (isFinger && this.#pen !== null && !this.#fingersDraw) return;
     this.#stage.setPointerCapture(event.pointerId);
-    this.#tellFinger(event.pointerType === "touch");
-    if (event.pointerType === "touch") this.#fingers.set(event.pointerId, this.#place(event));
-    if (this.#fingers.size > 1) this.#startPinch();
+    this.#tellFinger(isFinger);
+    if (isFinger) this.#fingers.down(event, this.#place(event));
+    if (this.#fingers.places.size > 1) this.#startPinch();
     else if (event.button === 1 || (event.button === 0 && this.#held)) this.#startDrag(event);
+    else if (isFinger && !this.#fingersDraw) this.#startDrag(event);
     else if (this.#pen === null && this.#hand === null) this.#startStroke(event);
   }
 
   /** @param {PointerEvent} event */
   #move(event) {
     this.#stage.classList.toggle("pick", event.altKey);
+    if (event.pointerType === "pen") this.#meetPen();
+    const { places } = this.#fingers;
     if (event.pointerId === this.#hand) this.#drag(this.#place(event));
-    else if (this.#fingers.size === 2 && this.#fingers.has(event.pointerId)) this.#pinch(event);
     else if (event.pointerId === this.#pen) this.#stroke("move", event);
-    if (this.#fingers.has(event.pointerId)) this.#fingers.set(event.pointerId, this.#place(event));
+    else if (!places.has(event.pointerId) || this.#fingers.isTap(event, this.#place(event))) return;
+    else if (places.size === 2) this.#pinch(event);
+    if (places.has(event.pointerId)) places.set(event.pointerId, this.#place(event));
+  }
+
+  /** With the first event of a pen, fingers draw no longer; what lies on the canvas is a hand. */
+  #meetPen() {
+    if (!this.#hasPen) this.letFingersDraw(false);
+    this.#hasPen = true;
+    if (this.#fingersDraw || this.#fingers.places.size === 0) return;
+    this.#fingers.places.clear();
+    this.#hand = null;
+    this.hold(this.#held);
+    this.cancel();
+  }
+
+  /** @param {boolean} fingersDraw or move the picture */
+  letFingersDraw(fingersDraw) {
+    this.#fingersDraw = fingersDraw;
+    this.#tell(fingersDraw);
   }
 
   /**
@@ -111,7 +144,8 @@ export class Pointers {
    * @param {"up" | "cancel"} phase
    */
   #up(event, phase) {
-    this.#fingers.delete(event.pointerId);
+    const tapped = this.#fingers.up(event, this.#place(event));
+    if (phase === "up" && tapped in TAPS) this.#engine.command(TAPS[tapped]);
     if (event.pointerId === this.#hand) {
       this.#hand = null;
       this.hold(this.#held);
@@ -174,6 +208,8 @@ export class Pointers {
 
   #startPinch() {
     this.#twist = 0;
+    this.#hand = null;
+    this.hold(this.#held);
     if (this.#pen === null) return;
     if (this.#penPoints < DROPPED_BELOW_POINTS) this.cancel();
     else this.#engine.pointer("up", new Float32Array());
@@ -182,9 +218,10 @@ export class Pointers {
 
   /** @param {PointerEvent} event */
   #pinch(event) {
-    const before = span(this.#fingers);
-    this.#fingers.set(event.pointerId, this.#place(event));
-    const after = span(this.#fingers);
+    const { places } = this.#fingers;
+    const before = span(places);
+    places.set(event.pointerId, this.#place(event));
+    const after = span(places);
     this.#engine.command("pan", [after.x - before.x, after.y - before.y]);
     if (before.length > 0) this.#engine.command("zoom-at", [after.x, after.y, after.length / before.length]);
     const twist = turn(before.angle, after.angle);

@@ -63,7 +63,8 @@ const VIEWPORT = { width: 1200, height: 800 };
  * @property {(list: string, option: string) => Promise<unknown>} choose an option, by its value, of a list, by its name
  * @property {{move(x: number, y: number): Promise<void>, down(): Promise<void>, up(): Promise<void>}} mouse
  * @property {(points: [number, number][]) => Promise<void>} swipe a finger goes down, through places of the window, and up
- * @property {(places: [[number, number], [number, number]][]) => Promise<void>} pinch two fingers go down, through places of the window, and up
+ * @property {(places: [number, number][][]) => Promise<void>} pinch fingers go down, through places of the window, and up
+ * @property {(kind: "down" | "move" | "up", place: [number, number]) => Promise<unknown>} pen a pen, in Chromium
  * @property {(x_px: number, y_px: number) => Promise<void>} wheel
  * @property {(key: string) => Promise<void>} press
  * @property {(key: string, act: () => Promise<void>) => Promise<void>} hold a key down during an act
@@ -135,6 +136,7 @@ async function chromiumTab(page) {
     mouse: page.mouse,
     swipe: (places) => touch(page, places.map((place) => [place])),
     pinch: (places) => touch(page, places),
+    pen: (kind, [x, y]) => pen(page, kind, x, y),
     wheel: (x_px, y_px) => page.mouse.wheel(x_px, y_px),
     press: (key) => page.keyboard.press(key),
     hold: async (key, act) => {
@@ -181,6 +183,18 @@ async function touch(page, [first, ...rest]) {
   await send("touchStart", first);
   for (const fingers of rest) await send("touchMove", fingers);
   await send("touchEnd", []);
+}
+
+/**
+ * @param {import("playwright-core").Page} page
+ * @param {"down" | "move" | "up"} kind
+ * @param {number} x
+ * @param {number} y
+ */
+async function pen(page, kind, x, y) {
+  const devtools = await page.context().newCDPSession(page);
+  const type = /** @type {const} */ ({ down: "mousePressed", move: "mouseMoved", up: "mouseReleased" })[kind];
+  await devtools.send("Input.dispatchMouseEvent", { type, x, y, button: "left", buttons: 1, clickCount: 1, force: 0.5, pointerType: "pen" });
 }
 
 /** @returns {Promise<Browser>} */
@@ -260,6 +274,9 @@ function puppeteerTab(page) {
         for (const [i, finger] of fingers.entries()) await finger.move(...places[i]);
       }
       for (const finger of fingers) await finger.end();
+    },
+    pen: async () => {
+      throw new Error("pens are tested in Chromium");
     },
     wheel: (x_px, y_px) => page.mouse.wheel({ deltaX: x_px, deltaY: y_px }),
     press: (key) => page.keyboard.press(/** @type {any} */ (key)),
