@@ -92,11 +92,14 @@ impl Session {
     /// A step from the colours of scribbles or, where they shade, from those under their first points without them.
     fn toned(&mut self, tone: Tone, scribbles: &[usize]) -> Vec<Paint> {
         let under = self.colors_under(&self.selected_shades());
-        let toned =
-            |i| match under.get(i).map_or(self.document().scribbles[*i].color, |color| (*color).into()) {
-                Paint::Color(color) => Paint::Color(tone.step(color)),
-                Paint::Clear => Paint::Clear,
-            };
+        let color = |i: &usize| {
+            let found = under.iter().find(|(shade, _)| shade == i);
+            found.map_or(self.document().scribbles[*i].color, |(_, color)| (*color).into())
+        };
+        let toned = |i| match color(i) {
+            Paint::Color(color) => Paint::Color(tone.step(color)),
+            Paint::Clear => Paint::Clear,
+        };
         scribbles.iter().map(toned).collect()
     }
 

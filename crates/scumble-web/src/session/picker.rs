@@ -1,9 +1,7 @@
 //! The colour at a place of the picture: under the pen for tones, and as the canvas shows it for the tool that picks it.
 
-use std::collections::BTreeMap;
-
 use kurbo::{Affine, Line, Point, Vec2};
-use scumble_core::{Paint, Scribble, Srgb8};
+use scumble_core::{Document, Paint, Scribble, Srgb8};
 use scumble_solve::{Field, Scene, View, paint};
 
 use super::Session;
@@ -35,20 +33,22 @@ impl Session {
     }
 
     /// The colours under the first points of some scribbles, by their indices, in the picture without all of these.
-    pub(super) fn colors_under(&mut self, scribbles: &[usize]) -> BTreeMap<usize, Srgb8> {
+    pub(super) fn colors_under(&mut self, scribbles: &[usize]) -> Vec<(usize, Srgb8)> {
         if scribbles.is_empty() {
-            return BTreeMap::new();
+            return Vec::new();
         }
         self.refresh_map();
-        let mut document = self.document().clone();
-        let places: Vec<_> = scribbles.iter().map(|i| (*i, document.scribbles[*i].points[0])).collect();
-        for i in scribbles.iter().rev() {
-            document.scribbles.remove(*i);
-        }
         self.stale.colors();
-        let Ok(field) = self.sheet.picture.update(&document) else { return BTreeMap::new() };
+        let Document { scribbles: all, color_points, settings, .. } = self.sheet.editor.document();
+        let rest = all
+            .iter()
+            .enumerate()
+            .filter(|(i, _)| !scribbles.contains(i))
+            .map(|(_, scribble)| scribble.clone());
+        let boundary = self.sheet.picture.color(&rest.collect::<Vec<_>>(), color_points, settings);
+        let Ok(field) = self.sheet.picture.mesh().solve(&boundary, settings.blend) else { return Vec::new() };
         let scene = Scene { paper: Some(PAPER), field, shapes: &[] };
-        places.into_iter().map(|(i, place)| (i, color_at(place, &scene).0)).collect()
+        scribbles.iter().map(|i| (*i, color_at(all[*i].points[0], &scene).0)).collect()
     }
 
     /// That of the scribble there, which has a rim that is not its own, or else what is painted, without the scribbles.
