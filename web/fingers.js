@@ -6,44 +6,48 @@
 const TAP_MS = 300;
 const TAP_PX = 12;
 
+/** What touches more, in CSS pixels, is a hand. */
+const FINGER_PX = 40;
+
 export class Fingers {
   /** Where each was last. @type {Map<number, Place>} */
   places = new Map();
-  /** Where each came down that has since there was none. @type {Map<number, Place>} */
+  /** Whether all that they have done since there was none may still be a tap, of which nothing moves. */
+  isTap = false;
+  /** Where each came down since then. @type {Map<number, Place>} */
   #from = new Map();
   #began_ms = 0;
-  #isTap = false;
 
   /** @param {PointerEvent} event @param {Place} place */
-  down({ pointerId, timeStamp }, place) {
+  down({ pointerId, timeStamp, width, height }, place) {
     if (this.places.size === 0) {
       this.#from.clear();
       this.#began_ms = timeStamp;
-      this.#isTap = true;
+      this.isTap = true;
     }
+    this.isTap &&= Math.max(width, height) <= FINGER_PX;
     this.places.set(pointerId, place);
     this.#from.set(pointerId, place);
   }
 
-  /**
-   * Whether all of it may still be a tap, of which nothing moves.
-   * @param {PointerEvent} event of a finger that has moved
-   * @param {Place} place
-   */
-  isTap({ pointerId, timeStamp }, place) {
-    const from = this.#from.get(pointerId) ?? place;
-    this.#isTap &&= timeStamp - this.#began_ms <= TAP_MS && Math.hypot(place.x - from.x, place.y - from.y) <= TAP_PX;
-    return this.#isTap;
+  /** @param {PointerEvent} event of a finger @param {Place} place where it is now */
+  move({ pointerId, timeStamp }, { x, y }) {
+    const from = this.#from.get(pointerId);
+    this.isTap &&= timeStamp - this.#began_ms <= TAP_MS && !!from && Math.hypot(x - from.x, y - from.y) <= TAP_PX;
   }
 
   /**
-   * A finger goes up.
+   * A finger goes up, or the system takes it away.
    * @param {PointerEvent} event
    * @param {Place} place
+   * @param {"up" | "cancel"} phase
    * @returns {number} how many have tapped, once the last of them is up
    */
-  up(event, place) {
-    const isTap = this.isTap(event, place);
-    return this.places.delete(event.pointerId) && this.places.size === 0 && isTap ? this.#from.size : 0;
+  up(event, place, phase) {
+    if (!this.places.has(event.pointerId)) return 0;
+    this.move(event, place);
+    this.isTap &&= phase === "up";
+    this.places.delete(event.pointerId);
+    return this.places.size === 0 && this.isTap ? this.#from.size : 0;
   }
 }

@@ -25,7 +25,7 @@ import { selectsMore, showSelection, toggleMore } from "./selection.js";
 import { Steps } from "./steps.js";
 import { putAside } from "./storage.js";
 import { connectSwatches, labelSwatches, shownSwatches, swatch } from "./swatches.js";
-import { areLinesShown, connect, doFingersDraw, done, failed, labelControls, shown, showFingers, showName, showUnkept, showUpdate, tell, toggle, warn } from "./toolbar.js";
+import { areLinesShown, connect, done, failed, labelControls, shown, showFingers, showName, showUnkept, showUpdate, tell, toggle, warn } from "./toolbar.js";
 import { connectBar, connectRadios } from "./toolbars.js";
 import { Tracing } from "./tracing.js";
 import { followVersions, takeVersion } from "./versions.js";
@@ -227,7 +227,7 @@ const actions = {
   },
   "skip-steps": skipFirstSteps,
   "select-more": toggleMore,
-  fingers: () => pointers.letFingersDraw(!doFingersDraw()),
+  fingers: () => pointers.turnFingers(),
   drop: () => {
     // Escape closes what is open, and does no more.
     if (pointers.cancel() || document.querySelector(":popover-open") || skipFirstSteps()) return;

@@ -25,6 +25,8 @@ export class Pointers {
   /** @type {number | null} The pointer that uses the tool. */
   #pen = null;
   #penPoints = 0;
+  /** Whether that is a pen. */
+  #isPen = false;
   /** @type {number | null} The pointer that drags the view. */
   #hand = null;
   #fingers = new Fingers();
@@ -68,7 +70,7 @@ export class Pointers {
   /** Drops what the pen has done since it came down, and tells whether it was. */
   cancel() {
     if (this.#pen === null) return false;
-    this.#pen = null;
+    this.#drop();
     this.#engine.pointer("cancel", new Float32Array());
     return true;
   }
@@ -100,41 +102,49 @@ export class Pointers {
     const isFinger = event.pointerType === "touch";
     if (event.pointerType === "pen") this.#meetPen();
     // A hand that rests beside the pen.
-    if (isFinger && this.#pen !== null && !this.#fingersDraw) return;
+    if (isFinger && this.#isPen) return;
     this.#stage.setPointerCapture(event.pointerId);
     this.#tellFinger(isFinger);
     if (isFinger) this.#fingers.down(event, this.#place(event));
-    if (this.#fingers.places.size > 1) this.#startPinch();
-    else if (event.button === 1 || (event.button === 0 && this.#held)) this.#startDrag(event);
-    else if (isFinger && !this.#fingersDraw) this.#startDrag(event);
+    const isDrag = event.button === 1 || (event.button === 0 && (this.#held || (isFinger && !this.#fingersDraw)));
+    if (isFinger && this.#fingers.places.size > 1) this.#startPinch();
+    else if (isDrag) this.#startDrag(event);
     else if (this.#pen === null && this.#hand === null) this.#startStroke(event);
   }
 
   /** @param {PointerEvent} event */
   #move(event) {
     this.#stage.classList.toggle("pick", event.altKey);
-    if (event.pointerType === "pen") this.#meetPen();
+    if (event.pointerType === "pen" && !this.#hasPen) this.#meetPen();
+    const place = this.#place(event);
     const { places } = this.#fingers;
-    if (event.pointerId === this.#hand) this.#drag(this.#place(event));
-    else if (event.pointerId === this.#pen) this.#stroke("move", event);
-    else if (!places.has(event.pointerId) || this.#fingers.isTap(event, this.#place(event))) return;
-    else if (places.size === 2) this.#pinch(event);
-    if (places.has(event.pointerId)) places.set(event.pointerId, this.#place(event));
+    const isFinger = places.has(event.pointerId);
+    if (isFinger) this.#fingers.move(event, place);
+    if (event.pointerId === this.#pen) this.#stroke("move", event);
+    else if (isFinger && this.#fingers.isTap) return;
+    else if (event.pointerId === this.#hand) this.#drag(place);
+    else if (isFinger && places.size === 2) this.#pinch(event);
+    if (isFinger) places.set(event.pointerId, place);
   }
 
-  /** With the first event of a pen, fingers draw no longer; what lies on the canvas is a hand. */
+  /** With the first event of a pen, fingers draw no longer; what lies on the canvas as it comes down is a hand. */
   #meetPen() {
-    if (!this.#hasPen) this.letFingersDraw(false);
+    if (!this.#hasPen) this.#letFingersDraw(false);
     this.#hasPen = true;
-    if (this.#fingersDraw || this.#fingers.places.size === 0) return;
+    if (this.#fingers.places.size === 0) return;
     this.#fingers.places.clear();
     this.#hand = null;
     this.hold(this.#held);
     this.cancel();
   }
 
-  /** @param {boolean} fingersDraw or move the picture */
-  letFingersDraw(fingersDraw) {
+  /** Fingers draw, or move the picture as they did not. */
+  turnFingers() {
+    this.#letFingersDraw(!this.#fingersDraw);
+  }
+
+  /** @param {boolean} fingersDraw */
+  #letFingersDraw(fingersDraw) {
     this.#fingersDraw = fingersDraw;
     this.#tell(fingersDraw);
   }
@@ -144,15 +154,20 @@ export class Pointers {
    * @param {"up" | "cancel"} phase
    */
   #up(event, phase) {
-    const tapped = this.#fingers.up(event, this.#place(event));
-    if (phase === "up" && tapped in TAPS) this.#engine.command(TAPS[tapped]);
+    const tapped = this.#fingers.up(event, this.#place(event), phase);
+    if (tapped in TAPS) this.#engine.command(TAPS[tapped]);
     if (event.pointerId === this.#hand) {
       this.#hand = null;
       this.hold(this.#held);
     }
     if (event.pointerId !== this.#pen) return;
     this.#stroke(phase, event);
+    this.#drop();
+  }
+
+  #drop() {
     this.#pen = null;
+    this.#isPen = false;
   }
 
   /** @param {PointerEvent} event */
@@ -161,6 +176,7 @@ export class Pointers {
     const phase = event.button === 0 ? main : event.button === ERASER_BUTTON ? "erase" : null;
     if (phase === null) return;
     this.#pen = event.pointerId;
+    this.#isPen = event.pointerType === "pen";
     this.#penPoints = 0;
     this.#stroke(phase, event);
   }
@@ -211,9 +227,9 @@ export class Pointers {
     this.#hand = null;
     this.hold(this.#held);
     if (this.#pen === null) return;
-    if (this.#penPoints < DROPPED_BELOW_POINTS) this.cancel();
+    if (this.#penPoints < DROPPED_BELOW_POINTS || this.#fingers.isTap) this.cancel();
     else this.#engine.pointer("up", new Float32Array());
-    this.#pen = null;
+    this.#drop();
   }
 
   /** @param {PointerEvent} event */

@@ -55,12 +55,14 @@ export function toggleMore() {
 
 /** @param {boolean} isMore */
 function setMore(isMore) {
-  button("select-more").ariaPressed = String(isMore);
+  button("select-more").setAttribute("aria-pressed", String(isMore));
 }
 
 /** A bar that goes leaves the focus to the canvas. @param {boolean} isShown */
 function showBar(isShown) {
-  if (!isShown) setMore(false);
-  if (!isShown && bar.contains(document.activeElement)) element("canvas").focus();
+  if (!isShown) {
+    setMore(false);
+    if (bar.contains(document.activeElement)) element("canvas").focus();
+  }
   bar.hidden = !isShown;
 }

@@ -90,15 +90,11 @@ function keepFocus(event) {
   if (event.target instanceof Element && event.target.closest("button:not([popovertarget], .colors *), .tool, .kind, .toggle")) event.preventDefault();
 }
 
-export function doFingersDraw() {
-  return buttonOf("fingers").ariaPressed === "true";
-}
-
 /** From the first pen on there is a choice. @param {boolean} fingersDraw */
 export function showFingers(fingersDraw) {
   const button = buttonOf("fingers");
   button.hidden = false;
-  button.ariaPressed = String(fingersDraw);
+  button.setAttribute("aria-pressed", String(fingersDraw));
 }
 
 export function areLinesShown() {

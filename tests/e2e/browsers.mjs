@@ -65,6 +65,7 @@ const VIEWPORT = { width: 1200, height: 800 };
  * @property {(points: [number, number][]) => Promise<void>} swipe a finger goes down, through places of the window, and up
  * @property {(places: [number, number][][]) => Promise<void>} pinch fingers go down, through places of the window, and up
  * @property {(kind: "down" | "move" | "up", place: [number, number]) => Promise<unknown>} pen a pen, in Chromium
+ * @property {(place?: [number, number]) => Promise<unknown>} palm a hand that rests at a place, in Chromium, or no longer
  * @property {(x_px: number, y_px: number) => Promise<void>} wheel
  * @property {(key: string) => Promise<void>} press
  * @property {(key: string, act: () => Promise<void>) => Promise<void>} hold a key down during an act
@@ -137,6 +138,11 @@ async function chromiumTab(page) {
     swipe: (places) => touch(page, places.map((place) => [place])),
     pinch: (places) => touch(page, places),
     pen: (kind, [x, y]) => pen(page, kind, x, y),
+    palm: async (place) => {
+      const devtools = await page.context().newCDPSession(page);
+      const touchPoints = place ? [{ x: place[0], y: place[1] }] : [];
+      await devtools.send("Input.dispatchTouchEvent", { type: place ? "touchStart" : "touchEnd", touchPoints });
+    },
     wheel: (x_px, y_px) => page.mouse.wheel(x_px, y_px),
     press: (key) => page.keyboard.press(key),
     hold: async (key, act) => {
@@ -276,6 +282,9 @@ function puppeteerTab(page) {
       for (const finger of fingers) await finger.end();
     },
     pen: async () => {
+      throw new Error("pens are tested in Chromium");
+    },
+    palm: async () => {
       throw new Error("pens are tested in Chromium");
     },
     wheel: (x_px, y_px) => page.mouse.wheel({ deltaX: x_px, deltaY: y_px }),

@@ -35,7 +35,8 @@ for (const browser of /** @type {const} */ (["chromium", "firefox"])) {
       await editor.scribble(IN_RIGHT_ROOM, SIDE);
       const [colored, before] = [await editor.picture(), await view(editor)];
       const fingers = await placed(editor, [[60, 30], [80, 30], [100, 45]]);
-      await editor.until("Undone", () => editor.tab.pinch([fingers.slice(0, 2)]));
+      const trembling = fingers.slice(0, 2).map(([x, y]) => /** @type {Point} */ ([x + 3, y - 2]));
+      await editor.until("Undone", () => editor.tab.pinch([fingers.slice(0, 2), trembling]));
       assert.ok(!(await editor.picture()).equals(colored));
       await editor.until("Redone", () => editor.tab.pinch([fingers]));
       assert.ok((await editor.picture()).equals(colored));
@@ -87,11 +88,15 @@ describe("fingers beside a pen", () => {
     await editor.openDrawing("rooms");
     const [palm] = await placed(editor, [[170, 80]]);
     const before = await view(editor);
-    const [first, ...rest] = await placed(editor, IN_LEFT_ROOM);
+    // At first nobody knows that there is a pen.
+    await editor.tab.palm(palm);
+    await editor.until("Scribble added, 1", () => write(editor, IN_LEFT_ROOM));
+    await editor.tab.palm();
+    const [first, ...rest] = await placed(editor, IN_RIGHT_ROOM);
     await editor.tab.pen("down", first);
     await editor.tab.pinch([[palm], [[palm[0] + 30, palm[1]]]]);
     for (const place of rest) await editor.tab.pen("move", place);
-    await editor.until("Scribble added, 1", () => editor.tab.pen("up", /** @type {Point} */ (rest.at(-1))));
+    await editor.until("Scribble added, 2", () => editor.tab.pen("up", /** @type {Point} */ (rest.at(-1))));
     assert.equal(await view(editor), before);
     assert.deepEqual(editor.tab.faults, []);
   });

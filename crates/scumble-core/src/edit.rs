@@ -170,6 +170,14 @@ impl Editor {
         matches!(self.in_hand, Some(Gesture::Changes(..)))
     }
 
+    /// What such a gesture does that is in hand.
+    pub fn deed_in_hand(&self) -> Option<Deed> {
+        match self.in_hand {
+            Some(Gesture::Changes(deed, _)) => Some(deed),
+            _ => None,
+        }
+    }
+
     /// Takes back what a gesture of any changes has done so far; it goes on from where it began.
     pub fn restart(&mut self) {
         if let Some(Gesture::Changes(_, back)) = &mut self.in_hand {

@@ -26,6 +26,15 @@ pub enum Kind {
     Shade,
 }
 
+impl Kind {
+    pub(crate) fn other(self) -> Self {
+        match self {
+            Self::Fill => Self::Shade,
+            Self::Shade => Self::Fill,
+        }
+    }
+}
+
 /// What the pressure of a pen gives a scribble that shades, along the stroke.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Pressure {
@@ -85,6 +94,11 @@ impl Mode {
         Self { kind: Kind::Shade, strength, crosses, pressure }
     }
 
+    /// A shade of it, by a pen that has pressed so hard at each of its points, in parts of `0..=1`.
+    fn shading(&self, parts: Vec<f64>) -> Shading {
+        Shading { strength: self.strength, crosses: self.crosses, pressure: self.pressure.of(parts) }
+    }
+
     /// Smallest and largest size of its brush, in du.
     pub fn sizes_du(&self) -> [f64; 2] {
         SIZES_DU[self.kind as usize]
@@ -107,32 +121,23 @@ pub enum ModeChange {
 }
 
 impl ModeChange {
-    /// What it makes of the next scribble.
     pub(crate) fn apply(self, mode: &mut Mode) {
         match self {
             Self::Kind(kind) => mode.kind = kind,
-            Self::OtherKind => {
-                mode.kind = if mode.kind == Kind::Fill { Kind::Shade } else { Kind::Fill };
-            }
-            Self::Strength(strength) => mode.strength = within_range(strength, mode.strength),
+            Self::OtherKind => mode.kind = mode.kind.other(),
+            Self::Strength(strength) if strength.is_nan() => {}
+            Self::Strength(strength) => mode.strength = strength.clamp(0.0, 1.0),
             Self::Crosses(crosses) => mode.crosses = crosses,
             Self::Pressure(pressure) => mode.pressure = pressure,
         }
     }
 
-    /// What it makes of one that shades already, which stays of its kind.
+    /// What it makes of one that shades already.
     pub(crate) fn apply_to(self, shading: &mut Shading) {
-        match self {
-            Self::Kind(_) | Self::OtherKind => {}
-            Self::Strength(strength) => shading.strength = within_range(strength, shading.strength),
-            Self::Crosses(crosses) => shading.crosses = crosses,
-            Self::Pressure(pressure) => shading.pressure = pressure.of(parts_of(&shading.pressure)),
-        }
+        let mut mode = Mode::of_shade(shading, Pressure::Off);
+        self.apply(&mut mode);
+        *shading = mode.shading(parts_of(&shading.pressure));
     }
-}
-
-fn within_range(strength: f64, before: f64) -> f64 {
-    if strength.is_nan() { before } else { strength.clamp(0.0, 1.0) }
 }
 
 fn parts_of(pressure: &PenPressure) -> Vec<f64> {
@@ -245,12 +250,12 @@ impl Brush {
 
     /// What a scribble is by a pen on a way.
     pub(crate) fn pressed(&self, way: &[Sample]) -> ScribbleKind {
-        let Mode { kind, strength, crosses, pressure } = self.mode;
-        if kind == Kind::Fill {
-            return ScribbleKind::Fill;
+        match self.mode.kind {
+            Kind::Fill => ScribbleKind::Fill,
+            Kind::Shade => ScribbleKind::Shade(
+                self.mode.shading(way.iter().map(|sample| part(sample.pressure)).collect()),
+            ),
         }
-        let pressure = pressure.of(way.iter().map(|sample| part(sample.pressure)).collect());
-        ScribbleKind::Shade(Shading { strength, crosses, pressure })
     }
 }
 

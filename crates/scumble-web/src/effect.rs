@@ -27,7 +27,7 @@ pub enum Effect {
     Turn(Turn),
     /// What the pen does.
     Tool(Tool),
-    /// How the next scribble colours.
+    /// How the next scribble colours, or those do that are selected.
     Mode(Mode),
     /// The colour of the next scribble, or none, or a step from what it is drawn on.
     Color(Ink),

@@ -340,7 +340,7 @@ impl Session {
 
     /// A slider is dragged, which is one gesture.
     fn slide(&mut self, deed: Deed) {
-        if !self.sheet.editor.is_changing() {
+        if self.sheet.editor.deed_in_hand() != Some(deed) {
             self.sheet.editor.begin(deed);
         }
     }

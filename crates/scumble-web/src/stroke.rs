@@ -28,8 +28,7 @@ const STRETCH: usize = 256;
 
 /// The way through samples: a curve that is smooth but for corners, in parts that look like one.
 ///
-/// It passes through all samples that lie more than two CSS pixels apart, and begins and ends where they do. A sample more
-/// changes only what lies behind the fourth but last.
+/// It passes through all samples that lie more than two CSS pixels apart, and begins and ends where they do.
 pub fn smooth(samples: &[Sample], du_from_css: f64) -> Vec<Sample> {
     let calm = calm(&apart(samples), TREMBLE_CSS * du_from_css);
     let mut way: Vec<_> = calm.first().copied().into_iter().collect();
@@ -69,6 +68,7 @@ fn apart(samples: &[Sample]) -> Vec<Sample> {
     apart
 }
 
+/// Those that lie between near ones, half way to the middle of these.
 fn calm(samples: &[Sample], tremble_du: f64) -> Vec<Sample> {
     let mut calm = samples.to_vec();
     for (i, around) in samples.windows(3).enumerate() {
@@ -107,9 +107,9 @@ fn parts(curve: &CubicBez, tolerance_du: f64) -> u32 {
 
 /// Adds the numbers of the spots that a way between two of them cannot do without, and of the second.
 fn keep(spots: &[[f64; 3]], [from, to]: [usize; 2], tolerance_du: f64, kept: &mut Vec<usize>) {
-    let off = |i: &usize| distance(spots[*i], spots[from], spots[to]);
-    match (from + 1..to).max_by(|a, b| off(a).total_cmp(&off(b))) {
-        Some(farthest) if off(&farthest) > tolerance_du => {
+    let off = |i| distance(spots[i], spots[from], spots[to]);
+    match (from + 1..to).map(|i| (off(i), i)).max_by(|a, b| a.0.total_cmp(&b.0)) {
+        Some((off_du, farthest)) if off_du > tolerance_du => {
             keep(spots, [from, farthest], tolerance_du, kept);
             keep(spots, [farthest, to], tolerance_du, kept);
         }

@@ -257,6 +257,37 @@ fn strength_crossing_and_pen_are_for_the_shades_that_are_selected() {
 }
 
 #[test]
+fn what_the_controls_show_of_a_shade_is_what_they_change() {
+    let mut page = page();
+    page.stroke(BLUE, &[MIDDLE]);
+    let drawn = last(&page).clone();
+    set(&mut page, ModeChange::OtherKind);
+    page.session.command(Command::Select(Selecting::Next));
+    // To and fro is no step.
+    for strength in [0.2, 0.9, drawn.shading().expect("a shade").strength] {
+        page.session.command(Command::Mode(ModeChange::Strength(strength)));
+    }
+    page.session.command(Command::Settle);
+    assert_eq!(last(&page), &drawn);
+    page.session.command(Command::Undo);
+    assert_ne!(last(&page), &drawn, "undone as it was drawn");
+    page.session.command(Command::Redo);
+    page.session.command(Command::Select(Selecting::Next));
+    page.session.take_effects();
+    let mut told = |change: ModeChange| {
+        page.session.command(Command::Mode(change));
+        page.session.take_effects().into_iter().rev().find_map(|effect| match effect {
+            Effect::Mode(mode) => Some((mode.kind, mode.pressure)),
+            _ => None,
+        })
+    };
+    // No pen pressed it: the list shows what was chosen all the same, for the next.
+    assert_eq!(told(ModeChange::Pressure(Pressure::Strength)), Some((Kind::Shade, Pressure::Strength)));
+    assert_eq!(told(ModeChange::Pressure(Pressure::Off)), Some((Kind::Shade, Pressure::Off)));
+    assert_eq!(told(ModeChange::OtherKind), Some((Kind::Fill, Pressure::Off)), "other than what is shown");
+}
+
+#[test]
 fn a_stroke_ends_as_it_began_whatever_is_set_meanwhile() {
     let mut page = page();
     page.pen(Phase::Down, MIDDLE);

@@ -78,29 +78,28 @@ impl Session {
 
     /// Gives the selected scribbles a colour.
     pub(super) fn recolor_selected(&mut self, ink: Ink) {
-        let selected = self.selected_scribbles();
-        let colors = match ink {
-            Ink::Paint(color) => vec![color; selected.len()],
-            Ink::Tone(tone) => self.toned(tone, &selected),
-        };
-        for (i, color) in selected.into_iter().zip(colors) {
-            self.sheet.editor.recolor_scribble(i, color);
+        match ink {
+            Ink::Paint(color) => self
+                .selected_scribbles()
+                .into_iter()
+                .for_each(|i| self.sheet.editor.recolor_scribble(i, color)),
+            Ink::Tone(tone) => self.tone_selected(tone),
         }
         self.things_changed();
     }
 
-    /// A step from the colours of scribbles or, where they shade, from those under their first points without them.
-    fn toned(&mut self, tone: Tone, scribbles: &[usize]) -> Vec<Paint> {
-        let under = self.colors_under(&self.selected_shades());
-        let color = |i: &usize| {
-            let found = under.iter().find(|(shade, _)| shade == i);
-            found.map_or(self.document().scribbles[*i].color, |(_, color)| (*color).into())
-        };
-        let toned = |i| match color(i) {
-            Paint::Color(color) => Paint::Color(tone.step(color)),
-            Paint::Clear => Paint::Clear,
-        };
-        scribbles.iter().map(toned).collect()
+    /// Gives them a step from their colours or, where they shade, from those under their first points without them.
+    fn tone_selected(&mut self, tone: Tone) {
+        let shades = self.selected_shades();
+        let mut colors = self.colors_under(&shades);
+        let fills = self.selected_scribbles().into_iter().filter(|i| !shades.contains(i));
+        colors.extend(fills.filter_map(|i| match self.document().scribbles[i].color {
+            Paint::Color(color) => Some((i, color)),
+            Paint::Clear => None,
+        }));
+        for (i, color) in colors {
+            self.sheet.editor.recolor_scribble(i, tone.step(color).into());
+        }
     }
 
     /// Those of the selected scribbles that shade.
@@ -124,7 +123,8 @@ impl Session {
 
     /// That of the first of the selected scribbles that shades, or of the next scribble.
     pub(super) fn mode_shown(&self) -> Mode {
-        let first = self.selected_shades().first().and_then(|i| self.document().scribbles[*i].shading());
+        let first =
+            self.selected_scribbles().into_iter().find_map(|i| self.document().scribbles[i].shading());
         first.map_or(self.brush.mode, |shading| Mode::of_shade(shading, self.brush.mode.pressure))
     }
 

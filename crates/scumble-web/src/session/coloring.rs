@@ -100,7 +100,7 @@ impl Session {
             let blend = self.sheet.editor.document().settings.blend;
             match GridProblem::new(self.sheet.picture.map(), &self.boundary, &view, blend) {
                 Ok(problem) => self.problem = Some(problem),
-                Err(error) => self.effects.push(Effect::Failed(error.to_string())),
+                Err(error) => return self.effects.push(Effect::Failed(error.to_string())),
             }
             self.changed.problem = true;
             self.changed.add_everywhere();

@@ -86,7 +86,7 @@ impl Session {
     fn place(&mut self, begins: bool, deed: Deed, place: impl Fn(Rect) -> Affine) {
         if begins {
             self.sheet.editor.begin(deed);
-        } else if !self.sheet.editor.is_changing() {
+        } else if self.sheet.editor.deed_in_hand() != Some(deed) {
             // A command has ended it.
             self.held = None;
             return;

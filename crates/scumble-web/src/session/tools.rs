@@ -57,9 +57,21 @@ impl Session {
 
     /// How the next scribble colours or, but for its kind, those that are selected and shade.
     pub(super) fn change_mode(&mut self, change: ModeChange) {
-        let is_kind = matches!(change, ModeChange::Kind(_) | ModeChange::OtherKind);
-        if is_kind || self.selected_shades().is_empty() {
-            return self.change_brush(|brush| change.apply(&mut brush.mode));
+        match change {
+            ModeChange::OtherKind => self.change_mode(ModeChange::Kind(self.mode_shown().kind.other())),
+            ModeChange::Strength(_) | ModeChange::Crosses(_) | ModeChange::Pressure(_)
+                if !self.selected_shades().is_empty() =>
+            {
+                self.reshade(change);
+            }
+            _ => self.change_brush(|brush| change.apply(&mut brush.mode)),
+        }
+    }
+
+    fn reshade(&mut self, change: ModeChange) {
+        // A shade that a pen pressed evenly shows no pen of its own.
+        if let ModeChange::Pressure(_) = change {
+            change.apply(&mut self.brush.mode);
         }
         let is_slid = matches!(change, ModeChange::Strength(_));
         self.change_selected(Deed::Reshaded, is_slid, |session| session.reshade_selected(change));
@@ -76,8 +88,13 @@ impl Session {
 
     /// A change of what is selected, which is a gesture of its own unless a slider makes it.
     fn change_selected(&mut self, deed: Deed, is_slid: bool, change: impl FnOnce(&mut Self)) {
+        // What the pen has hold of is a gesture in hand.
+        if self.held.is_some() {
+            return;
+        }
         if is_slid {
             self.slide(deed);
+            self.sheet.editor.restart();
         } else {
             self.sheet.editor.begin(deed);
         }
