@@ -127,6 +127,8 @@ async function chromiumTab(page) {
   const faults = [];
   page.on("pageerror", (error) => faults.push(String(error)));
   page.on("console", (message) => void (message.type() === "error" && faults.push(message.text())));
+  /** A touch ends where it began. @type {Promise<import("playwright-core").CDPSession> | undefined} */
+  let resting;
   return {
     faults,
     goto: (url) => page.goto(url),
@@ -139,7 +141,7 @@ async function chromiumTab(page) {
     pinch: (places) => touch(page, places),
     pen: (kind, [x, y]) => pen(page, kind, x, y),
     palm: async (place) => {
-      const devtools = await page.context().newCDPSession(page);
+      const devtools = await (resting ??= page.context().newCDPSession(page));
       const touchPoints = place ? [{ x: place[0], y: place[1] }] : [];
       await devtools.send("Input.dispatchTouchEvent", { type: place ? "touchStart" : "touchEnd", touchPoints });
     },
