@@ -7,6 +7,8 @@
  * @typedef {object} App What the module exports; see `crates/scumble-web/src/app.rs`.
  * @property {(phase: string, samples: Float32Array) => unknown[]} pointer
  * @property {(name: string, args?: unknown) => unknown[]} command
+ * @property {(work: Uint8Array) => void} prepare
+ * @property {() => boolean} prepareOn
  * @property {() => unknown[]} frame
  * @property {() => Uint8Array} work
  * @property {() => {steps: string[], place: number}} history
@@ -26,6 +28,9 @@
  * @typedef {(value: any) => void} Handler
  * @typedef {"webgpu" | "webgl" | "cpu"} Renderer
  */
+
+/** Work that takes longer than this lets the page go on in between. */
+const SLICE_MS = 30;
 
 const RENDERERS = /** @type {Renderer[]} */ (["webgpu", "webgl", "cpu"]);
 
@@ -74,6 +79,22 @@ export class Engine {
   command(name, args) {
     this.#enter((app) => app.command(name, args));
     this.#askFrame();
+  }
+
+  /**
+   * Makes work ready for the command "open"; where that takes long, the page goes on in between.
+   * @param {Uint8Array} work its exact bytes
+   * @param {AbortSignal} signal ends it
+   */
+  async prepare(work, signal) {
+    this.#call((app) => app.prepare(work));
+    let since_ms = performance.now();
+    while (this.#call((app) => app.prepareOn())) {
+      if (performance.now() - since_ms < SLICE_MS) continue;
+      await new Promise((wake) => setTimeout(wake));
+      signal.throwIfAborted();
+      since_ms = performance.now();
+    }
   }
 
   /**

@@ -1,5 +1,6 @@
-// The way to the second wasm module, which knows files, links and pictures for other programs. It is fetched when it is
-// first needed: most visits never do. Work goes in and out as its exact bytes. What fails says so in a sentence for people.
+// The way to the second wasm module, which knows files, links and pictures for other programs, in a worker. It is fetched
+// when it is first needed: most visits never do. Work goes in and out as its exact bytes. What fails says so in a sentence
+// for people; what takes long can be ended by a signal.
 
 import { say } from "./messages.js";
 
@@ -13,63 +14,70 @@ import { say } from "./messages.js";
  * @typedef {[work: Uint8Array, field: Uint8Array, size_px: number, lines: boolean, transparent: boolean]} Wanted a picture
  */
 
-const MODULE = new URL("../pkg/files/scumble_files.js", import.meta.url);
+/** What is said where the module cannot answer. */
+const FAILURES = { missing: "error-formats", stopped: "error-too-hard" };
 
-/** @type {Promise<any> | undefined} */
-let module;
-/** Each attempt at the module is one of its own: the browser would give back what failed. */
-let attempts = 0;
+/** A worker that has nothing to do. @type {Worker | undefined} */
+let idle;
 
 export const formats = {
-  /** A drawing of ours or of another program, a palette, or a picture to trace. @type {(file: Uint8Array, name: string) => Promise<Opened>} */
-  open: (file, name) => call("open", file, name),
-  /** A link. @type {(link: string) => Promise<Opened>} */
-  openLink: (link) => call("openLink", link),
+  /** A drawing of ours or of another program, a palette, or a picture to trace. @type {(file: Uint8Array, name: string, signal: AbortSignal) => Promise<Opened>} */
+  open: (file, name, signal) => call(signal, "open", file, name),
+  /** A link. @type {(link: string, signal: AbortSignal) => Promise<Opened>} */
+  openLink: (link, signal) => call(signal, "openLink", link),
   /** Work with the lines of a sample. @type {(work: Uint8Array, sample: Uint8Array) => Promise<Uint8Array<ArrayBuffer>>} */
-  onSample: (work, sample) => call("onSample", work, sample),
+  onSample: (work, sample) => call(undefined, "onSample", work, sample),
   /** The part of a link from `#` on; nothing for work that is too large. @type {(work: Uint8Array) => Promise<string | undefined>} */
-  link: (work) => call("link", work),
+  link: (work) => call(undefined, "link", work),
   /** @type {(text: string) => Promise<import("./share.js").Code | undefined>} */
-  qrCode: (text) => call("qrCode", text),
+  qrCode: (text) => call(undefined, "qrCode", text),
   /** The `.scumble` file that keeps some work, and the picture under its lines. @type {(work: Uint8Array, image?: Uint8Array) => Promise<Uint8Array<ArrayBuffer>>} */
-  save: (work, image) => call("save", work, image),
+  save: (work, image) => call(undefined, "save", work, image),
   /** A file of a palette, whose colours and names come in turn, of the kind of an extension. @type {(swatches: string[], extension: string) => Promise<Uint8Array<ArrayBuffer>>} */
-  palette: (swatches, extension) => call("palette", swatches, extension),
-  /** A picture as SVG, with the work in it, and a PNG of its field. @type {(...wanted: [...Wanted, raster: Uint8Array]) => Promise<Uint8Array<ArrayBuffer>>} */
-  svg: (...wanted) => call("svg", ...wanted),
-  /** A picture as PDF. @type {(...wanted: Wanted) => Promise<Uint8Array<ArrayBuffer>>} */
-  pdf: (...wanted) => call("pdf", ...wanted),
+  palette: (swatches, extension) => call(undefined, "palette", swatches, extension),
+  /** A picture as SVG, with the work in it, and a PNG of its field. @type {(signal: AbortSignal | undefined, ...wanted: [...Wanted, raster: Uint8Array]) => Promise<Uint8Array<ArrayBuffer>>} */
+  svg: (signal, ...wanted) => call(signal, "svg", ...wanted),
+  /** A picture as PDF. @type {(signal: AbortSignal | undefined, ...wanted: Wanted) => Promise<Uint8Array<ArrayBuffer>>} */
+  pdf: (signal, ...wanted) => call(signal, "pdf", ...wanted),
 };
 
 /**
- * @param {string} name
+ * Asks a worker, which has nothing else to do.
+ * @param {AbortSignal | undefined} signal ends it
+ * @param {string} name of a function of the module
  * @param {unknown[]} args
  */
-async function call(name, ...args) {
-  const functions = await loaded();
+async function call(signal, name, ...args) {
+  signal?.throwIfAborted();
+  const worker = idle ?? new Worker(new URL("formats_worker.js", import.meta.url), { type: "module" });
+  idle = undefined;
   try {
-    return functions[name](...args);
+    const answer = await answered(worker, { name, args }, signal);
+    if ("failure" in answer) throw new Error(say(FAILURES[answer.failure]));
+    if (idle) worker.terminate();
+    idle ??= worker;
+    if ("sentence" in answer) throw new Error(answer.sentence);
+    return /** @type {any} */ (answer.result);
   } catch (fault) {
-    if (!(fault instanceof WebAssembly.RuntimeError)) throw fault;
-    // What has stopped in the middle is not entered again.
-    console.warn(fault);
-    module = undefined;
-    throw new Error(say("error-too-hard"));
+    if (worker !== idle) worker.terminate();
+    throw fault;
   }
 }
 
-async function loaded() {
-  try {
-    return await (module ??= fetched());
-  } catch (fault) {
-    console.warn(fault);
-    module = undefined;
-    throw new Error(say("error-formats"));
-  }
-}
-
-async function fetched() {
-  const functions = await import(`${MODULE.href}?${attempts++}`);
-  await functions.default();
-  return functions;
+/**
+ * @param {Worker} worker
+ * @param {import("./formats_worker.js").Question} question
+ * @param {AbortSignal | undefined} signal
+ * @returns {Promise<import("./formats_worker.js").Answer>}
+ */
+function answered(worker, question, signal) {
+  return new Promise((resolve, reject) => {
+    signal?.addEventListener("abort", () => reject(signal.reason), { once: true });
+    worker.onmessage = ({ data }) => resolve(data);
+    worker.onerror = (event) => {
+      event.preventDefault();
+      reject(new Error(say(FAILURES.missing)));
+    };
+    worker.postMessage(question);
+  });
 }

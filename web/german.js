@@ -309,6 +309,9 @@ export const german = {
   "unkept-image":
     "Der Browser kann die Vorlage nicht behalten, nur den Rest der Zeichnung. Sichere sie als Datei, oder lösche andere unter Letzte.",
   "start": "Nimm eine Farbe und kritzle sie in die Zeichnung",
+  "opening": ({ name }) => `${name || "Die Zeichnung"} wird geöffnet …`,
+  "opening-progress": "Öffnen",
+  "opening-stopped": "Öffnen abgebrochen; alles ist, wie es war",
   "opened": ({ name }) => `${name} geöffnet`,
   "opened-in-part": ({ name, notes }) => `${name} geöffnet; ${notes}`,
   "palette-taken": ({ name, notes }) => `Die Palette hat die Farben von ${name}${notes && "; "}${notes}`,

@@ -2,11 +2,10 @@
 
 import { followed } from "./cursor.js";
 import { Colors } from "./colors.js";
-import { closeOpen } from "./dialogs.js";
+import { closeOpen, openDialog } from "./dialogs.js";
 import { Drawings, isKept, isUnsaved, stem } from "./drawings.js";
 import { Engine } from "./engine.js";
-import { cancelExport, copyPicture, saveExport, setSize, showExport } from "./export.js";
-import { choose, keep, receive } from "./files.js";
+import { choose, download, keep, receive } from "./files.js";
 import { beginFirstSteps, followFirstSteps, showFirstSteps, skipFirstSteps } from "./first_steps.js";
 import { formats } from "./formats.js";
 import { connectFullScreen, turnFullScreen } from "./full_screen.js";
@@ -16,7 +15,6 @@ import { listen } from "./keys.js";
 import { connectLanguage } from "./language.js";
 import { say } from "./messages.js";
 import { Opening } from "./opening.js";
-import { png } from "./png.js";
 import { Pointers } from "./pointer.js";
 import { Recent } from "./recent.js";
 import { Samples } from "./samples.js";
@@ -130,6 +128,7 @@ const keeper = new Keeper({
   image: () => tracing.image,
   picture: async () => {
     const picture = engine.thumbnail();
+    const { png } = await import("./png.js");
     return picture && png(picture.width, picture.height, picture.rgba);
   },
   kept: nameShown,
@@ -182,6 +181,22 @@ async function save() {
   }
 }
 
+/** The dialog of "Export", from its first use on. @type {import("./export.js").Export | undefined} */
+let exporting;
+
+async function showExport() {
+  try {
+    if (!exporting) {
+      const { Export } = await import("./export.js");
+      exporting ??= new Export({ engine, formats, say, done, openDialog, download });
+    }
+    exporting.open(areLinesShown());
+  } catch (fault) {
+    console.warn(fault);
+    failed(new Error(say("error-panel")));
+  }
+}
+
 function removeTracing() {
   engine.command("trace", null);
   done(say("tracing-removed"));
@@ -198,13 +213,13 @@ async function showRecent() {
 const actions = {
   open: () => void choose((file) => opening.file(file)).catch(failed),
   save,
-  export: () => showExport(areLinesShown()),
-  "export-1": () => setSize(1),
-  "export-2": () => setSize(2),
-  "export-4": () => setSize(4),
-  "save-export": () => saveExport(engine, stem(drawings.shown.name)),
-  "copy-picture": () => copyPicture(engine),
-  "cancel-export": cancelExport,
+  export: showExport,
+  "export-1": () => exporting?.setSize(1),
+  "export-2": () => exporting?.setSize(2),
+  "export-4": () => exporting?.setSize(4),
+  "save-export": () => exporting?.save(stem(drawings.shown.name)),
+  "copy-picture": () => exporting?.copy(),
+  "cancel-export": () => exporting?.cancel(),
   "remove-tracing": removeTracing,
   share,
   "copy-link": copyLink,
@@ -228,6 +243,11 @@ const actions = {
   "skip-steps": skipFirstSteps,
   "select-more": toggleMore,
   fingers: () => pointers.turnFingers(),
+  "stop-opening": () => {
+    void opening.stop();
+    // The button goes with what it stops.
+    canvas().focus();
+  },
   drop: () => {
     // Escape closes what is open, and does no more.
     if (pointers.cancel() || document.querySelector(":popover-open") || skipFirstSteps()) return;

@@ -303,6 +303,9 @@ export const english = {
   "unkept-image":
     "The browser cannot keep the tracing image, only the rest of the drawing. Save it as a file, or delete others under Recent.",
   "start": "Pick a colour and scribble it into the drawing",
+  "opening": ({ name }) => `Opening ${name || "the drawing"} …`,
+  "opening-progress": "Opening",
+  "opening-stopped": "Opening cancelled; everything is as it was",
   "opened": ({ name }) => `Opened ${name}`,
   "opened-in-part": ({ name, notes }) => `Opened ${name}; ${notes}`,
   "palette-taken": ({ name, notes }) => `The palette has the colours of ${name}${notes && "; "}${notes}`,

@@ -1,6 +1,7 @@
 // The ways by which a drawing comes into the page: files, links, samples, and those that the browser has kept; and, with
 // files, what belongs to the one that is shown: palettes, pictures to trace.
 
+import { begin, end, expectLong } from "./busy.js";
 import { formats } from "./formats.js";
 import { lastIds, take } from "./keeper.js";
 import { say } from "./messages.js";
@@ -13,6 +14,9 @@ import { checkImage } from "./tracing.js";
 /** The number by which work from a file knows the picture under its lines, as in `work_file.rs`. */
 const FILE_IMAGE = 1;
 
+/** Work of more bytes than this takes a while. */
+const LARGE_BYTES = 100_000;
+
 /** @typedef {Partial<import("./drawings.js").Drawing> & {name: string}} Coming what is known of a drawing before it is there */
 /** @typedef {import("./formats.js").Opened} Opened */
 
@@ -23,6 +27,10 @@ export class Opening {
   #tracing;
   /** Counts what has been asked for: what comes after something else was asked for is dropped. */
   #asked = 0;
+  /** Ends what is on its way. */
+  #job = new AbortController();
+  /** Whether any drawing has been shown. */
+  #hasShown = false;
 
   /**
    * @param {import("./engine.js").Engine} engine
@@ -39,7 +47,7 @@ export class Opening {
 
   /** @param {import("./files.js").Coming} file a drawing, or a palette or a picture to trace for the one that is shown */
   file({ name, bytes, handle }) {
-    return this.#open({ name, handle, isBrought: true }, bytes.then((file) => formats.open(file, name)));
+    return this.#open({ name, handle, isBrought: true }, async (signal) => formats.open(await bytes, name, signal));
   }
 
   /** @param {string} text a link, or SVG */
@@ -53,8 +61,7 @@ export class Opening {
    * @param {boolean} isColored whether with its scribbles
    */
   sample(sample, isColored) {
-    const coming = sampleWork(sample.file, isColored).then((work) => ({ work, notes: "" }));
-    return this.#open({ name: sampleName(sample) }, coming);
+    return this.#open({ name: sampleName(sample) }, async () => ({ work: await sampleWork(sample.file, isColored), notes: "" }));
   }
 
   /** Opens the link in the address, which is then the page's own again: its drawing may become another. */
@@ -70,16 +77,22 @@ export class Opening {
    * @returns what went wrong, if anything did; the page has been told
    */
   async kept(id) {
-    const ticket = ++this.#asked;
-    try {
+    return this.#doing("", async (signal) => {
       const { drawing, work } = await taken(id);
-      if (ticket !== this.#asked) return undefined;
-      if (!(work instanceof Uint8Array) || !this.#show(drawing, work, "")) throw await damaged(id);
+      signal.throwIfAborted();
+      if (!(work instanceof Uint8Array) || !(await this.#show(drawing, work, "", signal))) throw await damaged(id);
       if (!drawing.id) tell(say("opened-copy", drawing));
-      return undefined;
-    } catch (fault) {
-      return ticket === this.#asked ? told(fault) : undefined;
-    }
+    });
+  }
+
+  /** Stops what is on its way. Where nothing has been there before, that is a sample. */
+  async stop() {
+    this.#asked++;
+    this.#job.abort();
+    end();
+    this.#engine.command("stop-preparing");
+    if (!this.#hasShown) await this.sample(FIRST, false);
+    tell(say("opening-stopped"));
   }
 
   /**
@@ -122,30 +135,47 @@ export class Opening {
    */
   async #link(link) {
     const before = this.#drawings.shown;
-    const fault = await this.#open({ name: say("shared-drawing"), isBrought: true }, formats.openLink(link));
+    const fault = await this.#open({ name: say("shared-drawing"), isBrought: true }, (signal) => formats.openLink(link, signal));
     if (this.#drawings.shown !== before && before.revision > 0) tell(say("opened-beside", { before: before.name }));
     return fault;
   }
 
   /**
-   * Opens what is on its way.
+   * Opens something.
    * @param {Coming} drawing
-   * @param {Promise<Opened>} coming
+   * @param {(signal: AbortSignal) => Promise<Opened>} come
    * @returns what went wrong, if anything did; the page has been told
    */
-  async #open(drawing, coming) {
-    const ticket = ++this.#asked;
-    try {
-      const { work, notes, palette, image } = await whole(coming);
+  #open(drawing, come) {
+    return this.#doing(drawing.name, async (signal) => {
+      const { work, notes, palette, image } = await whole(come(signal));
       const isToTrace = image && work.length === 0;
       if (isToTrace) await checkImage(image);
-      if (ticket !== this.#asked) return undefined;
+      signal.throwIfAborted();
       if (palette) this.#take(palette, drawing.name, notes);
       else if (isToTrace) this.#trace(image, drawing.name);
-      else this.#show({ ...drawing, images: new Map(image && [[FILE_IMAGE, image]]) }, work, notes);
+      else await this.#show({ ...drawing, images: new Map(image && [[FILE_IMAGE, image]]) }, work, notes, signal);
+    });
+  }
+
+  /**
+   * Does what can be stopped and, where it takes long, is seen to go on. What was on its way before is dropped.
+   * @param {string} name of what is to be opened
+   * @param {(signal: AbortSignal) => Promise<void>} act
+   * @returns what went wrong, if anything did; the page has been told
+   */
+  async #doing(name, act) {
+    const ticket = ++this.#asked;
+    this.#job.abort();
+    this.#job = new AbortController();
+    begin(say("opening", { name }));
+    try {
+      await act(this.#job.signal);
       return undefined;
     } catch (fault) {
       return ticket === this.#asked ? told(fault) : undefined;
+    } finally {
+      if (ticket === this.#asked) end();
     }
   }
 
@@ -174,13 +204,18 @@ export class Opening {
    * @param {Coming} drawing
    * @param {Uint8Array} work
    * @param {string} notes
+   * @param {AbortSignal} signal
    * @returns whether the module could open it
    */
-  #show(drawing, work, notes) {
+  async #show(drawing, work, notes, signal) {
+    if (work.length > LARGE_BYTES) await expectLong();
+    await this.#engine.prepare(work, signal);
     this.#keeper.pictureNow();
     const expected = this.#drawings.expect(drawing);
     this.#engine.command("open", { work, notes });
-    return this.#drawings.shown === expected;
+    const isShown = this.#drawings.shown === expected;
+    this.#hasShown ||= isShown;
+    return isShown;
   }
 }
 

@@ -45,6 +45,7 @@ const STATES = {
   help: (editor) => opened(editor, "Help", "help"),
   "the first steps": (editor) => editor.tab.evaluate(`document.querySelector('[data-action="first-steps"]').click()`),
   "another version": (editor) => editor.tab.evaluate(`document.getElementById("update").hidden = false`),
+  "a drawing on its way": (editor) => editor.tab.evaluate(`document.getElementById("busy").hidden = false; document.querySelector("#busy p").textContent = "Opening …"`),
   "a warning": (editor) =>
     editor.tab.evaluate(`document.getElementById("alert").hidden = false; document.querySelector("#alert p").textContent = "Mind."`),
 };

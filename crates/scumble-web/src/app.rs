@@ -96,6 +96,17 @@ impl App {
         Ok(self.shared.borrow_mut().effects())
     }
 
+    /// Begins to make work ready for the command "open", by its exact bytes.
+    pub fn prepare(&self, work: &[u8]) {
+        self.shared.borrow_mut().session.prepare(work);
+    }
+
+    /// Goes on with that by one step, and tells whether there are more.
+    #[wasm_bindgen(js_name = prepareOn)]
+    pub fn prepare_on(&self) -> bool {
+        self.shared.borrow_mut().session.prepare_on()
+    }
+
     /// Paints, if anything has changed since the last frame.
     pub fn frame(&self) -> Array {
         let mut shared = self.shared.borrow_mut();

@@ -30,6 +30,7 @@ pub(crate) fn command_from_js(name: &str, args: &JsValue) -> Option<Command> {
             work: field(args, "work").dyn_into::<Uint8Array>().ok()?.to_vec(),
             notes: field(args, "notes").as_string()?,
         },
+        "stop-preparing" => Command::StopPreparing,
         "tool" => Command::Tool(tool_from_name(&args.as_string()?)?),
         "color" => Command::Color(ink_from_name(&args.as_string()?)?),
         "color-sought" => Command::ColorSought(ink_from_name(&args.as_string()?)?),

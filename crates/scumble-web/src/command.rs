@@ -125,6 +125,8 @@ pub enum Command {
         /// What was left out of it, in words.
         notes: String,
     },
+    /// Leave work that is made ready to be opened.
+    StopPreparing,
     /// What the pen does from here on.
     Tool(Tool),
     /// The colour of the next scribbles, or none, or a step from what they are drawn on.

@@ -25,6 +25,7 @@ mod arranging;
 mod coloring;
 mod gestures;
 mod ink;
+mod opening;
 mod picker;
 mod pointing;
 mod selecting;
@@ -32,6 +33,7 @@ mod sheet;
 mod tools;
 
 use gestures::{Held, Stroke};
+use opening::Coming;
 use sheet::Sheet;
 
 /// The page that is there before a drawing is opened, in du.
@@ -46,6 +48,8 @@ pub struct Session {
     sheet: Sheet,
     /// Drawings with work in them that others were opened over, for undo to come back to.
     shelf: Vec<Sheet>,
+    /// The drawing on its way.
+    coming: Option<Coming>,
     /// How many drawings have been opened.
     opened: u32,
     /// The colours of the sides, and of the sheet's shades.
@@ -117,6 +121,7 @@ impl Session {
             viewport: Viewport::new(drawing.frame()),
             sheet: Sheet::new(0, Work::new(Document::new(drawing)))?,
             shelf: Vec::new(),
+            coming: None,
             opened: 0,
             boundary: Boundary::default(),
             field: Field::default(),
@@ -180,6 +185,7 @@ impl Session {
     pub fn command(&mut self, command: Command) {
         match command {
             Command::Open { work, notes } => self.open(&work, notes),
+            Command::StopPreparing => self.stop_preparing(),
             Command::Tool(tool) => self.set_tool(tool),
             Command::Color(ink) => self.take_ink(ink, false),
             Command::ColorSought(ink) => self.take_ink(ink, true),

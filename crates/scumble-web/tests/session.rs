@@ -79,6 +79,53 @@ fn effects_tell_what_has_changed_and_only_that() {
     assert_eq!(told, [sheet(0), Effect::Undo(false), Effect::Redo(true), Effect::Undone]);
 }
 
+/// The exact bytes of a drawing with a scribble across it.
+fn scribbled() -> Vec<u8> {
+    let mut page = Page::open(SQUARE);
+    page.stroke(RED, &ACROSS);
+    page.session.work()
+}
+
+#[test]
+fn what_was_made_ready_opens_as_what_was_not() {
+    let work = scribbled();
+    let opened = [false, true].map(|is_prepared| {
+        let mut page = Page::open(SQUARE);
+        page.session.take_effects();
+        if is_prepared {
+            page.session.prepare(&work);
+            let steps = std::iter::from_fn(|| page.session.prepare_on().then_some(())).count();
+            assert!(steps >= 2, "{steps} and the last");
+            assert_eq!(page.session.take_effects(), [], "nothing is shown of it");
+            assert!(page.session.document().scribbles.is_empty());
+        }
+        page.session.command(Command::Open { work: work.clone(), notes: String::new() });
+        assert!(page.session.take_effects().contains(&Effect::Opened { notes: String::new() }));
+        (page.color_at(INSIDE), page.session.work())
+    });
+    assert_eq!(opened[0], opened[1]);
+    assert_eq!(opened[1].0, RED);
+}
+
+#[test]
+fn what_is_made_ready_may_be_left_damaged_or_something_else() {
+    let mut page = Page::open(SQUARE);
+    page.stroke(RED, &ACROSS);
+    let (before, work) = (page.session.work(), scribbled());
+    page.session.prepare(&work);
+    page.session.prepare_on();
+    page.session.command(Command::StopPreparing);
+    assert!(!page.session.prepare_on());
+    page.session.prepare(b"damaged");
+    assert!(!page.session.prepare_on());
+    assert_eq!(page.session.work(), before);
+    // Another drawing than the one that is ready.
+    page.session.prepare(&work);
+    while page.session.prepare_on() {}
+    page.session.command(page::open(SQUARE, &[]));
+    assert!(page.session.document().scribbles.is_empty());
+}
+
 #[test]
 fn frames_are_painted_only_when_something_has_changed() {
     let mut page = Page::open(SQUARE);

@@ -130,7 +130,7 @@ pub(crate) fn files_in(folder: &Path) -> Result<Vec<PathBuf>> {
 fn write_web(from: &Path, to: &Path) -> Result<()> {
     copy_files([from.join("icon.svg"), from.join("manifest.webmanifest")], to)?;
     icons::write(&from.join("icon.svg"), to)?;
-    minify(to, &[from.join("main.js"), from.join("style.css")])
+    minify(to, &["main.js", "formats_worker.js", "style.css"].map(|name| from.join(name)))
 }
 
 /// Writes scripts, with those that they import, and styles into a folder, without what only people read. They may lie

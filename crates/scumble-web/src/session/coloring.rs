@@ -53,7 +53,7 @@ impl Session {
         self.solver.source(&self.moment())
     }
 
-    fn moment(&self) -> Moment {
+    pub(super) fn moment(&self) -> Moment {
         let picture = &self.sheet.picture;
         Moment {
             grids: self.grids,

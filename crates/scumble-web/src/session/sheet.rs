@@ -3,7 +3,7 @@
 use std::mem::replace;
 
 use scumble_core::work::Item;
-use scumble_core::{Document, Drawing, Editor, MapError, Work, exact};
+use scumble_core::{Document, Drawing, Editor, MapError, Work};
 use scumble_solve::Picture;
 
 use super::{Session, Stale};
@@ -16,8 +16,6 @@ const LIVE_PIECES: usize = 4000;
 
 /// Drawings that undo can come back to.
 const SHELF_SIZE: usize = 8;
-
-const DAMAGED: &str = "what the browser kept of the drawing is damaged; open it from a file";
 
 /// A drawing in work, and what is derived from it.
 #[derive(Debug)]
@@ -68,20 +66,8 @@ impl Sheet {
 }
 
 impl Session {
-    pub(super) fn open(&mut self, work: &[u8], notes: String) {
-        let Some(work) = exact::read(work) else {
-            return self.tell(Effect::Failed(DAMAGED.into()));
-        };
-        match Sheet::new(self.opened + 1, work) {
-            Ok(sheet) => self.lay_over(sheet),
-            Err(error) => return self.tell(Effect::Failed(error.to_string())),
-        }
-        self.opened += 1;
-        self.tell(Effect::Opened { notes });
-    }
-
     /// Shows another drawing. The one that was there is kept if somebody worked on it.
-    fn lay_over(&mut self, sheet: Sheet) {
+    pub(super) fn lay_over(&mut self, sheet: Sheet) {
         let under = self.show(sheet);
         if !under.editor.can_undo() {
             return self.close(&under);

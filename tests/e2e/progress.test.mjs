@@ -1,0 +1,112 @@
+// What takes long is seen to go on, and can be cancelled: opening, and the writing of files.
+import assert from "node:assert/strict";
+import { describe, test } from "node:test";
+import { useSession } from "./harness.mjs";
+
+/** @typedef {import("./harness.mjs").Editor} Editor */
+
+/** What workers are asked waits for ever. */
+const HOLD_WORKERS = `Worker.prototype.postMessage = () => {};`;
+
+/** Where the page lets others go on for no set time, it waits for ever. */
+const HOLD_SLICES = `{
+  const { setTimeout } = window;
+  window.setTimeout = (act, delay_ms, ...more) => delay_ms === undefined ? (window.held = act) : setTimeout(act, delay_ms, ...more);
+}`;
+
+/** So many lines take longer than a slice. */
+const MANY = 3000;
+const MANY_LINES = `<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 1000 1000">${Array.from(
+  { length: MANY },
+  (_, i) => `<path stroke="black" d="M${(i % 55) * 18} ${Math.floor(i / 55) * 18}l12 9"/>`,
+).join("")}</svg>`;
+
+const SVG = `<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 9 9"><path stroke="black" d="M1 1l5 5"/></svg>`;
+
+const IS_SEEN = `!document.getElementById("busy").hidden`;
+const CANCELLED = "Opening cancelled; everything is as it was";
+
+/** Drops a file on the page. @param {Editor} editor @param {string} svg @param {string} name */
+const drop = (editor, svg, name) =>
+  editor.tab.evaluate(`{
+    const data = new DataTransfer();
+    data.items.add(new File([${JSON.stringify(svg)}], "${name}", { type: "image/svg+xml" }));
+    document.getElementById("canvas").dispatchEvent(new DragEvent("drop", { dataTransfer: data, bubbles: true }));
+  }`);
+
+for (const browser of /** @type {const} */ (["chromium", "firefox"])) {
+  describe(`progress in ${browser}`, () => {
+    const session = useSession(browser);
+
+    const scribbled = async () => {
+      const editor = await session.open("cpu");
+      await editor.openDrawing("rooms");
+      await editor.scribble([[30, 30], [50, 60]], 200);
+      return editor;
+    };
+
+    /** Cancels what is on its way: all stays as it is, and goes on. @param {Editor} editor */
+    const cancelled = async (editor) => {
+      await editor.until(CANCELLED, () => editor.click("Cancel"));
+      assert.equal(await editor.tab.evaluate(IS_SEEN), false);
+      assert.equal(await editor.tab.evaluate(`document.activeElement.id`), "canvas");
+      await editor.until("2 in the drawing", () => editor.scribble([[120, 30], [140, 60]], 200));
+      assert.equal(await editor.message(), "");
+      assert.deepEqual(editor.tab.faults, []);
+    };
+
+    test("a file that is being read", async () => {
+      const editor = await scribbled();
+      await editor.tab.evaluate(`window.ask = Worker.prototype.postMessage; ${HOLD_WORKERS}`);
+      await drop(editor, SVG, "large.svg");
+      await editor.tab.waitFor(IS_SEEN);
+      assert.equal(await editor.tab.evaluate(`document.querySelector("#busy p").textContent`), "Opening large.svg …");
+      await cancelled(editor);
+      await editor.tab.evaluate(`Worker.prototype.postMessage = window.ask`);
+      await editor.until("Opened large.svg", () => drop(editor, SVG, "large.svg"));
+    });
+
+    test("a large drawing that is being made ready", async () => {
+      const editor = await scribbled();
+      await editor.tab.evaluate(HOLD_SLICES);
+      await drop(editor, MANY_LINES, "many.svg");
+      await editor.tab.waitFor(`window.held && ${IS_SEEN}`);
+      await editor.until("2 in the drawing", () => editor.scribble([[120, 30], [140, 60]], 200));
+      await editor.click("Undo");
+      await editor.until(CANCELLED, async () => {
+        await editor.click("Cancel");
+        await editor.tab.evaluate(`window.held()`);
+      });
+      await editor.until("Redo", () => editor.click("Redo"));
+      assert.equal(await editor.name(), "rooms.svg");
+      assert.deepEqual(editor.tab.faults, []);
+    });
+
+    test("a link that is being read as the page starts", async () => {
+      const tab = await session.newTab();
+      await tab.prepare(HOLD_WORKERS);
+      await tab.goto(`${session.url}?renderer=cpu#1.AAAA`);
+      await tab.waitFor(IS_SEEN);
+      await tab.click("button", "Cancel");
+      await tab.waitFor(`document.getElementById("status").textContent === "${CANCELLED}"`);
+      assert.equal(await tab.evaluate(`document.getElementById("drawing").textContent`), "Goldfish");
+      assert.deepEqual(tab.faults, []);
+    });
+
+    for (const format of ["SVG", "PDF"]) {
+      test(`${format}, while it is written`, async () => {
+        const editor = await scribbled();
+        await editor.click("Export");
+        await editor.tab.click("radio", format);
+        await editor.tab.evaluate(`window.ask = Worker.prototype.postMessage; ${HOLD_WORKERS}`);
+        await editor.click("Save file");
+        await editor.tab.waitFor(`document.getElementById("export-share").value === 0 && !document.getElementById("export-progress").hidden`);
+        await editor.click("Cancel");
+        await editor.tab.waitFor(`document.getElementById("export-status").textContent === "Cancelled"`);
+        await editor.tab.evaluate(`Worker.prototype.postMessage = window.ask`);
+        await editor.until("Exported", () => editor.click("Save file"));
+        assert.deepEqual(editor.tab.faults, []);
+      });
+    }
+  });
+}

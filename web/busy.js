@@ -1,0 +1,35 @@
+// What takes long on the whole page: it is shown, and can be stopped.
+
+const bar = /** @type {HTMLElement} */ (document.getElementById("busy"));
+const words = /** @type {HTMLElement} */ (bar.querySelector("p"));
+
+/** What takes longer than this is shown. */
+const PATIENCE_MS = 100;
+
+/** @type {ReturnType<typeof setTimeout> | undefined} */
+let timer;
+
+/** @param {string} text what goes on from now on */
+export function begin(text) {
+  end();
+  words.textContent = text;
+  timer = setTimeout(show, PATIENCE_MS);
+}
+
+/** It will take long: it is seen before this returns. */
+export async function expectLong() {
+  show();
+  await new Promise((wake) => setTimeout(wake, 2 * FRAME_MS));
+}
+
+/** In this time what has changed is painted. */
+const FRAME_MS = 16;
+
+function show() {
+  bar.hidden = false;
+}
+
+export function end() {
+  clearTimeout(timer);
+  bar.hidden = true;
+}
