@@ -1,5 +1,7 @@
 // The words of the page in German: as the table in `messages.js`, which has this one fetched where it is wanted. It
-// imports nothing, so that it is a file of its own.
+// imports nothing that the first load has, so that it is a file of its own.
+
+import { inGerman } from "./german_sentences.js";
 
 /** How keys are called on German keyboards. @type {[string, string][]} */
 export const keys = [
@@ -313,8 +315,8 @@ export const german = {
   "opening-progress": "Öffnen",
   "opening-stopped": "Öffnen abgebrochen; alles ist, wie es war",
   "opened": ({ name }) => `${name} geöffnet`,
-  "opened-in-part": ({ name, notes }) => `${name} geöffnet; ${notes}`,
-  "palette-taken": ({ name, notes }) => `Die Palette hat die Farben von ${name}${notes && "; "}${notes}`,
+  "opened-in-part": ({ name, notes }) => `${name} geöffnet; ${inGerman(notes)}`,
+  "palette-taken": ({ name, notes }) => `Die Palette hat die Farben von ${name}${notes && "; "}${inGerman(notes)}`,
   "traced": ({ name }) => `${name} liegt unter den Linien; exportierte Bilder haben es nicht`,
   "tracing-removed": "Vorlage entfernt",
   "saved": ({ name }) => `${name} gesichert`,
@@ -337,7 +339,10 @@ export const german = {
   "recovered": "Die Grafikkarte war verloren; das Bild ist neu gemalt",
   "recovered-cpu": "Die Grafikkarte war verloren; die Seite malt ohne sie",
 
-  "failed": ({ sentence }) => `${sentence.charAt(0).toUpperCase()}${sentence.slice(1)}.`,
+  "failed": ({ sentence }) => {
+    const said = inGerman(sentence);
+    return `${said.charAt(0).toUpperCase()}${said.slice(1)}.`;
+  },
   "error-image":
     "das Bild ist beschädigt oder so kodiert, wie dieser Browser es nicht kennt; sichere es noch einmal als PNG oder JPEG",
   "error-export": "das Bild ließ sich hier nicht machen; versuche es kleiner, oder schließe andere Tabs",

@@ -2,10 +2,24 @@
 import assert from "node:assert/strict";
 import { readFile } from "node:fs/promises";
 import { describe, test } from "node:test";
-import { DIST, Editor, useSession, version } from "./harness.mjs";
+import { DIST, Editor, makeFolder, useSession, version } from "./harness.mjs";
 
 /** Has a browser want German. */
 const GERMAN = `Object.defineProperty(navigator, "languages", { get: () => ["de-AT", "en"] })`;
+
+/** Files that cannot be opened, and what is said of them. @type {Record<string, [content: string, said: string]>} */
+const BAD_FILES = {
+  "kaputt.svg": ['<svg xmlns="http://www.w3.org/2000/svg"><g></svg>', "Die Datei ist keine SVG-Zeichnung oder beschädigt: das Tag 'g' statt 'svg' erwartet bei 1:44; sichere sie noch einmal, oder wähle eine andere."],
+  "leer.svg": ['<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 9 9"><text>a</text></svg>', "Die Zeichnung hat keine Linien und keine Formen zum Färben (weggelassen: 1 Text)."],
+  "kaputt.scumble": ['{"format": "scumble", "version": "1.0",\n"canvas": 7}', "Die Datei ist in Zeile 2 unbrauchbar, dort müsste stehen: eine Liste […]; bessere sie aus, oder sichere die Zeichnung noch einmal."],
+  "kaputt.hex": ["; See\nblau\n", "Die Palette ist in Zeile 2 unbrauchbar, dort müsste stehen: eine Farbe #rrggbb; bessere sie aus, oder sichere sie noch einmal."],
+};
+
+const DAMAGED_LINK = "Der Link ist beschädigt: ein Teil davon fehlt oder ist verändert; kopiere den ganzen Link noch einmal.";
+
+/** A square, a text and two pictures. */
+const MIXED = `<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 9 9"><text>a</text>${'<image href="a.png" width="9" height="9"/>'.repeat(2)}
+  <path d="M1 1H8V8H1Z" fill="none" stroke="#000"/></svg>`;
 
 const page = () => readFile(new URL("../../index.html", import.meta.url), "utf8");
 
@@ -29,6 +43,7 @@ test("each sample has a name in the tables", async () => {
 for (const browser of /** @type {const} */ (["chromium", "firefox"])) {
   describe(`German in ${browser}`, () => {
     const session = useSession(browser);
+    const folder = makeFolder();
 
     const openGerman = async () => {
       const tab = await session.newTab({ isFirst: true });
@@ -79,6 +94,29 @@ for (const browser of /** @type {const} */ (["chromium", "firefox"])) {
       await again.choose("Sprache", "en");
       await tab.waitFor(`document.documentElement.lang === "en"`);
       assert.equal(await tab.evaluate(`document.querySelector('[data-action="open"]').ariaLabel`), "Open");
+      assert.deepEqual(tab.faults, []);
+    });
+
+    test("what is wrong with files and links, and what was left out, is German too", async () => {
+      const editor = await openGerman();
+      const { tab } = editor;
+      const warned = async () => {
+        await tab.waitFor(`!document.getElementById("alert").hidden`);
+        const message = await editor.message();
+        await tab.evaluate(`document.querySelector('[data-action="dismiss"]').click()`);
+        return message;
+      };
+      for (const [name, [content, said]] of Object.entries(BAD_FILES)) {
+        await tab.chooseFiles([await folder.write(name, content)]);
+        assert.equal(await warned(), said);
+      }
+      await tab.evaluate(`location.hash = "#1.AAAA"`);
+      assert.equal(await warned(), DAMAGED_LINK);
+      const mixed = await folder.write("gemischt.svg", MIXED);
+      await editor.until("gemischt.svg geöffnet; weggelassen: 1 Text, 2 Bilder", () => tab.chooseFiles([mixed]));
+      await editor.choose("Sprache", "en");
+      await tab.waitFor(`document.documentElement.lang === "en"`);
+      await editor.until("Opened gemischt.svg; left out: 1 text, 2 images", () => tab.chooseFiles([mixed]));
       assert.deepEqual(tab.faults, []);
     });
 
