@@ -263,7 +263,8 @@ export class Picker {
    */
   #written(key, number) {
     if (key === "hue") return this.#shell.say("degrees", { degrees: Math.round(number) });
-    return key === "chroma" ? number.toFixed(3) : this.#shell.say("percent", { percent: Math.round(100 * number) });
+    if (key !== "chroma") return this.#shell.say("percent", { percent: Math.round(100 * number) });
+    return number.toLocaleString(document.documentElement.lang, { minimumFractionDigits: 3, maximumFractionDigits: 3 });
   }
 
   #renderStrips() {
