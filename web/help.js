@@ -1,6 +1,7 @@
 // The dialog of "Help": how to begin, and every shortcut.
 
 import { openDialog } from "./dialogs.js";
+import { make } from "./elements.js";
 import { SHORTCUTS, haveSingles, setSingles, written } from "./keys.js";
 import { label, say } from "./messages.js";
 
@@ -23,18 +24,8 @@ export function showHelp() {
 /** @param {[string, Record<string, string[]>]} group its name, and its actions with their chords */
 function group([name, actions]) {
   const rows = Object.entries(actions).map(([action, chords]) => {
-    const keys = chords.map((chord) => element("kbd", written(chord)));
-    return element("div", element("dt", say(action)), element("dd", ...keys));
+    const keys = chords.map((chord) => make("kbd", {}, written(chord)));
+    return make("div", {}, make("dt", {}, say(action)), make("dd", {}, ...keys));
   });
-  return element("section", element("h3", say(name)), element("dl", ...rows));
-}
-
-/**
- * @param {string} tag
- * @param {(string | Element)[]} content
- */
-function element(tag, ...content) {
-  const element = document.createElement(tag);
-  element.append(...content);
-  return element;
+  return make("section", {}, make("h3", {}, say(name)), make("dl", {}, ...rows));
 }

@@ -1,6 +1,7 @@
 // The drawings that the browser keeps: a dialog of their pictures, to go on with or to be deleted.
 
 import { openDialog } from "./dialogs.js";
+import { button, make } from "./elements.js";
 import { hold, letGo } from "./hold.js";
 import { name, say } from "./messages.js";
 import * as storage from "./storage.js";
@@ -37,16 +38,16 @@ export class Recent {
    * @param {boolean} isShown
    */
   #item(entry, isShown) {
-    const item = document.createElement("li");
+    const item = make("li", {});
     const image = new Image();
     image.alt = "";
     showPicture(image, entry.id);
-    const open = button(say("open-kept", entry), () => {
+    const open = named(say("open-kept", entry), () => {
       this.#dialog.close();
       if (!isShown) this.#open(entry.id);
     });
-    open.append(image, element("span", entry.name));
-    item.append(open, element("small", note(entry, isShown)));
+    open.append(image, make("span", {}, entry.name));
+    item.append(open, make("small", {}, note(entry, isShown)));
     if (!isShown) item.append(this.#removal(entry, item));
     return item;
   }
@@ -56,10 +57,10 @@ export class Recent {
    * @param {HTMLElement} item
    */
   #removal(entry, item) {
-    const remove = button(say("delete", entry), async () => {
+    const remove = named(say("delete", entry), async () => {
       if (!confirm(say("delete-really", entry))) return;
       const isDone = await removed(entry.id).catch(() => false);
-      if (!isDone) return remove.after(element("small", say("delete-not")));
+      if (!isDone) return remove.after(make("small", {}, say("delete-not")));
       this.#removed(entry.id);
       const next = item.nextElementSibling ?? item.previousElementSibling ?? this.#dialog;
       item.remove();
@@ -97,22 +98,10 @@ function note(entry, isShown) {
  * @param {string} label
  * @param {() => void} act
  */
-function button(label, act) {
-  const button = document.createElement("button");
-  button.type = "button";
-  name(button, label);
-  button.addEventListener("click", act);
-  return button;
-}
-
-/**
- * @param {string} tag
- * @param {string} text
- */
-function element(tag, text) {
-  const element = document.createElement(tag);
-  element.textContent = text;
-  return element;
+function named(label, act) {
+  const made = button("", act);
+  name(made, label);
+  return made;
 }
 
 /**

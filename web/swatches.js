@@ -1,5 +1,6 @@
 // The swatches beside the canvas: the palette of the drawing, tones, and the colours that were scribbled with last.
 
+import { make } from "./elements.js";
 import { name, say } from "./messages.js";
 import { remember, remembered } from "./remember.js";
 
@@ -146,16 +147,11 @@ function fillRecent() {
 function fill(id, swatches) {
   part(id).replaceChildren(
     ...swatches.map(({ color, label, shortcut }) => {
-      const item = document.createElement("li");
-      const swatch = document.createElement("button");
-      swatch.type = "button";
-      swatch.className = "swatch";
-      swatch.dataset.color = color;
+      const swatch = make("button", { type: "button", className: "swatch", "data-color": color });
       paint(swatch, color);
       if (shortcut) swatch.dataset.shortcut = shortcut;
       name(swatch, label);
-      item.append(swatch);
-      return item;
+      return make("li", {}, swatch);
     }),
   );
   press();
