@@ -88,6 +88,8 @@ for (const browser of /** @type {const} */ (["chromium", "firefox"])) {
       assert.equal(await tab.evaluate(`document.getElementById("zoom").textContent`).then((text) => /\d\u00a0%$/.test(String(text))), true);
       await editor.click("Farbe");
       await tab.waitFor(`document.querySelector(".colors:popover-open h2")?.textContent === "Farbe"`);
+      const figures = await tab.evaluate(`[...document.querySelectorAll(".colors:popover-open output")].map((output) => output.textContent).join()`);
+      assert.match(String(figures), /\b0,\d{3}\b/, "chroma has a comma");
       await tab.press("Escape");
       const again = await Editor.open(tab, `${session.url}?renderer=cpu`, "cpu");
       assert.equal(await lang(again), "de");
@@ -107,13 +109,13 @@ for (const browser of /** @type {const} */ (["chromium", "firefox"])) {
         return message;
       };
       for (const [name, [content, said]] of Object.entries(BAD_FILES)) {
-        await tab.chooseFiles([await folder.write(name, content)]);
+        await tab.chooseFiles([await folder.write(name, content)], "Öffnen");
         assert.equal(await warned(), said);
       }
       await tab.evaluate(`location.hash = "#1.AAAA"`);
       assert.equal(await warned(), DAMAGED_LINK);
       const mixed = await folder.write("gemischt.svg", MIXED);
-      await editor.until("gemischt.svg geöffnet; weggelassen: 1 Text, 2 Bilder", () => tab.chooseFiles([mixed]));
+      await editor.until("gemischt.svg geöffnet; weggelassen: 1 Text, 2 Bilder", () => tab.chooseFiles([mixed], "Öffnen"));
       await editor.choose("Sprache", "en");
       await tab.waitFor(`document.documentElement.lang === "en"`);
       await editor.until("Opened gemischt.svg; left out: 1 text, 2 images", () => tab.chooseFiles([mixed]));
