@@ -90,10 +90,10 @@ fn ring(blend: Blend) -> Golden {
 
 /// Opaque and translucent shapes that overlap themselves and each other, over a field.
 fn shapes() -> Golden {
-    let disk =
-        |x: f32, y: f32, radius: f32, color| Shape { triangles: disk(x, y, radius), color: Rgba8(color) };
-    let mut cross = disk(60.0, 100.0, 40.0, [0, 0, 0, 130]);
-    cross.triangles.extend(self::disk(90.0, 100.0, 40.0));
+    let shape =
+        |triangles: Vec<[[f32; 2]; 3]>, color| Shape { triangles: triangles.into(), color: Rgba8(color) };
+    let cross = shape([disk(60.0, 100.0, 40.0), disk(90.0, 100.0, 40.0)].concat(), [0, 0, 0, 130]);
+    let disk = |x: f32, y: f32, radius: f32, color| shape(disk(x, y, radius), color);
     Golden {
         name: "shapes",
         paper: Some(Srgb8([250, 240, 200])),
@@ -116,7 +116,7 @@ fn zoomed() -> Golden {
         name: "6400 %",
         paper: WHITE,
         field: Field { blend: Blend::Oklab, triangles: sheet(9, place, color) },
-        ink: vec![Shape { triangles: disk(1020.0, 1020.0, 0.7), color: Rgba8([20, 20, 20, 255]) }],
+        ink: vec![Shape { triangles: disk(1020.0, 1020.0, 0.7).into(), color: Rgba8([20, 20, 20, 255]) }],
         scribbles: vec![],
         view: View {
             px_from_du: Affine::scale(64.0) * Affine::translate((-1018.03, -1018.06)),

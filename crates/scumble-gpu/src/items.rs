@@ -117,7 +117,7 @@ mod tests {
 
     #[test]
     fn shapes_rise_in_depth_by_steps_that_are_exact() {
-        let shape = Shape { triangles: vec![[[0.0; 2]; 3]], color: Rgba8([1, 2, 3, 4]) };
+        let shape = Shape { triangles: [[[0.0; 2]; 3]].into(), color: Rgba8([1, 2, 3, 4]) };
         for depth_below in [0.0, 0.5] {
             let items = shape_items(&vec![shape.clone(); 100_000], depth_below);
             for (rank, item) in (1..).zip(items) {

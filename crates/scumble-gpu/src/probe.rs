@@ -76,8 +76,8 @@ fn shapes() -> [Shape; 2] {
     let low_right = [[17.0, 1.0], [1.0, 1.0], [17.0, 17.0]];
     let cover = [[12.0, 1.0], [18.0, 1.0], [18.0, 30.0]];
     [
-        Shape { triangles: vec![low_left, low_right], color: Rgba8([0, 0, 0, 120]) },
-        Shape { triangles: vec![cover], color: Rgba8([255, 225, 25, 200]) },
+        Shape { triangles: [low_left, low_right].into(), color: Rgba8([0, 0, 0, 120]) },
+        Shape { triangles: [cover].into(), color: Rgba8([255, 225, 25, 200]) },
     ]
 }
 

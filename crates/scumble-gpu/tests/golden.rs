@@ -106,7 +106,7 @@ fn a_pixel_whose_centre_is_outside_takes_the_nearest_colour_inside() {
 fn large_pictures_are_put_together_from_tiles() {
     let Some(mut renderer) = renderer(Rgba8Unorm) else { return };
     let dot = |x: f32, y: f32| Shape {
-        triangles: vec![[[x, y], [x + 8.0, y], [x, y + 8.0]]],
+        triangles: [[[x, y], [x + 8.0, y], [x, y + 8.0]]].into(),
         color: Rgba8([x as u8, y as u8, 9, 255]),
     };
     renderer.set_field(&cover(Blend::Oklab, Srgb8([230, 25, 75])));

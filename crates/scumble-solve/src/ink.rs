@@ -47,7 +47,7 @@ pub fn scribble_shape(scribble: &Scribble, opacity: u8, tolerance_du: f64) -> Sh
         Paint::Color(color) => color,
         Paint::Clear => CLEAR,
     };
-    Shape { triangles, color: Rgba8([r, g, b, opacity]) }
+    Shape { triangles: triangles.into(), color: Rgba8([r, g, b, opacity]) }
 }
 
 fn line_shape(path: &BezPath, line: &Line, tolerance_du: f64) -> Shape {
@@ -57,7 +57,7 @@ fn line_shape(path: &BezPath, line: &Line, tolerance_du: f64) -> Shape {
             pen.draw(&stops, closed, &mut triangles);
         }
     }
-    Shape { triangles, color: line.color }
+    Shape { triangles: triangles.into(), color: line.color }
 }
 
 /// `None` for a stroke without a width.
@@ -147,21 +147,24 @@ mod tests {
     }
 
     fn line(svg_path: &str, stroke: Stroke) -> Soup {
-        shapes(vec![curve(svg_path, stroke)], vec![]).pop().map(|shape| shape.triangles).unwrap_or_default()
+        shapes(vec![curve(svg_path, stroke)], vec![])
+            .pop()
+            .map(|shape| shape.triangles.to_vec())
+            .unwrap_or_default()
     }
 
     /// Least and greatest x and y.
-    fn bounds(soup: &Soup) -> Rect {
+    fn bounds(soup: &[[[f32; 2]; 3]]) -> Rect {
         let points = soup.as_flattened().iter().map(|&[x, y]| Point::new(x.into(), y.into()));
         points.map(|p| Rect::from_points(p, p)).reduce(|a, b| a.union(b)).expect("not empty")
     }
 
-    fn area(soup: &Soup) -> f64 {
+    fn area(soup: &[[[f32; 2]; 3]]) -> f64 {
         let corners = |t: &[[f32; 2]; 3]| t.map(|[x, y]| Point::new(x.into(), y.into()));
         soup.iter().map(corners).map(|[a, b, c]| 0.5 * (b - a).cross(c - a).abs()).sum()
     }
 
-    fn assert_bounds(soup: &Soup, x0: f64, y0: f64, x1: f64, y1: f64) {
+    fn assert_bounds(soup: &[[[f32; 2]; 3]], x0: f64, y0: f64, x1: f64, y1: f64) {
         let found = bounds(soup);
         let difference = [found.x0 - x0, found.y0 - y0, found.x1 - x1, found.y1 - y1];
         assert!(difference.iter().all(|d| d.abs() < 0.11), "{found:?}");

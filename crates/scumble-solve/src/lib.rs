@@ -31,6 +31,6 @@ pub mod scene;
 pub use field::{Field, FieldTriangle};
 pub use ink::{line_shapes, scribble_shape};
 pub use mesh::{MeshSolver, SolveError};
-pub use paint::{Pixmap, paint, paint_grid};
+pub use paint::{Pixmap, Repainter, paint, paint_grid};
 pub use picture::Picture;
-pub use scene::{Scene, Shape, View};
+pub use scene::{Part, Scene, Shape, View};

@@ -25,16 +25,16 @@ mod gradient;
 mod grid_painter;
 mod pixel_set;
 mod raster;
-mod shape_painter;
+mod stencil;
 #[cfg(test)]
 mod tests;
 
 use canvas::Canvas;
 use scumble_core::Srgb8;
-use shape_painter::Coverage;
+use stencil::Stencils;
 
 use crate::grid::GridPicture;
-use crate::scene::{Scene, Shape, View};
+use crate::scene::{Part, Scene, Shape, View};
 
 /// A picture in sRGB with straight alpha.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -51,25 +51,28 @@ pub struct Pixmap {
 ///
 /// Time and memory grow with the size of the picture, whatever the zoom; the caller bounds the size.
 pub fn paint(scene: &Scene<'_>, view: &View) -> Pixmap {
-    let mut canvas = Canvas::new(view, scene.paper);
-    field_painter::paint_field(&mut canvas, scene.field, view.px_from_du, scene.paper);
-    paint_shapes(&mut canvas, scene.shapes, view);
-    canvas.into_pixmap()
+    Repainter::default().paint(scene, view, &view.whole())
 }
 
 /// Paints what the grid solver found for a view, and shapes over it, as [`paint`] does.
 pub fn paint_grid(picture: &GridPicture, shapes: &[Shape], view: &View, paper: Option<Srgb8>) -> Pixmap {
     let mut canvas = Canvas::new(view, paper);
     grid_painter::paint_grid(&mut canvas, picture, paper);
-    paint_shapes(&mut canvas, shapes, view);
+    Stencils::default().paint(&mut canvas, shapes, view, &view.whole());
     canvas.into_pixmap()
 }
 
-fn paint_shapes(canvas: &mut Canvas, shapes: &[Shape], view: &View) {
-    if !shapes.is_empty() {
-        let mut coverage = Coverage::new(canvas);
-        for shape in shapes {
-            coverage.paint(canvas, shape, view.px_from_du);
-        }
+/// Paints a picture again and again: what shapes cover is found once for as long as they and the view stay.
+#[derive(Debug, Default)]
+pub struct Repainter(Stencils);
+
+impl Repainter {
+    /// Paints a part of what [`paint`] paints, which lies within the view.
+    pub fn paint(&mut self, scene: &Scene<'_>, view: &View, part: &Part) -> Pixmap {
+        let of_part = view.part(part);
+        let mut canvas = Canvas::new(&of_part, scene.paper);
+        field_painter::paint_field(&mut canvas, scene.field, of_part.px_from_du, scene.paper);
+        self.0.paint(&mut canvas, scene.shapes, view, part);
+        canvas.into_pixmap()
     }
 }

@@ -1,6 +1,7 @@
 //! What a painter paints, on the CPU or on the GPU: paper, a colour field, flat shapes over it.
 
 use std::ops::Range;
+use std::sync::Arc;
 
 use kurbo::{Affine, Point, Rect, Vec2};
 use scumble_core::{Rgba8, Srgb8};
@@ -21,8 +22,8 @@ pub struct Scene<'a> {
 /// A flat-coloured shape as triangles in du. They may overlap; each place is painted once.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Shape {
-    /// Corners, turning either way.
-    pub triangles: Vec<[[f32; 2]; 3]>,
+    /// Corners, turning either way. Copies of a shape share them, which tells a painter that it knows them.
+    pub triangles: Arc<[[[f32; 2]; 3]]>,
     /// Colour and opacity.
     pub color: Rgba8,
 }
@@ -30,7 +31,7 @@ pub struct Shape {
 impl Shape {
     /// What it lies within, in du; `None` where there is nothing of it.
     pub fn bounds(&self) -> Option<Rect> {
-        bounds(&self.triangles)
+        bounds(&*self.triangles)
     }
 }
 
@@ -51,11 +52,29 @@ pub struct View {
     pub height_px: u32,
 }
 
+/// Some pixels of a picture.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Part {
+    /// From the left.
+    pub columns: Range<u32>,
+    /// From the top.
+    pub rows: Range<u32>,
+}
+
 impl View {
-    /// Some rows of it, from the first one on, as a view of their own.
+    /// All pixels of it.
+    pub fn whole(&self) -> Part {
+        Part { columns: 0..self.width_px, rows: 0..self.height_px }
+    }
+
+    /// Some pixels of it, as a view of their own.
     #[must_use]
-    pub fn rows(&self, rows: Range<u32>) -> Self {
-        let up = Vec2::new(0.0, -f64::from(rows.start));
-        Self { px_from_du: self.px_from_du.then_translate(up), height_px: rows.end - rows.start, ..*self }
+    pub fn part(&self, Part { columns, rows }: &Part) -> Self {
+        let corner = Vec2::new(columns.start.into(), rows.start.into());
+        Self {
+            px_from_du: self.px_from_du.then_translate(-corner),
+            width_px: columns.end - columns.start,
+            height_px: rows.end - rows.start,
+        }
     }
 }

@@ -65,11 +65,10 @@ impl Layers {
     }
 
     /// Draws other scribbles, and tells within what the picture of them is another, in du.
-    pub(crate) fn set_scribbles(&mut self, scribbles: &[Scribble], are_selected: Vec<bool>) -> Option<Rect> {
+    pub(crate) fn set_scribbles(&mut self, scribbles: &[&Scribble], are_selected: Vec<bool>) -> Option<Rect> {
         let mark = |i: usize| are_selected.get(i) == Some(&true);
         let is_kept = |i: &usize| {
-            self.scribbles.get(*i) == Some(&scribbles[*i])
-                && self.are_selected.get(*i) == are_selected.get(*i)
+            self.scribbles.get(*i) == Some(scribbles[*i]) && self.are_selected.get(*i) == are_selected.get(*i)
         };
         let kept = (0..scribbles.len()).take_while(is_kept).count();
         let fresh = scribbles.get(kept..).unwrap_or_default();
@@ -79,7 +78,7 @@ impl Layers {
             .collect();
         let added = bounds(&shapes);
         let removed: Vec<_> = self.shapes.splice(EACH * kept..EACH * self.scribbles.len(), shapes).collect();
-        self.scribbles.splice(kept.., fresh.iter().cloned());
+        self.scribbles.splice(kept.., fresh.iter().copied().cloned());
         self.are_selected = are_selected;
         [added, bounds(&removed)].into_iter().flatten().reduce(|a, b| a.union(b))
     }

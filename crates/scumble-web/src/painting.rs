@@ -1,11 +1,9 @@
 //! What there is to paint, and what paints it.
 
-use std::ops::Range;
-
 use kurbo::Rect;
 use scumble_core::Srgb8;
 use scumble_solve::grid::GridProblem;
-use scumble_solve::{Field, Pixmap, Scene, View, paint};
+use scumble_solve::{Field, Part, Pixmap, Repainter, Scene, View, paint};
 
 use crate::layers::Layers;
 
@@ -73,29 +71,32 @@ impl Changed {
         self.add_everywhere();
     }
 
-    /// The rows of a view that show it, and one more on either side.
-    fn rows(&self, view: &View) -> Range<u32> {
-        let Some(within_du) = self.within_du else { return 0..0 };
-        let within_px = view.px_from_du.transform_rect_bbox(within_du).inflate(0.0, 1.0);
+    /// The pixels of a view that show it, and one more on each side.
+    fn part(&self, view: &View) -> Option<Part> {
+        let within_px = view.px_from_du.transform_rect_bbox(self.within_du?).inflate(1.0, 1.0);
         // A cast keeps within the range of its type.
-        (within_px.y0 as u32).min(view.height_px)..(within_px.y1.ceil() as u32).min(view.height_px)
+        let span = |from: f64, to: f64, end: u32| (from as u32).min(end)..(to.ceil() as u32).min(end);
+        let columns = span(within_px.x0, within_px.x1, view.width_px);
+        let rows = span(within_px.y0, within_px.y1, view.height_px);
+        (!columns.is_empty() && !rows.is_empty()).then_some(Part { columns, rows })
     }
 }
 
-/// The painter on the CPU, for a canvas that keeps what it has shown: it paints the rows that have changed.
+/// The painter on the CPU, for a canvas that keeps what it has shown: it paints the part that has changed.
 #[derive(Debug, Default)]
-pub struct RowPainter {
+pub struct PartPainter {
     shown: Option<(View, Option<Srgb8>)>,
+    painter: Repainter,
 }
 
-impl RowPainter {
-    /// The rows of a painting that are not as they were the time before, and the first one's number; none where all are.
-    pub fn paint(&mut self, painting: &Painting<'_>, changed: &Changed) -> Option<(u32, Pixmap)> {
+impl PartPainter {
+    /// The part of a painting that is not as it was the time before, and where it begins, in pixels; none where all is.
+    pub fn paint(&mut self, painting: &Painting<'_>, changed: &Changed) -> Option<([u32; 2], Pixmap)> {
         let Painting { view, paper, .. } = *painting;
         let is_as_before = self.shown.replace((view, paper)) == Some((view, paper));
-        let rows = if is_as_before { changed.rows(&view) } else { 0..view.height_px };
-        let first = rows.start;
-        (!rows.is_empty()).then(|| (first, paint(&painting.scene(), &view.rows(rows))))
+        let part = if is_as_before { changed.part(&view)? } else { view.whole() };
+        let corner = [part.columns.start, part.rows.start];
+        Some((corner, self.painter.paint(&painting.scene(), &view, &part)))
     }
 }
 
@@ -119,7 +120,7 @@ pub struct Export {
 impl Export {
     /// Paints some rows of it, from the first one on. Without paper, what nothing covers is transparent.
     pub fn rows(&self, first: u32, count: u32, paper: Option<Srgb8>) -> Pixmap {
-        let view = self.view.rows(first..first + count);
+        let view = self.view.part(&Part { rows: first..first + count, ..self.view.whole() });
         paint(&Scene { paper, field: &self.field, shapes: self.layers.shapes() }, &view)
     }
 }

@@ -13,7 +13,7 @@ use thiserror::Error;
 use wasm_bindgen::{Clamped, JsCast};
 use web_sys::{CanvasRenderingContext2d, HtmlCanvasElement, ImageData};
 
-use crate::painting::{Changed, Painter, Painting, RowPainter};
+use crate::painting::{Changed, Painter, Painting, PartPainter};
 use crate::solver::Grids;
 
 /// The name of the painter on the CPU.
@@ -215,14 +215,14 @@ pub struct CpuScreen {
     context: CanvasRenderingContext2d,
     width_px: u32,
     height_px: u32,
-    painter: RowPainter,
+    painter: PartPainter,
 }
 
 impl CpuScreen {
     fn open(canvas: HtmlCanvasElement) -> Result<Self, ScreenError> {
         let context = canvas.get_context("2d").ok().flatten().and_then(|context| context.dyn_into().ok());
         let context = context.ok_or_else(|| ScreenError::Canvas("no 2D context".into()))?;
-        Ok(Self { canvas, context, width_px: 0, height_px: 0, painter: RowPainter::default() })
+        Ok(Self { canvas, context, width_px: 0, height_px: 0, painter: PartPainter::default() })
     }
 
     fn paint(&mut self, painting: &Painting<'_>, changed: &Changed) {
@@ -231,16 +231,16 @@ impl CpuScreen {
             (self.width_px, self.height_px) = (width_px, height_px);
             set_size(&self.canvas, &painting.view);
         }
-        if let Some((row, pixels)) = self.painter.paint(painting, changed) {
-            self.show(row, &pixels);
+        if let Some((corner_px, pixels)) = self.painter.paint(painting, changed) {
+            self.show(corner_px, &pixels);
         }
     }
 
-    fn show(&self, row: u32, Pixmap { width_px, height_px, rgba }: &Pixmap) {
+    fn show(&self, [x_px, y_px]: [u32; 2], Pixmap { width_px, height_px, rgba }: &Pixmap) {
         let image = ImageData::new_with_u8_clamped_array_and_sh(Clamped(rgba), *width_px, *height_px);
         if let Ok(image) = image {
             // Fails for a detached buffer only, which a fresh one is not.
-            let _ = self.context.put_image_data(&image, 0.0, row.into());
+            let _ = self.context.put_image_data(&image, x_px.into(), y_px.into());
         }
     }
 }

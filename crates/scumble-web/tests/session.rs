@@ -79,6 +79,36 @@ fn effects_tell_what_has_changed_and_only_that() {
     assert_eq!(told, [sheet(0), Effect::Undo(false), Effect::Redo(true), Effect::Undone]);
 }
 
+/// Places on a round way within the square.
+fn round(count: u32) -> impl Iterator<Item = (f64, f64)> {
+    let angles = (0..count).map(|i| 0.3 * f64::from(i));
+    angles.map(|angle| (400.0 + 90.0 * angle.cos(), 400.0 + 90.0 * angle.sin()))
+}
+
+#[test]
+fn a_scribble_in_hand_grows_at_its_end_alone_and_is_drawn_round() {
+    let mut page = Page::open(SQUARE);
+    page.session.command(Command::Color(RED.into()));
+    let mut before: Vec<Point> = Vec::new();
+    for (i, place) in round(12).enumerate() {
+        page.pen(if i == 0 { Phase::Down } else { Phase::Move }, place);
+        let points = page.session.document().scribbles[0].points.clone();
+        assert!(points.starts_with(&before) && points.len() > before.len(), "the labels go on with it");
+        before = points;
+    }
+    // Half way between two samples the arc lies 1 du beyond the chord; the rim of the scribble shows which.
+    let half_width_du = page.session.document().scribbles[0].width_du / 2.0;
+    let (sin, cos) = (0.3_f64 * 4.5).sin_cos();
+    let at = |radius: f64| (400.0 + radius * cos, 400.0 + radius * sin);
+    let rims = [half_width_du + 0.2, half_width_du + 5.0].map(|beyond| page.color_at(at(90.0 + beyond)));
+    page.session.pointer(Phase::Up, &[]);
+    assert_eq!(
+        rims,
+        [half_width_du + 0.2, half_width_du + 5.0].map(|beyond| page.color_at(at(90.0 + beyond)))
+    );
+    assert_ne!(rims[0], rims[1]);
+}
+
 /// The exact bytes of a drawing with a scribble across it.
 fn scribbled() -> Vec<u8> {
     let mut page = Page::open(SQUARE);
@@ -105,6 +135,24 @@ fn what_was_made_ready_opens_as_what_was_not() {
     });
     assert_eq!(opened[0], opened[1]);
     assert_eq!(opened[1].0, RED);
+}
+
+#[test]
+fn a_stroke_in_hand_is_kept_in_the_drawing_that_another_is_opened_over() {
+    let mut page = Page::open(SQUARE);
+    page.session.command(Command::Color(RED.into()));
+    for (i, place) in ACROSS.into_iter().enumerate() {
+        page.pen(if i == 0 { Phase::Down } else { Phase::Move }, place);
+    }
+    page.session.command(Command::Open { work: scribbled(), notes: String::new() });
+    page.pen(Phase::Move, (500.0, 500.0));
+    page.session.pointer(Phase::Up, &[]);
+    assert_eq!(page.session.document().scribbles.len(), 1, "the pen goes on without drawing");
+    page.session.command(Command::Undo);
+    assert!(page.session.document().scribbles[0].points.len() >= ACROSS.len());
+    assert_eq!(page.color_at(INSIDE), RED);
+    page.session.command(Command::Undo);
+    assert!(page.session.document().scribbles.is_empty());
 }
 
 #[test]

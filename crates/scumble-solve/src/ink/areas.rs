@@ -18,7 +18,7 @@ pub(super) fn shapes(drawing: &Drawing, map: &PlanarMap) -> Vec<Shape> {
     let outlines = Outlines::new(&drawing.curves);
     let shape = |fill: &Fill| {
         let own = (!outlines.have(fill)).then(|| own_regions(fill, drawing));
-        Shape { triangles: filled(fill, own.as_ref().unwrap_or(&regions)), color: fill.color }
+        Shape { triangles: filled(fill, own.as_ref().unwrap_or(&regions)).into(), color: fill.color }
     };
     let shapes = drawing.fills.iter().map(shape);
     shapes.filter(|shape| !shape.triangles.is_empty()).collect()

@@ -3,9 +3,9 @@
 use kurbo::{Affine, Point};
 use scumble_core::{Blend, Rgba8, Srgb8};
 
-use super::{Pixmap, paint};
+use super::{Pixmap, Repainter, paint};
 use crate::field::{Field, FieldTriangle};
-use crate::scene::{Scene, Shape, View};
+use crate::scene::{Part, Scene, Shape, View};
 
 const RED: Srgb8 = Srgb8([230, 25, 75]);
 const GREEN: Srgb8 = Srgb8([60, 180, 75]);
@@ -257,7 +257,7 @@ fn enormous_zoom_and_corners_far_outside_are_harmless() {
     }
     for far in [f32::MAX, f32::INFINITY, f32::NAN] {
         let broken = flat([[far, -far], [3.0, 4.0], [-far, 9.0]], RED, ALL_SIDES);
-        let shape = Shape { triangles: vec![broken.corners], color: Rgba8([0, 0, 0, 255]) };
+        let shape = Shape { triangles: [broken.corners].into(), color: Rgba8([0, 0, 0, 255]) };
         painted(vec![broken], &[shape], None, view(Affine::scale(3.0)));
     }
 }
@@ -265,7 +265,7 @@ fn enormous_zoom_and_corners_far_outside_are_harmless() {
 #[test]
 fn a_picture_without_pixels_is_empty() {
     let shape =
-        Shape { triangles: vec![[[-9.0, -9.0], [9.0, -9.0], [0.0, 9.0]]], color: Rgba8([0, 0, 0, 255]) };
+        Shape { triangles: [[[-9.0, -9.0], [9.0, -9.0], [0.0, 9.0]]].into(), color: Rgba8([0, 0, 0, 255]) };
     for (width_px, height_px) in [(0, 0), (0, 9), (9, 0)] {
         let view = View { px_from_du: Affine::IDENTITY, width_px, height_px };
         let square = rectangle([-5.0, 5.0], [-5.0, 5.0], RED).to_vec();
@@ -275,13 +275,14 @@ fn a_picture_without_pixels_is_empty() {
 
 fn square_shape(x: f32, y: f32, size: f32, color: [u8; 4]) -> Shape {
     let [a, b, c, d] = [[x, y], [x + size, y], [x + size, y + size], [x, y + size]];
-    Shape { triangles: vec![[a, b, c], [d, c, a]], color: Rgba8(color) }
+    Shape { triangles: [[a, b, c], [d, c, a]].into(), color: Rgba8(color) }
 }
 
 #[test]
 fn the_triangles_of_a_shape_are_painted_once_where_they_overlap() {
-    let mut shape = square_shape(4.0, 4.0, 20.5, [0, 0, 0, 128]);
-    shape.triangles.extend(square_shape(10.0, 10.0, 30.0, [0; 4]).triangles);
+    let [small, large] = [(4.0, 20.5), (10.0, 30.0)].map(|(at, size)| square_shape(at, at, size, [0; 4]));
+    let triangles = [&*small.triangles, &large.triangles].concat().into();
+    let shape = Shape { triangles, color: Rgba8([0, 0, 0, 128]) };
     let picture = painted(vec![], &[shape], Some(WHITE), view(Affine::IDENTITY));
     for (x, y) in [(5, 5), (15, 15), (23, 23), (30, 30)] {
         assert_eq!(pixel(&picture, x, y), [127, 127, 127, 255], "{x} {y}");
@@ -311,6 +312,37 @@ fn shapes_on_a_transparent_picture_keep_their_colour() {
     assert_eq!(pixel(&picture, 15, 15), [200, 100, 50, 102]);
     assert_eq!(pixel(&picture, 25, 15), [200, 100, 50, 102]);
     assert_eq!(pixel(&picture, 35, 15), [0; 4]);
+}
+
+/// The pixels of a part of a picture.
+fn cut(picture: &Pixmap, part: &Part) -> Vec<u8> {
+    let columns =
+        |row: u32| part.columns.clone().map(move |column| pixel(picture, column as usize, row as usize));
+    part.rows.clone().flat_map(columns).flatten().collect()
+}
+
+#[test]
+fn what_is_painted_again_is_as_what_is_painted_once() {
+    let [a, b, c] =
+        [(4.0, 30), (10.5, 200), (17.2, 99)].map(|(x, c)| square_shape(x, 9.3, 21.0, [c, 7, 0, 150]));
+    let x = Shape { color: Rgba8([9; 4]), ..a.clone() };
+    let field = Field { blend: Blend::Srgb, triangles: rectangle([5.3, 30.0], [2.0, 28.6], RED).to_vec() };
+    let (upright, turned) = (view(Affine::IDENTITY), view(Affine::rotate(0.3)));
+    let part = Part { columns: 11..40, rows: 7..19 };
+    let mut painter = Repainter::default();
+    for (shapes, view) in [
+        (vec![a.clone(), b.clone(), c.clone()], upright),
+        (vec![a.clone(), c.clone(), c.clone()], upright),
+        (vec![x.clone(), c.clone()], upright),
+        (vec![], upright),
+        (vec![b.clone(), x, a], turned),
+        (vec![c, b], turned),
+    ] {
+        let scene = Scene { paper: None, field: &field, shapes: &shapes };
+        let whole = paint(&scene, &view);
+        assert_eq!(painter.paint(&scene, &view, &part).rgba, cut(&whole, &part));
+        assert_eq!(painter.paint(&scene, &view, &view.whole()), whole);
+    }
 }
 
 #[test]

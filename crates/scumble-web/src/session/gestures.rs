@@ -39,8 +39,16 @@ impl Stroke {
     }
 
     /// The way through its samples, and what it is by how hard the pen pressed there.
-    fn drawn(&self, du_from_css: f64) -> (Vec<Point>, ScribbleKind) {
+    pub(super) fn drawn(&self, du_from_css: f64) -> (Vec<Point>, ScribbleKind) {
         self.along(&stroke::smooth(&self.samples, du_from_css))
+    }
+
+    /// The same while it is on its way, for the colours: what fills only grows at its end then, so that they go on with it.
+    fn in_hand(&self, du_from_css: f64) -> (Vec<Point>, ScribbleKind) {
+        match self.along(&self.samples) {
+            straight @ (_, ScribbleKind::Fill) => straight,
+            (_, ScribbleKind::Shade(_)) => self.drawn(du_from_css),
+        }
     }
 
     /// The same as it is kept.
@@ -109,7 +117,7 @@ impl Session {
 
     fn carry_on(&mut self, points: &[Point]) {
         if self.sheet.editor.is_scribbling() {
-            let (points, kind) = self.stroke.drawn(self.du_from_css());
+            let (points, kind) = self.stroke.in_hand(self.du_from_css());
             self.sheet.editor.draw_scribble(points, kind);
             self.scribbles_changed();
         } else if let Some(Held::Hand(place)) = self.held {
@@ -130,7 +138,7 @@ impl Session {
         }
     }
 
-    fn end(&mut self, points: &[Point]) {
+    pub(super) fn end(&mut self, points: &[Point]) {
         if self.sheet.editor.is_scribbling() {
             return self.end_scribble();
         }
@@ -163,7 +171,7 @@ impl Session {
             Ink::Paint(color) => color,
             Ink::Tone(tone) => Paint::Color(tone.step(self.color_under(first))),
         };
-        let (points, kind) = self.stroke.drawn(self.du_from_css());
+        let (points, kind) = self.stroke.in_hand(self.du_from_css());
         let width_du = self.stroke.brush.size_du();
         self.sheet.editor.begin_scribble(Scribble { color, kind, width_du, points });
         self.scribbles_changed();
@@ -182,7 +190,7 @@ impl Session {
         self.tell(Effect::ScribbleAdded { count: scribbles.len(), is_fill });
     }
 
-    fn du_from_css(&self) -> f64 {
+    pub(super) fn du_from_css(&self) -> f64 {
         1.0 / self.viewport.zoom()
     }
 

@@ -3,7 +3,7 @@
 use std::mem::take;
 
 use kurbo::Stroke;
-use scumble_core::{Curve, Drawing, Line, Rgba8, Srgb8};
+use scumble_core::{Curve, Drawing, Line, Rgba8, Scribble, Srgb8};
 
 use super::Session;
 use crate::layers::{Layers, MARK, MARK_PX};
@@ -70,11 +70,23 @@ impl Session {
 
     fn draw_scribbles(&mut self) {
         let are_shown = self.scribbles_shown && !self.is_before;
-        let scribbles = if are_shown { &*self.sheet.editor.document().scribbles } else { &[] };
+        let in_hand = self.scribble_in_hand();
+        let all = &self.sheet.editor.document().scribbles;
+        let mut scribbles: Vec<_> = all.iter().filter(|_| are_shown).collect();
+        if let (Some(last), Some(in_hand)) = (scribbles.last_mut(), &in_hand) {
+            *last = in_hand;
+        }
         let is_selected = self.sheet.editor.scribble_ids().iter().map(|id| self.selection.has(*id)).collect();
-        self.changed.add_within(self.layers.set_scribbles(scribbles, is_selected));
+        self.changed.add_within(self.layers.set_scribbles(&scribbles, is_selected));
         self.changed.scribbles = true;
         self.stale.view = true;
+    }
+
+    /// The scribble that the pen draws, as it looks.
+    fn scribble_in_hand(&self) -> Option<Scribble> {
+        let scribble = self.document().scribbles.last().filter(|_| self.sheet.editor.is_scribbling())?;
+        let (points, kind) = self.stroke.drawn(self.du_from_css());
+        Some(Scribble { points, kind, ..scribble.clone() })
     }
 }
 

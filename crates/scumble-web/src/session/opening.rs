@@ -81,6 +81,8 @@ impl Session {
         while self.prepare_on() {}
         match self.coming.take().map(|coming| coming.step) {
             Some(Step::Ready(Ok(sheet))) => {
+                // What the pen has done so far is not lost with the drawing that goes.
+                self.end(&[]);
                 self.lay_over(*sheet);
                 self.opened += 1;
                 self.tell(Effect::Opened { notes });

@@ -5,7 +5,7 @@ use scumble_core::{Document, Scribble, Srgb8, Work, exact};
 use scumble_io::import_svg;
 use scumble_solve::{Pixmap, paint};
 use scumble_web::command::{Command, Phase, ViewChange};
-use scumble_web::painting::{Changed, Painter, Painting, RowPainter};
+use scumble_web::painting::{Changed, Painter, Painting, PartPainter};
 use scumble_web::session::Session;
 
 pub(crate) const DESK: Srgb8 = Srgb8([90, 91, 92]);
@@ -19,7 +19,7 @@ pub(crate) const SQUARE: &[u8] = br#"<svg xmlns="http://www.w3.org/2000/svg" vie
 pub(crate) struct Canvas {
     pub(crate) frames: Vec<Changed>,
     pub(crate) shown: Option<Pixmap>,
-    painter: RowPainter,
+    painter: PartPainter,
 }
 
 impl Painter for Canvas {
@@ -27,19 +27,21 @@ impl Painter for Canvas {
         self.frames.push(changed);
         let whole = paint(&painting.scene(), &painting.view);
         self.repaint(painting, &changed);
-        assert_eq!(self.shown.as_ref(), Some(&whole), "rows that have changed, painted alone");
+        assert_eq!(self.shown.as_ref(), Some(&whole), "what has changed, painted alone");
         true
     }
 }
 
 impl Canvas {
     fn repaint(&mut self, painting: &Painting<'_>, changed: &Changed) {
-        let Some((row, rows)) = self.painter.paint(painting, changed) else { return };
-        if rows.height_px == painting.view.height_px {
-            self.shown = Some(rows);
+        let Some(([x, y], part)) = self.painter.paint(painting, changed) else { return };
+        if [part.width_px, part.height_px] == [painting.view.width_px, painting.view.height_px] {
+            self.shown = Some(part);
         } else if let Some(shown) = &mut self.shown {
-            let first = 4 * (row * rows.width_px) as usize;
-            shown.rgba[first..first + rows.rgba.len()].copy_from_slice(&rows.rgba);
+            for (row, pixels) in (y..).zip(part.rgba.chunks(4 * part.width_px as usize)) {
+                let first = 4 * (row * shown.width_px + x) as usize;
+                shown.rgba[first..first + pixels.len()].copy_from_slice(pixels);
+            }
         }
     }
 }
