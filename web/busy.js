@@ -29,6 +29,11 @@ function show() {
   bar.hidden = false;
 }
 
+/** Whether it is seen. */
+export function isBusy() {
+  return !bar.hidden;
+}
+
 export function end() {
   clearTimeout(timer);
   bar.hidden = true;

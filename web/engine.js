@@ -89,8 +89,10 @@ export class Engine {
   async prepare(work, signal) {
     this.#call((app) => app.prepare(work));
     let since_ms = performance.now();
-    while (this.#call((app) => app.prepareOn())) {
+    for (let isMore = true; isMore; ) {
+      isMore = this.#call((app) => app.prepareOn()) === true;
       if (performance.now() - since_ms < SLICE_MS) continue;
+      // Also after the last step: a click on what stops it may have waited.
       await new Promise((wake) => setTimeout(wake));
       signal.throwIfAborted();
       since_ms = performance.now();

@@ -109,7 +109,8 @@ export class Export {
     } catch (fault) {
       // The engine stops where its module has.
       if (fault instanceof WebAssembly.RuntimeError) throw fault;
-      tell(this.#shell.say(signal.aborted ? "export-stopped" : "failed", { sentence: this.#sentence(fault) }));
+      const { say } = this.#shell;
+      tell(signal.aborted ? say("export-stopped") : say("failed", { sentence: this.#sentence(fault) }));
       return undefined;
     } finally {
       this.#job = undefined;

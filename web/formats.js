@@ -41,6 +41,11 @@ export const formats = {
   pdf: (signal, ...wanted) => call(signal, "pdf", ...wanted),
 };
 
+/** Whether a text ends in a link, or is one's part from `#` on. @param {string} text */
+export function isLink(text) {
+  return /#\d+\.\S*\s*$/.test(text) && !text.includes("<");
+}
+
 /**
  * Asks a worker, which has nothing else to do.
  * @param {AbortSignal | undefined} signal ends it

@@ -221,7 +221,7 @@ export const german = {
   "brush-size": "Pinselgröße",
   "canvas": "Leinwand",
   "canvas-instructions":
-    "Zeichne mit dem Zeiger, um eine Farbe zu kritzeln, zu tönen oder Kritzel zu radieren. N wählt einen Kritzel nach dem anderen aus. Die Pfeiltasten bewegen, was ausgewählt ist, oder das Bild; Esc verwirft, was der Zeiger getan hat, seit er aufgesetzt hat, oder hebt die Auswahl auf.",
+    "Zeichne mit dem Zeiger, um eine Farbe zu kritzeln, zu tönen oder Kritzel zu radieren. Eingabe zeigt ein Fadenkreuz für die Tastatur, das die Pfeiltasten bewegen, und setzt dort den Stift auf und hebt ihn ab. N wählt einen Kritzel nach dem anderen aus. Die Pfeiltasten bewegen, was ausgewählt ist, oder das Bild; Esc verwirft, was der Zeiger getan hat, seit er aufgesetzt hat, oder hebt die Auswahl auf.",
   "guide": "Rad oder Leertaste und Ziehen bewegt, Strg+Rad zoomt, ? zeigt alle Kürzel",
   "help": "Hilfe",
   "guide-1": "Nimm eine Farbe und kritzle in eine Form: die Farbe füllt sie. Es muss nicht sauber sein. Tönen gibt weiches Licht und Schatten, wo du zeichnest.",
@@ -247,6 +247,9 @@ export const german = {
   "other-kind": "Füllen oder tönen",
   "brush-smaller": "Kleinerer Pinsel",
   "brush-larger": "Größerer Pinsel",
+  "pen": "Mit der Tastatur zeichnen: Fadenkreuz",
+  "pen-shown": "Pfeiltasten bewegen das Fadenkreuz, Eingabe setzt den Stift auf und hebt ihn ab, Esc legt ihn weg",
+  "pen-down": "Stift aufgesetzt",
   "drop": "Den Strich verwerfen oder nichts auswählen",
   "swatch-": "Farbfeld",
   "swatch-0": "Keine Farbe",

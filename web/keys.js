@@ -18,6 +18,7 @@ export const SHORTCUTS = {
     "hold-pick": ["Alt"],
     "tool-hand": ["H"],
     "hold-hand": ["Space"],
+    pen: ["Enter"],
     "other-kind": ["S"],
     "brush-smaller": ["["],
     "brush-larger": ["]"],
@@ -166,13 +167,13 @@ function chordOf(event) {
 }
 
 /**
- * Space is the hand on the canvas, or with nothing focused. Sliders and lists use plain keys themselves, radio buttons the
+ * Space is the hand on the canvas, or with nothing focused, and Enter the pen. Sliders and lists use plain keys themselves, radio buttons the
  * arrows, check boxes none that means something here.
  * @param {EventTarget | null} target
  * @param {string} key
  */
 function usesKey(target, key) {
-  if (key === " ") return !(target instanceof HTMLCanvasElement || target === document.body);
+  if (key === " " || key === "Enter") return !(target instanceof HTMLCanvasElement || target === document.body);
   if (!(target instanceof HTMLInputElement)) return target instanceof HTMLSelectElement;
   if (target.type === "range") return /^(Arrow|Home$|End$|Page)/.test(key);
   return target.type === "radio" ? key.startsWith("Arrow") : target.type !== "checkbox";

@@ -7,7 +7,7 @@ import { Drawings, isKept, isUnsaved, stem } from "./drawings.js";
 import { Engine } from "./engine.js";
 import { choose, download, keep, receive } from "./files.js";
 import { beginFirstSteps, followFirstSteps, showFirstSteps, skipFirstSteps } from "./first_steps.js";
-import { formats } from "./formats.js";
+import { formats, isLink } from "./formats.js";
 import { connectFullScreen, turnFullScreen } from "./full_screen.js";
 import { showHelp } from "./help.js";
 import { Keeper } from "./keeper.js";
@@ -18,7 +18,6 @@ import { Opening } from "./opening.js";
 import { Pointers } from "./pointer.js";
 import { Recent } from "./recent.js";
 import { Samples } from "./samples.js";
-import { copyLink, isLink, sendLink, showLink } from "./share.js";
 import { selectsMore, showSelection, toggleMore } from "./selection.js";
 import { Steps } from "./steps.js";
 import { putAside } from "./storage.js";
@@ -153,11 +152,19 @@ function nameShown() {
   showName(shown.name, isUnsaved(shown), isKept(shown));
 }
 
+/** The dialog of "Share", from its first use on. @type {import("./share.js").Share | undefined} */
+let sharing;
+
 async function share() {
   const work = engine.work();
   if (!work) return;
   try {
-    await showLink((await formats.link(work)) ?? "", tracing.image !== undefined, formats.qrCode);
+    const link = await formats.link(work);
+    if (!sharing) {
+      const { Share } = await panel(import("./share.js"));
+      sharing ??= new Share({ say, codeOf: formats.qrCode, openDialog });
+    }
+    await sharing.open(link ?? "", tracing.image !== undefined);
   } catch (fault) {
     failed(fault);
   }
@@ -187,14 +194,25 @@ let exporting;
 async function showExport() {
   try {
     if (!exporting) {
-      const { Export } = await import("./export.js");
+      const { Export } = await panel(import("./export.js"));
       exporting ??= new Export({ engine, formats, say, done, openDialog, download });
     }
     exporting.open(areLinesShown());
   } catch (fault) {
-    console.warn(fault);
-    failed(new Error(say("error-panel")));
+    failed(fault);
   }
+}
+
+/**
+ * A part of the page that is fetched when it is asked for.
+ * @template T
+ * @param {Promise<T>} coming
+ */
+async function panel(coming) {
+  return coming.catch((fault) => {
+    console.warn(fault);
+    throw new Error(say("error-panel"));
+  });
 }
 
 function removeTracing() {
@@ -207,6 +225,23 @@ function removeTracing() {
 async function showRecent() {
   await keeper.pictureNow();
   await recent.show(drawings.shown.id).catch(() => failed(new Error(say("error-storage"))));
+}
+
+/** The pen for the keyboard, from its first use on. @type {import("./keyboard_pen.js").KeyboardPen | undefined} */
+let keyboardPen;
+
+/** Only the canvas, or nothing, has Enter for it. */
+async function pressKeyboardPen() {
+  canvas().focus();
+  try {
+    if (!keyboardPen) {
+      const { KeyboardPen } = await panel(import("./keyboard_pen.js"));
+      keyboardPen ??= new KeyboardPen({ stage, engine, tell: (key) => tell(say(key)) });
+    }
+    keyboardPen.press();
+  } catch (fault) {
+    failed(fault);
+  }
 }
 
 /** What the page does by itself; all other actions are commands of the module. @type {Record<string, () => void>} */
@@ -222,8 +257,8 @@ const actions = {
   "cancel-export": () => exporting?.cancel(),
   "remove-tracing": removeTracing,
   share,
-  "copy-link": copyLink,
-  "send-link": sendLink,
+  "copy-link": () => sharing?.copy(),
+  "send-link": () => sharing?.send(),
   recent: showRecent,
   samples: () => void samples.show().catch(failed),
   close: closeOpen,
@@ -243,6 +278,7 @@ const actions = {
   "skip-steps": skipFirstSteps,
   "select-more": toggleMore,
   fingers: () => pointers.turnFingers(),
+  pen: pressKeyboardPen,
   "stop-opening": () => {
     void opening.stop();
     // The button goes with what it stops.
@@ -250,8 +286,9 @@ const actions = {
   },
   drop: () => {
     // Escape closes what is open, and does no more.
-    if (pointers.cancel() || document.querySelector(":popover-open") || skipFirstSteps()) return;
-    engine.command("select-none");
+    if (pointers.cancel() || keyboardPen?.drop() || document.querySelector(":popover-open") || skipFirstSteps()) return;
+    if (opening.isLong) act("stop-opening");
+    else engine.command("select-none");
   },
 };
 
@@ -265,13 +302,21 @@ const holds = {
   },
 };
 
+/**
+ * @param {[number, number]} direction
+ * @param {boolean} isFar
+ */
+function moveBy(direction, isFar) {
+  if (!keyboardPen?.move(direction, isFar)) engine.command("arrow", [...direction, Number(isFar)]);
+}
+
 /** @param {string} action */
 function act(action) {
   const [, kind, which] = /^(swatch|tool|show|arrow-Arrow|far-Shift\+Arrow)-?(.+)$/.exec(action) ?? [];
   if (kind === "swatch") engine.command("color", swatch(Number(which)));
   else if (kind === "tool") engine.command("tool", which);
   else if (kind === "show") toggle(which);
-  else if (kind) engine.command("arrow", [...ARROWS[which], Number(kind !== "arrow-Arrow")]);
+  else if (kind) moveBy(ARROWS[which], kind !== "arrow-Arrow");
   else if (actions[action]) actions[action]();
   else engine.command(action);
 }

@@ -213,7 +213,7 @@ export const english = {
   "brush-size": "Brush size",
   "canvas": "Canvas",
   "canvas-instructions":
-    "Draw with the pointer to scribble a colour, to shade, or to erase scribbles. N selects one scribble after the other. The arrow keys move what is selected, or the picture; Escape drops what the pointer has done since it came down, or deselects.",
+    "Draw with the pointer to scribble a colour, to shade, or to erase scribbles. Enter shows cross hairs for the keyboard, which the arrow keys move, and puts the pen down there and lifts it. N selects one scribble after the other. The arrow keys move what is selected, or the picture; Escape drops what the pointer has done since it came down, or deselects.",
   "guide": "Wheel or Space-drag moves, Ctrl+wheel zooms, ? shows all shortcuts",
   "help": "Help",
   "guide-1": "Pick a colour and scribble inside a shape: the colour fills it. Nothing need be neat. Shade adds soft light and shadow where you draw.",
@@ -239,6 +239,9 @@ export const english = {
   "other-kind": "Fill or shade",
   "brush-smaller": "Smaller brush",
   "brush-larger": "Larger brush",
+  "pen": "Draw with the keyboard: cross hairs",
+  "pen-shown": "Arrows move the cross hairs, Enter puts the pen down and lifts it, Escape leaves",
+  "pen-down": "Pen down",
   "drop": "Drop the stroke, or deselect",
   "swatch-": "Swatch",
   "swatch-0": "No colour",

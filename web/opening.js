@@ -1,12 +1,12 @@
 // The ways by which a drawing comes into the page: files, links, samples, and those that the browser has kept; and, with
 // files, what belongs to the one that is shown: palettes, pictures to trace.
 
-import { begin, end, expectLong } from "./busy.js";
-import { formats } from "./formats.js";
+import { begin, end, expectLong, isBusy } from "./busy.js";
+import { closeOpen } from "./dialogs.js";
+import { formats, isLink } from "./formats.js";
 import { lastIds, take } from "./keeper.js";
 import { say } from "./messages.js";
 import { FIRST, sampleName, sampleWork } from "./samples.js";
-import { isLink } from "./share.js";
 import { putAside } from "./storage.js";
 import { done, failed, tell } from "./toolbar.js";
 import { checkImage } from "./tracing.js";
@@ -85,14 +85,20 @@ export class Opening {
     });
   }
 
-  /** Stops what is on its way. Where nothing has been there before, that is a sample. */
+  /** Whether what is on its way is seen to take long. */
+  get isLong() {
+    return isBusy();
+  }
+
+  /** Stops what is on its way. Where nothing has been there before, a sample is. */
   async stop() {
     this.#asked++;
     this.#job.abort();
     end();
     this.#engine.command("stop-preparing");
-    if (!this.#hasShown) await this.sample(FIRST, false);
-    tell(say("opening-stopped"));
+    if (this.#hasShown) return tell(say("opening-stopped"));
+    await this.sample(FIRST, false);
+    return tell(say("start"));
   }
 
   /**
@@ -168,6 +174,8 @@ export class Opening {
     const ticket = ++this.#asked;
     this.#job.abort();
     this.#job = new AbortController();
+    // What stops it is not to be covered.
+    closeOpen();
     begin(say("opening", { name }));
     try {
       await act(this.#job.signal);

@@ -87,7 +87,7 @@ function check(group, value) {
  * @param {MouseEvent} event
  */
 function keepFocus(event) {
-  if (event.target instanceof Element && event.target.closest("button:not([popovertarget], .colors *), .tool, .kind, .toggle")) event.preventDefault();
+  if (event.target instanceof Element && event.target.closest(":is(button:not([popovertarget], .colors *), .tool, .kind, .toggle):not(dialog *)")) event.preventDefault();
 }
 
 /** From the first pen on there is a choice. @param {boolean} fingersDraw */

@@ -1,12 +1,12 @@
-// What the first visit costs: every file that the page asks for until it can be used, each as gzip would send it.
+// What the first visit costs: every file that the page asks for until it can be used, each as `gzip -9` packs it.
 import assert from "node:assert/strict";
-import { readFile } from "node:fs/promises";
+import { execFileSync } from "node:child_process";
 import { before, test } from "node:test";
-import { gzipSync } from "node:zlib";
+import { fileURLToPath } from "node:url";
 import { Editor, useSession, version } from "./harness.mjs";
 
 /** Of which the grid solver takes 29,000, so that it is there when a picture is wanted at once. */
-const LIMIT_BYTES = 419_000;
+const LIMIT_BYTES = 420_000;
 
 const session = useSession("chromium");
 /** @type {string} */
@@ -15,7 +15,7 @@ before(async () => {
   folder = await version();
 });
 
-test("the first load takes at most 419 KB, all from the page's own folder, with one wasm build", async (t) => {
+test("the first load takes at most 420 KB, all from the page's own folder, with one wasm build", async (t) => {
   const tab = await session.newTab({ isFirst: true });
   /** @type {Set<string>} */
   const urls = new Set();
@@ -23,7 +23,7 @@ test("the first load takes at most 419 KB, all from the page's own folder, with 
   await Editor.open(tab, session.url, "webgpu");
   assert.deepEqual([...urls].filter((url) => !url.startsWith(session.url)), []);
 
-  const sizes = await Promise.all([...urls].map(gzippedSize));
+  const sizes = [...urls].map(gzippedSize);
   for (const { path, bytes } of sizes) t.diagnostic(`${bytes} bytes: ${path}`);
   const total = sizes.reduce((sum, { bytes }) => sum + bytes, 0);
   t.diagnostic(`${total} bytes gzipped in all; the limit is ${LIMIT_BYTES}`);
@@ -46,8 +46,8 @@ test("samples open without what only files need", async () => {
 });
 
 /** @param {string} url */
-async function gzippedSize(url) {
+function gzippedSize(url) {
   const path = url.slice(session.url.length) || "index.html";
-  const content = await readFile(new URL(`../../dist/${path}`, import.meta.url));
-  return { path, bytes: gzipSync(content, { level: 9 }).length };
+  const file = fileURLToPath(new URL(`../../dist/${path}`, import.meta.url));
+  return { path, bytes: execFileSync("gzip", ["-9cn", file], { maxBuffer: 1 << 24 }).length };
 }
