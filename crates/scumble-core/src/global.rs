@@ -28,6 +28,7 @@ mod shapes;
 mod shown;
 
 use std::cmp::Ordering;
+use std::collections::BTreeMap;
 
 use beyond::Beyond;
 use claim::Claim;
@@ -35,7 +36,6 @@ use crossing::Crossing;
 use flood::{Cost, Flood, NONE, Ways};
 use shown::Shown;
 
-use crate::color::{Paint, Srgb8};
 use crate::engine::{Engine, Labels};
 use crate::planar_map::PlanarMap;
 use crate::scribble::Scribble;
@@ -51,7 +51,9 @@ pub struct Global {
     /// Of the scribbles of the last call.
     claims: Vec<Claim>,
     ranks: Vec<u32>,
-    /// The colours that were drawn, each with a room that it was drawn in, in ascending order.
+    /// Per scribble the first one of the same colour.
+    kinds: Vec<u32>,
+    /// The kinds that were drawn, each with a room that it was drawn in, in ascending order.
     drawn: Vec<[u32; 2]>,
     flood: Flood,
     /// What is at hand to a scribble.
@@ -84,10 +86,15 @@ impl Global {
 
 impl Engine for Global {
     fn label(&mut self, map: &PlanarMap, scribbles: &[Scribble]) -> Labels {
+        let [ranks, kinds] = [ranks(scribbles), kinds(scribbles)];
+        if let Some(shown) = self.shown.as_ref().filter(|_| self.is_known(scribbles, &ranks, &kinds)) {
+            return shown.labels().clone();
+        }
         let mut ground = self.ground.take().unwrap_or_else(|| Ground::new(map, self.spread));
-        self.go_on(map, &ground.ways, scribbles);
+        self.go_on(map, &ground.ways, scribbles, ranks);
+        self.kinds = kinds;
         if !self.spread {
-            self.open_pockets(map, &mut ground.ways, scribbles);
+            self.open_pockets(map, &mut ground.ways);
         }
         let mut labels = self.flood.labels.clone();
         self.beyond.follow(map, &ground.ways, &self.ranks, &self.flood, &mut labels);
@@ -107,9 +114,15 @@ impl Engine for Global {
 }
 
 impl Global {
+    /// Whether these are the scribbles of the last call but for their colours, and those that were alike are: the labels, which
+    /// name scribbles, are the same then.
+    fn is_known(&self, scribbles: &[Scribble], ranks: &[u32], kinds: &[u32]) -> bool {
+        let is_same = |(claim, scribble): (&Claim, &Scribble)| claim.points() == scribble.points;
+        self.ranks == ranks && self.kinds == kinds && self.claims.iter().zip(scribbles).all(is_same)
+    }
+
     /// Floods the map from what these scribbles are more than those of the last call, or from all.
-    fn go_on(&mut self, map: &PlanarMap, ways: &Ways, scribbles: &[Scribble]) {
-        let ranks = ranks(scribbles);
+    fn go_on(&mut self, map: &PlanarMap, ways: &Ways, scribbles: &[Scribble], ranks: Vec<u32>) {
         if !self.goes_on(scribbles, &ranks) {
             self.keep_claims(scribbles);
             self.dry(map);
@@ -140,10 +153,10 @@ impl Global {
     }
 
     /// Opens the gaps that the scribbles of this call go through.
-    fn open_pockets(&mut self, map: &PlanarMap, ways: &mut Ways, scribbles: &[Scribble]) {
+    fn open_pockets(&mut self, map: &PlanarMap, ways: &mut Ways) {
         let mut drawn = Vec::new();
-        for (claim, scribble) in self.claims.iter().zip(scribbles) {
-            drawn.extend(claim.rooms().map(|room| [color_key(scribble.color), room]));
+        for (claim, &kind) in self.claims.iter().zip(&self.kinds) {
+            drawn.extend(claim.rooms().map(|room| [kind, room]));
         }
         sort::sort_copies_by_key(&mut drawn, |&pair| sort::pair(pair));
         drawn.dedup();
@@ -190,12 +203,10 @@ impl Global {
     }
 }
 
-/// A number for each colour.
-fn color_key(paint: Paint) -> u32 {
-    match paint {
-        Paint::Color(Srgb8([red, green, blue])) => u32::from_be_bytes([0, red, green, blue]),
-        Paint::Clear => u32::MAX,
-    }
+/// Per scribble the first one of the same colour.
+fn kinds(scribbles: &[Scribble]) -> Vec<u32> {
+    let mut firsts = BTreeMap::new();
+    (0..).zip(scribbles).map(|(i, scribble)| *firsts.entry(scribble.color).or_insert(i)).collect()
 }
 
 /// The place of each scribble in an order that does not depend on the order in which they were drawn.

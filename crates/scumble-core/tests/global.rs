@@ -264,6 +264,19 @@ proptest! {
     }
 
     #[test]
+    fn recoloured_scribbles_are_labelled_as_if_drawn_so(
+        map in maps(), scribbles in vec(scribble(), 1..4), shades in vec(vec(0..3_u8, 3), 1..4), spread: bool
+    ) {
+        let mut kept = Global::new(spread);
+        kept.label(&map, &scribbles);
+        for shades in shades {
+            let recolor = |(s, shade): (&Scribble, u8)| Scribble { color: Srgb8([shade; 3]).into(), ..s.clone() };
+            let recolored: Vec<_> = scribbles.iter().zip(shades).map(recolor).collect();
+            prop_assert_eq!(kept.label(&map, &recolored), fresh(&map, spread, &recolored));
+        }
+    }
+
+    #[test]
     fn with_spread_one_scribble_on_the_page_colours_every_side(map in maps(), scribbles in vec(scribble(), 1..4)) {
         let labels = fresh(&map, true, &scribbles);
         for side in sides(&map) {

@@ -35,6 +35,7 @@ use thiserror::Error;
 use crate::barriers::Barriers;
 use crate::field::{Field, FieldTriangle};
 use crate::reach::{Reach, Regions};
+use dofs::Dofs;
 use region::Region;
 
 /// Why a drawing has no colour field.
@@ -57,6 +58,8 @@ pub enum SolveError {
 #[derive(Debug)]
 pub struct MeshSolver {
     mesh: Arc<Triangulation>,
+    /// The corners of its triangles: see [`order::mesh_ranks`].
+    ranks: Vec<[u32; 3]>,
     /// As of the last look at the boundary.
     closed_gaps: Vec<bool>,
     /// By the first triangle of each.
@@ -69,20 +72,22 @@ pub struct MeshSolver {
 }
 
 impl MeshSolver {
-    /// Numbers the unknowns of a mesh, all gaps being open.
+    /// Numbers the unknowns of a mesh, all gaps being open, and finds an order of elimination.
     pub fn new(mesh: impl Into<Arc<Triangulation>>) -> Self {
         let mesh = mesh.into();
         let triangles: Vec<_> = (0..mesh.triangle_count() as u32).collect();
-        let mut solver = Self {
+        let regions = dofs::number(Barriers { mesh: &mesh, closed_gaps: &[] }, &triangles);
+        let ranks = order::mesh_ranks(&regions, triangles.len());
+        let regions = ordered(regions, &ranks);
+        Self {
             mesh,
+            ranks,
             closed_gaps: Vec::new(),
-            regions: Vec::new(),
+            regions,
             memory: Vec::new(),
             field: Field::default(),
             emitted: Vec::new(),
-        };
-        solver.regions = solver.numbered(&triangles);
-        solver
+        }
     }
 
     /// Number of triangles of the mesh.
@@ -135,11 +140,8 @@ impl MeshSolver {
     }
 
     fn numbered(&self, triangles: &[u32]) -> Vec<Region> {
-        dofs::number(self.barriers(), triangles).into_iter().map(Region::new).collect()
-    }
-
-    fn barriers(&self) -> Barriers<'_> {
-        Barriers { mesh: &self.mesh, closed_gaps: &self.closed_gaps }
+        let barriers = Barriers { mesh: &self.mesh, closed_gaps: &self.closed_gaps };
+        ordered(dofs::number(barriers, triangles), &self.ranks)
     }
 
     /// Factors the systems of the last analysis that are not factored yet.
@@ -193,6 +195,11 @@ impl MeshSolver {
             rest = others;
         }
     }
+}
+
+fn ordered(mut regions: Vec<Dofs>, ranks: &[[u32; 3]]) -> Vec<Region> {
+    regions.iter_mut().for_each(|region| region.order(ranks));
+    regions.into_iter().map(Region::new).collect()
 }
 
 /// Makes room in a list for other parts: those that are as long as before move to where they begin now.

@@ -71,17 +71,15 @@ impl Ways {
         let triangle_of_side = vec![NONE; map.side_count()];
         let (costs, lengths) = (none.clone(), none);
         let mut ways = Self { costs, lengths, room_of, rooms, are_clear, triangle_of_side, gaps, is_open };
-        let mut base = 0;
-        for t in 0..mesh.triangle_count() {
-            base = map.triangulation().locate(centroid(mesh, t), base).unwrap_or(base);
+        for (t, base) in bases(map).into_iter().map(|base| base as usize).enumerate() {
             ways.are_clear[ways.room_of[t] as usize] |= map.clearance().place_widths_du[base] > 0.0;
             (0..3).for_each(|i| ways.measure(map, HalfEdge::of(t, i), base));
         }
         ways
     }
 
-    /// Opens the gaps that lead into the pockets and corners of what was drawn, pairs of a colour and a room in ascending
-    /// order, and closes all others; says whether any of them was open.
+    /// Opens the gaps that lead into the pockets and corners of what was drawn, pairs of a kind of scribble and a room in
+    /// ascending order, and closes all others; says whether any of them was open.
     pub(super) fn open_to(&mut self, map: &PlanarMap, drawn: &[[u32; 2]]) -> bool {
         let doors = self.rooms.open_doors(drawn);
         let mut closes = false;
@@ -109,6 +107,23 @@ impl Ways {
             (self.costs[h.index()], self.lengths[h.index()]) = (cost(length_du, width_du), length(length_du));
         }
     }
+}
+
+/// Per triangle of the refined mesh the one of the map that its centroid lies in: from each to those beside it, as it is a
+/// long way to the one that is next in the list.
+fn bases(map: &PlanarMap) -> Vec<u32> {
+    let mesh = map.refined();
+    let mut bases = vec![NONE; mesh.triangle_count()];
+    let mut stack = vec![(0, 0)];
+    while let Some((t, hint)) = stack.pop() {
+        if bases[t] != NONE {
+            continue;
+        }
+        let base = map.triangulation().locate(centroid(mesh, t), hint).unwrap_or(hint);
+        bases[t] = base as u32;
+        stack.extend((0..3).filter_map(|i| Some((mesh.twin(HalfEdge::of(t, i))?.triangle(), base))));
+    }
+    bases
 }
 
 fn centroid(mesh: &Triangulation, triangle: usize) -> Point {

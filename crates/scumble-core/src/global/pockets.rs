@@ -71,8 +71,8 @@ impl Rooms {
         Self { areas_du2, are_beside_border, doors, plain_doors, hall_of, shapes }
     }
 
-    /// The doors that colours go through, in ascending order; `drawn` are pairs of a colour and a room that it was drawn
-    /// in, in ascending order.
+    /// The doors that colours go through, in ascending order; `drawn` are pairs of a kind of scribble, one for each
+    /// colour, and a room that it was drawn in, in ascending order.
     pub(super) fn open_doors(&self, drawn: &[[u32; 2]]) -> Vec<Door> {
         let same_color = |first: &[u32; 2], second: &[u32; 2]| first[0] == second[0];
         let mut open = Vec::new();

@@ -18,6 +18,11 @@ impl Shown {
         Self { of_triangles: vec![NONE; map.refined().triangle_count()], labels: Labels::none(map) }
     }
 
+    /// Those of the last call.
+    pub(super) fn labels(&self) -> &Labels {
+        &self.labels
+    }
+
     /// Labels of sides from those of the triangles that they bound. A gap is closed where two labels meet at any of
     /// its parts, which `gaps` lists; a wide one only where a label ends.
     pub(super) fn show(&mut self, map: &PlanarMap, gaps: &[HalfEdge], of_triangles: &[u32]) -> &Labels {

@@ -8,7 +8,7 @@ use std::iter;
 
 use scumble_core::{HalfEdge, SideId, Triangulation, sort};
 
-use super::order::elimination_rank;
+use super::order::{corner_rank, elimination_rank, kept_corner_rank};
 use crate::barriers::Barriers;
 
 /// Unknown that is not numbered yet, or anything else that is not there.
@@ -53,12 +53,11 @@ pub(super) fn number(barriers: Barriers<'_>, triangles: &[u32]) -> Vec<Dofs> {
 }
 
 impl Dofs {
-    /// Renumbers the unknowns in the order of elimination, once.
-    pub(super) fn order(&mut self) {
-        if let Some(rank) = self.unknowns.order() {
-            let of_sides = self.sides.iter_mut().flat_map(|side| &mut side.dofs);
-            of_sides.for_each(|dof| *dof = rank[*dof as usize]);
-        }
+    /// Renumbers the unknowns in the order of elimination that the mesh was put in.
+    pub(super) fn order(&mut self, mesh_ranks: &[[u32; 3]]) {
+        let rank = self.unknowns.order_by(&kept_corner_rank(self, mesh_ranks));
+        let of_sides = self.sides.iter_mut().flat_map(|side| &mut side.dofs);
+        of_sides.for_each(|dof| *dof = rank[*dof as usize]);
     }
 }
 
@@ -80,16 +79,17 @@ impl Unknowns {
         Self { of_element: elements, group_ends: Vec::new(), count: count as usize }
     }
 
-    /// Renumbers them, of which those at corners come first, in the order of elimination, once; and says where in that each
-    /// of them is.
-    pub(super) fn order(&mut self) -> Option<Vec<u32>> {
-        if !self.group_ends.is_empty() {
-            return None;
-        }
-        let (rank, group_ends) = elimination_rank(self);
+    /// Renumbers them, of which those at corners come first, in the order of elimination.
+    pub(super) fn order(&mut self) {
+        self.order_by(&corner_rank(self));
+    }
+
+    /// The same from an order of the corners; says where in the order of elimination each of them is.
+    fn order_by(&mut self, corner_rank: &[u32]) -> Vec<u32> {
+        let (rank, group_ends) = elimination_rank(self, corner_rank);
         self.of_element.iter_mut().flatten().for_each(|dof| *dof = rank[*dof as usize]);
         self.group_ends = group_ends;
-        Some(rank)
+        rank
     }
 }
 

@@ -38,8 +38,7 @@ impl Elements {
         system.factor(&matrices(mesh, &self.dofs), memory)
     }
 
-    fn new_system(&mut self, mesh: &Triangulation, is_colored: &[bool]) -> System {
-        self.dofs.order();
+    fn new_system(&self, mesh: &Triangulation, is_colored: &[bool]) -> System {
         let mut fixed = vec![false; self.dofs.unknowns.count];
         for (side, _) in self.dofs.sides.iter().zip(is_colored).filter(|(_, is_colored)| **is_colored) {
             side.dofs.iter().for_each(|&dof| fixed[dof as usize] = true);

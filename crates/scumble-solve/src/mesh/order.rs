@@ -3,21 +3,47 @@
 //! The corners of the mesh are put in an approximate minimum degree order (P. Amestoy, T. Davis, I. Duff, 1996) as
 //! if for linear elements; the middle of an edge goes right before the end that comes first. That takes a quarter
 //! of the time of ordering all unknowns, and the factor has no more entries. Fixed unknowns are left out of it
-//! later, so one order does for every set of coloured sides.
+//! later, so one order does for every set of coloured sides. It also does where gaps are closed, which only takes edges
+//! away: so a mesh is put in order once.
 
 use faer::dyn_stack::{MemBuffer, MemStack};
 use faer::sparse::SymbolicSparseColMatRef;
 use faer::sparse::linalg::amd;
 
-use super::dofs::Unknowns;
+use scumble_core::sort;
+
+use super::dofs::{Dofs, NONE, Unknowns};
+
+/// The corners of each triangle of a mesh: their places in an order of those of their region.
+pub(super) fn mesh_ranks(regions: &[Dofs], triangle_count: usize) -> Vec<[u32; 3]> {
+    let mut ranks = vec![[NONE; 3]; triangle_count];
+    for region in regions {
+        let rank = corner_rank(&region.unknowns);
+        for (&triangle, dofs) in region.triangles.iter().zip(&region.unknowns.of_element) {
+            ranks[triangle as usize] = [0, 1, 2].map(|i| rank[dofs[i] as usize]);
+        }
+    }
+    ranks
+}
+
+/// The places of the corners of a region in the order that the mesh was put in.
+pub(super) fn kept_corner_rank(region: &Dofs, mesh_ranks: &[[u32; 3]]) -> Vec<u32> {
+    let mut keys = vec![(0, 0); corner_count(&region.unknowns)];
+    for (&triangle, dofs) in region.triangles.iter().zip(&region.unknowns.of_element) {
+        for (&corner, rank) in dofs.iter().zip(mesh_ranks[triangle as usize]) {
+            keys[corner as usize] = (rank.into(), corner);
+        }
+    }
+    sort::sort(&mut keys);
+    let mut rank = vec![0; keys.len()];
+    (0..).zip(keys).for_each(|(place, (_, corner))| rank[corner as usize] = place);
+    rank
+}
 
 /// The place of each unknown in the order of elimination, and where the groups of a corner and of the edges before it
-/// end there. Corners come first among the unknowns.
-pub(super) fn elimination_rank(unknowns: &Unknowns) -> (Vec<u32>, Vec<u32>) {
-    let corner_count =
-        unknowns.of_element.iter().flat_map(|dofs| &dofs[..3]).fold(0, |most, &c| most.max(c + 1));
-    let corner_rank = corner_rank(unknowns, corner_count as usize);
-    let mut group_of = corner_rank.clone();
+/// end there, from the places of the corners, which come first among the unknowns.
+pub(super) fn elimination_rank(unknowns: &Unknowns, corner_rank: &[u32]) -> (Vec<u32>, Vec<u32>) {
+    let mut group_of = corner_rank.to_vec();
     group_of.resize(unknowns.count, 0);
     for dofs in &unknowns.of_element {
         for i in 0..3 {
@@ -39,8 +65,17 @@ pub(super) fn elimination_rank(unknowns: &Unknowns) -> (Vec<u32>, Vec<u32>) {
     (group_of.iter().map(place).collect(), ends)
 }
 
+fn corner_count(unknowns: &Unknowns) -> usize {
+    unknowns
+        .of_element
+        .iter()
+        .flat_map(|dofs| &dofs[..3])
+        .fold(0, |most, &corner| most.max(corner as usize + 1))
+}
+
 /// The place of each corner in an order of the corners alone; where there is no memory to find one, as they are.
-fn corner_rank(unknowns: &Unknowns, count: usize) -> Vec<u32> {
+pub(super) fn corner_rank(unknowns: &Unknowns) -> Vec<u32> {
+    let count = corner_count(unknowns);
     let (column_starts, neighbours) = neighbours(unknowns, count);
     let pattern =
         SymbolicSparseColMatRef::new_unsorted_checked(count, count, &column_starts, None, &neighbours);
