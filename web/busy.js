@@ -6,6 +6,9 @@ const words = /** @type {HTMLElement} */ (bar.querySelector("p"));
 /** What takes longer than this is shown. */
 const PATIENCE_MS = 100;
 
+/** In this time what has changed is painted, in a page that is seen; one that is not has no frames to wait for. */
+const PAINTED_MS = 32;
+
 /** @type {ReturnType<typeof setTimeout> | undefined} */
 let timer;
 
@@ -16,14 +19,11 @@ export function begin(text) {
   timer = setTimeout(show, PATIENCE_MS);
 }
 
-/** It will take long: it is seen before this returns. */
+/** It will take long: it is seen from now on. */
 export async function expectLong() {
   show();
-  await new Promise((wake) => setTimeout(wake, 2 * FRAME_MS));
+  await new Promise((wake) => setTimeout(wake, PAINTED_MS));
 }
-
-/** In this time what has changed is painted. */
-const FRAME_MS = 16;
 
 function show() {
   bar.hidden = false;

@@ -35,13 +35,15 @@ const SLICE_MS = 30;
 const RENDERERS = /** @type {Renderer[]} */ (["webgpu", "webgl", "cpu"]);
 
 export class Engine {
+  /** How many drawings are made ready that are not shown yet. */
+  #preparing = 0;
   /** @type {App | undefined} */
   #app;
   /** @type {Record<string, Handler>} */
   #handlers;
   #frameAsked = false;
 
-  /** @param {Record<string, Handler>} handlers what to do with each effect; `stopped` is called after a fault */
+  /** @param {Record<string, Handler>} handlers what to do with each effect; `stopped` is called after a fault, with whether a drawing was being made ready */
   constructor(handlers) {
     this.#handlers = { ...handlers, lost: (renderer) => this.#recover(renderer) };
     for (const kind of ["error", "unhandledrejection"]) {
@@ -87,6 +89,20 @@ export class Engine {
    * @param {AbortSignal} signal ends it
    */
   async prepare(work, signal) {
+    signal.throwIfAborted();
+    this.#preparing++;
+    try {
+      await this.#prepare(work, signal);
+    } finally {
+      this.#preparing--;
+    }
+  }
+
+  /**
+   * @param {Uint8Array} work
+   * @param {AbortSignal} signal
+   */
+  async #prepare(work, signal) {
     this.#call((app) => app.prepare(work));
     let since_ms = performance.now();
     for (let isMore = true; isMore; ) {
@@ -212,7 +228,7 @@ export class Engine {
   #stop() {
     if (!this.#app) return;
     this.#app = undefined;
-    this.#handlers.stopped?.(undefined);
+    this.#handlers.stopped?.(this.#preparing > 0);
   }
 }
 

@@ -59,13 +59,11 @@ async function call(signal, name, ...args) {
   try {
     const answer = await answered(worker, { name, args }, signal);
     if ("failure" in answer) throw new Error(say(FAILURES[answer.failure]));
-    if (idle) worker.terminate();
     idle ??= worker;
     if ("sentence" in answer) throw new Error(answer.sentence);
     return /** @type {any} */ (answer.result);
-  } catch (fault) {
+  } finally {
     if (worker !== idle) worker.terminate();
-    throw fault;
   }
 }
 

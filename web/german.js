@@ -357,7 +357,7 @@ export const german = {
     "eine Zeichnung, die der Browser behalten hat, ist beschädigt oder von einem neueren Scumble; sie bleibt unter den letzten Zeichnungen",
   "error-gone": "die Zeichnung ist nicht mehr da",
   "error-storage": "der Browser gibt die Zeichnungen, die er behält, nicht heraus; prüfe, ob die Seite Daten speichern darf",
-  "error-panel": "das Feld ließ sich nicht laden; prüfe die Verbindung und lade die Seite neu",
+  "error-panel": "dieser Teil der Seite ließ sich nicht laden; prüfe die Verbindung und lade die Seite neu",
   "error-language": "die Sprache ließ sich nicht laden; prüfe die Verbindung und versuche es noch einmal",
   "error-samples": "die Beispiele ließen sich nicht laden; prüfe die Verbindung und lade die Seite neu",
   "error-start": "Scumble konnte in diesem Browser nicht starten; ein aktuelles Chrome, Edge, Firefox oder Safari genügt.",

@@ -1,8 +1,6 @@
 // A pen for the keyboard: cross hairs over the canvas that the arrow keys move; Enter puts them down and lifts them. It has
 // nothing of the page but what is handed to it, so that it is a file of its own.
 
-import { make } from "./elements.js";
-
 /** How far an arrow key goes, in CSS pixels: as it is, and with Shift. */
 const STEPS_PX = [8, 40];
 
@@ -10,12 +8,13 @@ const STEPS_PX = [8, 40];
  * @typedef {object} Shell what it has of the page
  * @property {HTMLElement} stage the element around the canvas
  * @property {import("./engine.js").Engine} engine
+ * @property {typeof import("./elements.js").make} make
  * @property {(key: string) => void} tell says a message
  */
 
 export class KeyboardPen {
   #shell;
-  #cross = make("div", { id: "cross", hidden: true });
+  #cross;
   #isDown = false;
   /** Where it is, in CSS pixels from the canvas' corner. @type {[number, number]} */
   #place = [0, 0];
@@ -24,6 +23,7 @@ export class KeyboardPen {
   constructor(shell) {
     this.#shell = shell;
     const { stage } = shell;
+    this.#cross = shell.make("div", { id: "cross", hidden: true });
     stage.append(this.#cross);
     // Another pen takes over, or what has the keys now.
     stage.addEventListener("pointerdown", () => this.#leave(), true);

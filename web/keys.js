@@ -142,6 +142,8 @@ export function listen(act, hold) {
     if (!action || (usesKey(event.target, event.key) && !isCommand)) return;
     // Escape also closes what has come down from a button.
     if (event.key !== "Escape") event.preventDefault();
+    // A long press of Enter is one.
+    if (event.repeat && action === "pen") return;
     if (!action.startsWith("hold-")) act(action);
     else if (!event.repeat) {
       held.set(event.key.toLowerCase(), action);

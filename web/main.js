@@ -5,6 +5,7 @@ import { Colors } from "./colors.js";
 import { closeOpen, openDialog } from "./dialogs.js";
 import { Drawings, isKept, isUnsaved, stem } from "./drawings.js";
 import { Engine } from "./engine.js";
+import { make } from "./elements.js";
 import { choose, download, keep, receive } from "./files.js";
 import { beginFirstSteps, followFirstSteps, showFirstSteps, skipFirstSteps } from "./first_steps.js";
 import { formats, isLink } from "./formats.js";
@@ -13,6 +14,7 @@ import { showHelp } from "./help.js";
 import { Keeper } from "./keeper.js";
 import { listen } from "./keys.js";
 import { connectLanguage } from "./language.js";
+import { lazily } from "./lazy.js";
 import { say } from "./messages.js";
 import { Opening } from "./opening.js";
 import { Pointers } from "./pointer.js";
@@ -91,11 +93,11 @@ const handlers = {
   ),
   failed: (values) => warn(say("failed", values)),
   "no-renderer": () => warn(say("error-renderer")),
-  stopped: () => {
+  stopped: (isPreparing) => {
     warn(say("error-stopped"));
     // What does this as it is opened would do it again.
     const { id, revision } = drawings.shown;
-    if (id && revision === 0) putAside(id).catch(console.warn);
+    if (id && revision === 0 && !isPreparing) putAside(id).catch(console.warn);
   },
 };
 
@@ -152,22 +154,25 @@ function nameShown() {
   showName(shown.name, isUnsaved(shown), isKept(shown));
 }
 
-/** The dialog of "Share", from its first use on. @type {import("./share.js").Share | undefined} */
-let sharing;
+const sharing = lazily(async () => {
+  const { Share } = await import("./share.js");
+  return new Share({ say, codeOf: formats.qrCode, openDialog });
+});
 
-async function share() {
+const exporting = lazily(async () => {
+  const { Export } = await import("./export.js");
+  return new Export({ engine, formats, say, done, openDialog, download });
+});
+
+const keyboardPen = lazily(async () => {
+  const { KeyboardPen } = await import("./keyboard_pen.js");
+  return new KeyboardPen({ stage, engine, make, tell: (key) => tell(say(key)) });
+});
+
+function share() {
   const work = engine.work();
   if (!work) return;
-  try {
-    const link = await formats.link(work);
-    if (!sharing) {
-      const { Share } = await panel(import("./share.js"));
-      sharing ??= new Share({ say, codeOf: formats.qrCode, openDialog });
-    }
-    await sharing.open(link ?? "", tracing.image !== undefined);
-  } catch (fault) {
-    failed(fault);
-  }
+  sharing.use(async (dialog) => dialog.open((await formats.link(work)) ?? "", tracing.image !== undefined));
 }
 
 async function save() {
@@ -188,33 +193,6 @@ async function save() {
   }
 }
 
-/** The dialog of "Export", from its first use on. @type {import("./export.js").Export | undefined} */
-let exporting;
-
-async function showExport() {
-  try {
-    if (!exporting) {
-      const { Export } = await panel(import("./export.js"));
-      exporting ??= new Export({ engine, formats, say, done, openDialog, download });
-    }
-    exporting.open(areLinesShown());
-  } catch (fault) {
-    failed(fault);
-  }
-}
-
-/**
- * A part of the page that is fetched when it is asked for.
- * @template T
- * @param {Promise<T>} coming
- */
-async function panel(coming) {
-  return coming.catch((fault) => {
-    console.warn(fault);
-    throw new Error(say("error-panel"));
-  });
-}
-
 function removeTracing() {
   engine.command("trace", null);
   done(say("tracing-removed"));
@@ -227,38 +205,21 @@ async function showRecent() {
   await recent.show(drawings.shown.id).catch(() => failed(new Error(say("error-storage"))));
 }
 
-/** The pen for the keyboard, from its first use on. @type {import("./keyboard_pen.js").KeyboardPen | undefined} */
-let keyboardPen;
-
-/** Only the canvas, or nothing, has Enter for it. */
-async function pressKeyboardPen() {
-  canvas().focus();
-  try {
-    if (!keyboardPen) {
-      const { KeyboardPen } = await panel(import("./keyboard_pen.js"));
-      keyboardPen ??= new KeyboardPen({ stage, engine, tell: (key) => tell(say(key)) });
-    }
-    keyboardPen.press();
-  } catch (fault) {
-    failed(fault);
-  }
-}
-
 /** What the page does by itself; all other actions are commands of the module. @type {Record<string, () => void>} */
 const actions = {
   open: () => void choose((file) => opening.file(file)).catch(failed),
   save,
-  export: showExport,
-  "export-1": () => exporting?.setSize(1),
-  "export-2": () => exporting?.setSize(2),
-  "export-4": () => exporting?.setSize(4),
-  "save-export": () => exporting?.save(stem(drawings.shown.name)),
-  "copy-picture": () => exporting?.copy(),
-  "cancel-export": () => exporting?.cancel(),
+  export: () => exporting.use((dialog) => dialog.open(areLinesShown())),
+  "export-1": () => exporting.now?.setSize(1),
+  "export-2": () => exporting.now?.setSize(2),
+  "export-4": () => exporting.now?.setSize(4),
+  "save-export": () => exporting.now?.save(stem(drawings.shown.name)),
+  "copy-picture": () => exporting.now?.copy(),
+  "cancel-export": () => exporting.now?.cancel(),
   "remove-tracing": removeTracing,
   share,
-  "copy-link": () => sharing?.copy(),
-  "send-link": () => sharing?.send(),
+  "copy-link": () => sharing.now?.copy(),
+  "send-link": () => sharing.now?.send(),
   recent: showRecent,
   samples: () => void samples.show().catch(failed),
   close: closeOpen,
@@ -278,7 +239,10 @@ const actions = {
   "skip-steps": skipFirstSteps,
   "select-more": toggleMore,
   fingers: () => pointers.turnFingers(),
-  pen: pressKeyboardPen,
+  pen: () => {
+    canvas().focus();
+    keyboardPen.use((pen) => pen.press());
+  },
   "stop-opening": () => {
     void opening.stop();
     // The button goes with what it stops.
@@ -286,7 +250,7 @@ const actions = {
   },
   drop: () => {
     // Escape closes what is open, and does no more.
-    if (pointers.cancel() || keyboardPen?.drop() || document.querySelector(":popover-open") || skipFirstSteps()) return;
+    if (pointers.cancel() || keyboardPen.now?.drop() || document.querySelector(":popover-open") || skipFirstSteps()) return;
     if (opening.isLong) act("stop-opening");
     else engine.command("select-none");
   },
@@ -307,7 +271,7 @@ const holds = {
  * @param {boolean} isFar
  */
 function moveBy(direction, isFar) {
-  if (!keyboardPen?.move(direction, isFar)) engine.command("arrow", [...direction, Number(isFar)]);
+  if (!keyboardPen.now?.move(direction, isFar)) engine.command("arrow", [...direction, Number(isFar)]);
 }
 
 /** @param {string} action */

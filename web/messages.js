@@ -347,7 +347,7 @@ export const english = {
     "a drawing that the browser kept is damaged or from a newer Scumble; it stays among the recent drawings",
   "error-gone": "the drawing is no longer there",
   "error-storage": "the browser does not give out the drawings that it keeps; check whether the page may store data",
-  "error-panel": "the panel could not be loaded; check the connection and load the page again",
+  "error-panel": "this part of the page could not be loaded; check the connection and load the page again",
   "error-language": "the language could not be loaded; check the connection and try again",
   "error-samples": "the samples could not be loaded; check the connection and load the page again",
   "error-start": "Scumble could not start in this browser; a current Chrome, Edge, Firefox or Safari will do.",

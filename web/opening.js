@@ -92,13 +92,17 @@ export class Opening {
 
   /** Stops what is on its way. Where nothing has been there before, a sample is. */
   async stop() {
-    this.#asked++;
-    this.#job.abort();
+    this.#drop();
     end();
+    if (this.#hasShown) tell(say("opening-stopped"));
+    else if (!(await this.sample(FIRST, false))) tell(say("start"));
+  }
+
+  /** Drops what is on its way; gives the number of what is asked for now. */
+  #drop() {
+    this.#job.abort();
     this.#engine.command("stop-preparing");
-    if (this.#hasShown) return tell(say("opening-stopped"));
-    await this.sample(FIRST, false);
-    return tell(say("start"));
+    return ++this.#asked;
   }
 
   /**
@@ -171,8 +175,7 @@ export class Opening {
    * @returns what went wrong, if anything did; the page has been told
    */
   async #doing(name, act) {
-    const ticket = ++this.#asked;
-    this.#job.abort();
+    const ticket = this.#drop();
     this.#job = new AbortController();
     // What stops it is not to be covered.
     closeOpen();
@@ -218,6 +221,8 @@ export class Opening {
   async #show(drawing, work, notes, signal) {
     if (work.length > LARGE_BYTES) await expectLong();
     await this.#engine.prepare(work, signal);
+    // What the pen has done so far is kept with the drawing that goes.
+    this.#engine.pointer("up", new Float32Array());
     this.#keeper.pictureNow();
     const expected = this.#drawings.expect(drawing);
     this.#engine.command("open", { work, notes });

@@ -43,7 +43,9 @@ export class Share {
     part("share-status").textContent = "";
     part("code").toggleAttribute("hidden", true);
     openDialog(dialog);
-    if (length <= LENGTHS.fine) drawCode(await codeOf(link));
+    if (length > LENGTHS.fine) return;
+    const code = await codeOf(link);
+    if (field.value === link) drawCode(code);
   }
 
   /** Copies the link. Where the page may not, it stays selected for the user to copy. */

@@ -8,18 +8,23 @@ import { useSession } from "./harness.mjs";
 /** What workers are asked waits for ever. */
 const HOLD_WORKERS = `Worker.prototype.postMessage = () => {};`;
 
-/** Where the page lets others go on for no set time, it waits for ever. */
-const HOLD_SLICES = `{
+/** What waits for so long waits for ever. @param {number | undefined} ms */
+const hold = (ms) => `{
   const { setTimeout } = window;
-  window.setTimeout = (act, delay_ms, ...more) => delay_ms === undefined ? (window.held = act) : setTimeout(act, delay_ms, ...more);
+  window.setTimeout = (act, delay_ms, ...more) => delay_ms === ${ms} ? (window.held = act) : setTimeout(act, delay_ms, ...more);
 }`;
+
+/** Where the page lets others go on, and where it shows that something will take long; the latter as in `busy.js`. */
+const [HOLD_SLICES, HOLD_PAINTED] = [hold(undefined), hold(32)];
 
 /** So many lines take longer than a slice. */
 const MANY = 3000;
-const MANY_LINES = `<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 1000 1000">${Array.from(
-  { length: MANY },
-  (_, i) => `<path stroke="black" d="M${(i % 55) * 18} ${Math.floor(i / 55) * 18}l12 9"/>`,
-).join("")}</svg>`;
+
+/** A drawing of so many lines. @param {number} count */
+const lines = (count) => {
+  const line = (/** @type {unknown} */ _, /** @type {number} */ i) => `<path stroke="black" d="M${(i % 80) * 12} ${Math.floor(i / 80) * 12}l9 7"/>`;
+  return `<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 1000 1000">${Array.from({ length: count }, line).join("")}</svg>`;
+};
 
 const SVG = `<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 9 9"><path stroke="black" d="M1 1l5 5"/></svg>`;
 
@@ -69,7 +74,7 @@ for (const browser of /** @type {const} */ (["chromium", "firefox"])) {
     test("a large drawing that is being made ready", async () => {
       const editor = await scribbled();
       await editor.tab.evaluate(HOLD_SLICES);
-      await drop(editor, MANY_LINES, "many.svg");
+      await drop(editor, lines(MANY), "many.svg");
       await editor.tab.waitFor(`window.held && ${IS_SEEN}`);
       await editor.until("2 in the drawing", () => editor.scribble([[120, 30], [140, 60]], 200));
       await editor.click("Undo");
@@ -78,6 +83,18 @@ for (const browser of /** @type {const} */ (["chromium", "firefox"])) {
         await editor.tab.evaluate(`window.held()`);
       });
       await editor.until("Redo", () => editor.click("Redo"));
+      assert.equal(await editor.name(), "rooms.svg");
+      assert.deepEqual(editor.tab.faults, []);
+    });
+
+    test("a large drawing, as soon as that is seen", async () => {
+      const editor = await scribbled();
+      await editor.tab.evaluate(HOLD_PAINTED);
+      await drop(editor, lines(2 * MANY), "many.svg");
+      await editor.tab.waitFor(`window.held && ${IS_SEEN}`);
+      await editor.until(CANCELLED, () => editor.click("Cancel"));
+      await editor.tab.evaluate(`window.held()`);
+      await editor.until("2 in the drawing", () => editor.scribble([[120, 30], [140, 60]], 200));
       assert.equal(await editor.name(), "rooms.svg");
       assert.deepEqual(editor.tab.faults, []);
     });

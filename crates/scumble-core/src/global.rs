@@ -96,16 +96,7 @@ impl Engine for Global {
         if !self.spread {
             self.open_pockets(map, &mut ground.ways);
         }
-        let mut labels = self.flood.labels.clone();
-        self.beyond.follow(map, &ground.ways, &self.ranks, &self.flood, &mut labels);
-        for flood in [&self.at_hand, &self.nearest] {
-            for (label, &near) in labels.iter_mut().zip(&flood.labels).filter(|(_, near)| **near != NONE) {
-                *label = near;
-            }
-        }
-        if let Some(crossing) = &ground.crossing {
-            crossing.cross(&mut labels, &self.ranks);
-        }
+        let labels = self.spread_out(map, &ground);
         let shown = self.shown.get_or_insert_with(|| Shown::new(map));
         let labels = shown.show(map, &ground.ways.gaps, &labels).clone();
         self.ground = Some(ground);
@@ -114,8 +105,8 @@ impl Engine for Global {
 }
 
 impl Global {
-    /// Whether these are the scribbles of the last call but for their colours, and those that were alike are: the labels, which
-    /// name scribbles, are the same then.
+    /// Whether only colours differ from the last call, and the same scribbles share one: labels name scribbles, so they are the
+    /// same then.
     fn is_known(&self, scribbles: &[Scribble], ranks: &[u32], kinds: &[u32]) -> bool {
         let is_same = |(claim, scribble): (&Claim, &Scribble)| claim.points() == scribble.points;
         self.ranks == ranks && self.kinds == kinds && self.claims.iter().zip(scribbles).all(is_same)
@@ -150,6 +141,21 @@ impl Global {
                 self.nearest.reach(seed.triangle, seed.nearest, label, ranks);
             });
         }
+    }
+
+    /// The label of each triangle, once colours have gone on from where they were flooded to.
+    fn spread_out(&mut self, map: &PlanarMap, Ground { ways, crossing }: &Ground) -> Vec<u32> {
+        let mut labels = self.flood.labels.clone();
+        self.beyond.follow(map, ways, &self.ranks, &self.flood, &mut labels);
+        for flood in [&self.at_hand, &self.nearest] {
+            for (label, &near) in labels.iter_mut().zip(&flood.labels).filter(|(_, near)| **near != NONE) {
+                *label = near;
+            }
+        }
+        if let Some(crossing) = crossing {
+            crossing.cross(&mut labels, &self.ranks);
+        }
+        labels
     }
 
     /// Opens the gaps that the scribbles of this call go through.

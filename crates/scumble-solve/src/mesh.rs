@@ -197,6 +197,7 @@ impl MeshSolver {
     }
 }
 
+/// Regions whose unknowns are in the order of elimination of the mesh.
 fn ordered(mut regions: Vec<Dofs>, ranks: &[[u32; 3]]) -> Vec<Region> {
     regions.iter_mut().for_each(|region| region.order(ranks));
     regions.into_iter().map(Region::new).collect()

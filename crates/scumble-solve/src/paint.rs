@@ -51,14 +51,17 @@ pub struct Pixmap {
 ///
 /// Time and memory grow with the size of the picture, whatever the zoom; the caller bounds the size.
 pub fn paint(scene: &Scene<'_>, view: &View) -> Pixmap {
-    Repainter::default().paint(scene, view, &view.whole())
+    let mut canvas = Canvas::new(view, scene.paper);
+    field_painter::paint_field(&mut canvas, scene.field, view.px_from_du, scene.paper);
+    stencil::paint_once(&mut canvas, scene.shapes, view);
+    canvas.into_pixmap()
 }
 
 /// Paints what the grid solver found for a view, and shapes over it, as [`paint`] does.
 pub fn paint_grid(picture: &GridPicture, shapes: &[Shape], view: &View, paper: Option<Srgb8>) -> Pixmap {
     let mut canvas = Canvas::new(view, paper);
     grid_painter::paint_grid(&mut canvas, picture, paper);
-    Stencils::default().paint(&mut canvas, shapes, view, &view.whole());
+    stencil::paint_once(&mut canvas, shapes, view);
     canvas.into_pixmap()
 }
 

@@ -302,7 +302,7 @@ impl Session {
         if setting.is_slid() {
             self.slide(Deed::GapClosing);
         } else {
-            self.sheet.editor.commit();
+            self.commit();
         }
         let editor = &mut self.sheet.editor;
         let before = editor.document().settings;
@@ -313,7 +313,7 @@ impl Session {
     }
 
     fn set_palette(&mut self, palette: Vec<Swatch>) {
-        self.sheet.editor.commit();
+        self.commit();
         self.sheet.editor.set_palette(palette);
     }
 
@@ -332,8 +332,8 @@ impl Session {
 
     /// Lays a picture under the lines, as faded as the one before it, or takes it away.
     fn trace(&mut self, image: Option<u32>) {
+        self.commit();
         let editor = &mut self.sheet.editor;
-        editor.commit();
         let before = editor.document().tracing;
         editor.set_tracing(image.map(|image| Tracing { image, ..before.unwrap_or(Tracing::faded(image)) }));
     }
@@ -347,6 +347,7 @@ impl Session {
     /// A slider is dragged, which is one gesture.
     fn slide(&mut self, deed: Deed) {
         if self.sheet.editor.deed_in_hand() != Some(deed) {
+            self.commit();
             self.sheet.editor.begin(deed);
         }
     }

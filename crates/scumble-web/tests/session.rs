@@ -138,6 +138,24 @@ fn what_was_made_ready_opens_as_what_was_not() {
 }
 
 #[test]
+fn a_stroke_that_a_setting_ends_is_kept_as_any_other() {
+    let strokes = [Some(Setting::Spread(true)), Some(Setting::GapClosing(0.2)), None].map(|setting| {
+        let mut page = Page::open(SQUARE);
+        for (i, place) in round(12).enumerate() {
+            page.pen(if i == 0 { Phase::Down } else { Phase::Move }, place);
+        }
+        match setting {
+            Some(setting) => page.session.command(Command::Set(setting)),
+            None => page.session.pointer(Phase::Up, &[]),
+        }
+        page.session.document().scribbles[0].points.clone()
+    });
+    assert!(strokes[0].len() > 12);
+    assert_eq!(strokes[0], strokes[2]);
+    assert_eq!(strokes[1], strokes[2]);
+}
+
+#[test]
 fn a_stroke_in_hand_is_kept_in_the_drawing_that_another_is_opened_over() {
     let mut page = Page::open(SQUARE);
     page.session.command(Command::Color(RED.into()));

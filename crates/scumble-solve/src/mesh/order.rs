@@ -9,7 +9,6 @@
 use faer::dyn_stack::{MemBuffer, MemStack};
 use faer::sparse::SymbolicSparseColMatRef;
 use faer::sparse::linalg::amd;
-
 use scumble_core::sort;
 
 use super::dofs::{Dofs, NONE, Unknowns};

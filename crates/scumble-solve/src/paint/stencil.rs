@@ -43,18 +43,24 @@ impl Stencils {
 
     /// Knows these shapes: what is between the first and the last ones that it knew is new.
     fn follow(&mut self, shapes: &[Shape], view: &View) {
-        if self.coverage.as_ref().is_none_or(|coverage| coverage.view != *view) {
-            *self = Self { coverage: Some(Coverage::new(view)), known: Vec::new() };
+        if self.coverage.as_ref().is_some_and(|coverage| coverage.view != *view) {
+            *self = Self::default();
         }
+        let coverage = self.coverage.get_or_insert_with(|| Coverage::new(view));
         let first = count_known(self.known.iter().zip(shapes));
         let last = count_known(self.known[first..].iter().rev().zip(shapes[first..].iter().rev()));
-        let fresh = &shapes[first..shapes.len() - last];
         let after = self.known.split_off(self.known.len() - last);
         self.known.truncate(first);
-        if let Some(coverage) = &mut self.coverage {
-            self.known.extend(fresh.iter().map(|shape| coverage.stencil(shape)));
-        }
+        self.known.extend(shapes[first..shapes.len() - last].iter().map(|shape| coverage.stencil(shape)));
         self.known.extend(after);
+    }
+}
+
+/// Paints shapes over a canvas, which is all of a view, and keeps nothing of them.
+pub(super) fn paint_once(canvas: &mut Canvas, shapes: &[Shape], view: &View) {
+    if !shapes.is_empty() {
+        let (mut coverage, whole) = (Coverage::new(view), view.whole());
+        shapes.iter().for_each(|shape| coverage.stencil(shape).paint(canvas, shape.color.0, &whole));
     }
 }
 

@@ -177,6 +177,15 @@ impl Session {
         self.scribbles_changed();
     }
 
+    /// Ends what is in hand, as it is.
+    pub(super) fn commit(&mut self) {
+        if self.sheet.editor.is_scribbling() {
+            self.end_scribble();
+        } else {
+            self.sheet.editor.commit();
+        }
+    }
+
     fn end_scribble(&mut self) {
         let (points, kind) = self.stroke.kept(self.du_from_css());
         self.sheet.editor.draw_scribble(points, kind);

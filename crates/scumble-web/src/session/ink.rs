@@ -86,7 +86,8 @@ impl Session {
     fn scribble_in_hand(&self) -> Option<Scribble> {
         let scribble = self.document().scribbles.last().filter(|_| self.sheet.editor.is_scribbling())?;
         let (points, kind) = self.stroke.drawn(self.du_from_css());
-        Some(Scribble { points, kind, ..scribble.clone() })
+        let Scribble { color, width_du, .. } = *scribble;
+        Some(Scribble { color, kind, width_du, points })
     }
 }
 

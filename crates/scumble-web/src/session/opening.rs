@@ -1,6 +1,6 @@
 //! A drawing on its way: made ready step by step, so that the page can show that it takes long, and stop it.
 
-use scumble_core::{MapError, Work, exact};
+use scumble_core::{Document, MapError, Work, exact};
 
 use super::Session;
 use super::sheet::Sheet;
@@ -55,6 +55,9 @@ impl Session {
                 sheet => Step::Ready(sheet.map(Box::new)),
             },
             Step::Mapped(mut sheet) => {
+                // First, as it says which gaps are closed.
+                let Document { scribbles, settings, .. } = sheet.editor.document();
+                sheet.picture.label(scribbles, settings);
                 sheet.picture.mesh();
                 Step::Meshed(sheet)
             }

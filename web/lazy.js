@@ -1,0 +1,36 @@
+// Parts of the page that are fetched at their first use.
+
+import { say } from "./messages.js";
+import { failed } from "./toolbar.js";
+
+/**
+ * @template T
+ * @param {() => Promise<T>} fetch
+ */
+export function lazily(fetch) {
+  /** @type {Promise<void> | undefined} */
+  let loading;
+  const load = async () => {
+    try {
+      part.now = await fetch();
+    } catch (fault) {
+      console.warn(fault);
+      loading = undefined;
+      throw new Error(say("error-panel"));
+    }
+  };
+  const part = {
+    /** What was fetched, if it is there. @type {T | undefined} */
+    now: undefined,
+    /** Uses it, at once where it is there, and says what goes wrong. @param {(it: T) => unknown} act */
+    async use(act) {
+      try {
+        if (!part.now) await (loading ??= load());
+        if (part.now) await act(part.now);
+      } catch (fault) {
+        failed(fault);
+      }
+    },
+  };
+  return part;
+}
