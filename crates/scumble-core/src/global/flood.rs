@@ -114,14 +114,17 @@ impl Ways {
 fn bases(map: &PlanarMap) -> Vec<u32> {
     let mesh = map.refined();
     let mut bases = vec![NONE; mesh.triangle_count()];
-    let mut stack = vec![(0, 0)];
-    while let Some((t, hint)) = stack.pop() {
-        if bases[t] != NONE {
-            continue;
+    let mut stack = Vec::new();
+    for start in 0..bases.len() {
+        stack.push((start, 0));
+        while let Some((t, hint)) = stack.pop() {
+            if bases[t] != NONE {
+                continue;
+            }
+            let base = map.triangulation().locate(centroid(mesh, t), hint).unwrap_or(hint);
+            bases[t] = base as u32;
+            stack.extend((0..3).filter_map(|i| Some((mesh.twin(HalfEdge::of(t, i))?.triangle(), base))));
         }
-        let base = map.triangulation().locate(centroid(mesh, t), hint).unwrap_or(hint);
-        bases[t] = base as u32;
-        stack.extend((0..3).filter_map(|i| Some((mesh.twin(HalfEdge::of(t, i))?.triangle(), base))));
     }
     bases
 }
