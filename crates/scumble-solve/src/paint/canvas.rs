@@ -45,6 +45,8 @@ impl Canvas {
 }
 
 /// A colour over a pixel of which it covers some samples; both with straight alpha.
+// The page is small first: one copy of it serves all painters.
+#[inline(never)]
 pub(super) fn over(below: [u8; 4], color: [u8; 4], samples: u32) -> [u8; 4] {
     const WHOLE: u32 = 255 * SAMPLES as u32;
     let alpha = u32::from(color[3]) * samples;

@@ -107,6 +107,8 @@ impl Coverage {
     }
 
     /// Of a shape, which is forgotten again.
+    // The page is small first: one copy of it serves both callers.
+    #[inline(never)]
     fn stencil(&mut self, shape: &Shape) -> Stencil {
         let View { px_from_du, width_px, height_px } = self.view;
         for triangle in &*shape.triangles {
