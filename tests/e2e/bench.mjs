@@ -29,6 +29,9 @@ const PEN_EVERY = 10;
 /** So often a pen reports where it is. */
 const PEN_HZ = 240;
 
+/** The painter on the CPU is for machines without a GPU. @param {string} renderer */
+const startFor = (renderer) => start("chromium", renderer !== "cpu");
+
 /** How often the page is opened. */
 const VISITS = 9;
 
@@ -132,7 +135,7 @@ function noteFrames() {
  * @returns {Promise<{frames_ms: [number, number][], samples: number, sent: number}>}
  */
 async function penTimes(set, renderer) {
-  const session = await start("chromium");
+  const session = await startFor(renderer);
   try {
     const tab = await session.newTab();
     await tab.prepare(`(${noteFrames})()`);
@@ -192,7 +195,7 @@ function noteStart() {
  * @returns {Promise<[number, number][]>} in ms
  */
 async function startTimes(renderer) {
-  const session = await start("chromium");
+  const session = await startFor(renderer);
   try {
     /** @type {[number, number][]} */
     const times_ms = [];

@@ -9,13 +9,6 @@ import puppeteer from "puppeteer-core";
 
 const CHROMIUM_FLAGS = [
   "--no-sandbox",
-  "--use-angle=swiftshader",
-  "--enable-unsafe-swiftshader",
-  "--enable-unsafe-webgpu",
-  "--ignore-gpu-blocklist",
-  "--enable-gpu",
-  "--enable-features=Vulkan",
-  "--use-vulkan=swiftshader",
   "--disable-quic",
   "--no-first-run",
   "--disable-background-networking",
@@ -23,8 +16,24 @@ const CHROMIUM_FLAGS = [
   "--disable-sync",
 ];
 
+const WITH_EMULATED_GPU = [
+  "--use-angle=swiftshader",
+  "--enable-unsafe-swiftshader",
+  "--enable-unsafe-webgpu",
+  "--ignore-gpu-blocklist",
+  "--enable-gpu",
+  "--enable-features=Vulkan",
+  "--use-vulkan=swiftshader",
+];
+
+/** As Chromium runs on a machine that has none: it lays the page together on the CPU too. */
+const WITHOUT_GPU = ["--disable-gpu"];
+
+/** The switches of Chromium. @param {boolean} hasGpu */
+const chromiumArgs = (hasGpu) => [...CHROMIUM_FLAGS, ...(hasGpu ? WITH_EMULATED_GPU : WITHOUT_GPU)];
+
 /** How Puppeteer starts each. @type {import("puppeteer-core").LaunchOptions} */
-export const CHROMIUM = { browser: "chrome", executablePath: "/usr/bin/chromium", args: CHROMIUM_FLAGS };
+export const CHROMIUM = { browser: "chrome", executablePath: "/usr/bin/chromium", args: chromiumArgs(true) };
 /** @type {import("puppeteer-core").LaunchOptions} */
 const FIREFOX = {
   browser: "firefox",
@@ -96,15 +105,19 @@ const VIEWPORT = { width: 1200, height: 800 };
 
 /**
  * @param {"chromium" | "firefox"} name
+ * @param {boolean} [hasGpu] whether it is to believe that there is a GPU; Firefox always does
  * @returns {Promise<Browser>}
  */
-export function launch(name) {
-  return name === "chromium" ? launchChromium() : launchFirefox();
+export function launch(name, hasGpu = true) {
+  return name === "chromium" ? launchChromium(hasGpu) : launchFirefox();
 }
 
-/** @returns {Promise<Browser>} */
-async function launchChromium() {
-  const browser = await chromium.launch({ executablePath: "/usr/bin/chromium", args: CHROMIUM_FLAGS });
+/**
+ * @param {boolean} hasGpu
+ * @returns {Promise<Browser>}
+ */
+async function launchChromium(hasGpu) {
+  const browser = await chromium.launch({ executablePath: "/usr/bin/chromium", args: chromiumArgs(hasGpu) });
   return {
     open: async ({ isFirst = false, isDark = false } = {}) => {
       const colorScheme = isDark ? "dark" : "light";

@@ -68,10 +68,11 @@ export function makeFolder() {
  * A browser and a server. The page is served from a path of its own, as on a host that serves more than one.
  *
  * @param {Target["browser"]} name
+ * @param {boolean} [hasGpu] see `launch`
  */
-export async function start(name) {
+export async function start(name, hasGpu) {
   // A server that is left behind where no browser comes up would keep the tests from ending.
-  const browser = await launch(name);
+  const browser = await launch(name, hasGpu);
   const { server, url } = await serve(DIST, { base: "/some/where/" });
   return {
     url,

@@ -1,7 +1,7 @@
 //! `cargo xtask test`: every check and every test, each run even where an earlier one failed, then the summary.
 
 use crate::process::{cargo, command, find, node, output, root, run};
-use crate::{dist, samples, tools};
+use crate::{dist, package, samples, tools};
 use anyhow::{Result, ensure};
 use std::time::Instant;
 
@@ -53,7 +53,7 @@ fn lints() -> Result<()> {
 
 fn wasm_lints() -> Result<()> {
     tools::rust_target(tools::WASM_TARGET)?;
-    for flavour in dist::FLAVOURS {
+    for flavour in package::FLAVOURS {
         let package = ["clippy", "-p", "scumble-web", "--all-targets", "--target", tools::WASM_TARGET];
         let features = ["--no-default-features", "--features", flavour, "--", "-D", "warnings"];
         run(cargo().args(package).args(features))?;
@@ -94,7 +94,7 @@ fn wasm_tests() -> Result<()> {
     tools::wasm_pack()?;
     tools::browsers()?;
     let driver = find("chromedriver").unwrap_or_default();
-    for flavour in dist::FLAVOURS {
+    for flavour in package::FLAVOURS {
         let test = ["test", "--headless", "--chrome", "crates/scumble-web", "--no-default-features"];
         run(command("wasm-pack").args(test).args(["--features", flavour]).env("CHROMEDRIVER", &driver))?;
     }

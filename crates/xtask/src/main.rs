@@ -5,6 +5,7 @@
 mod checks;
 mod dist;
 mod icons;
+mod package;
 mod process;
 mod samples;
 mod tools;

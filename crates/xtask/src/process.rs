@@ -4,6 +4,9 @@ use anyhow::{Context, Result, ensure};
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 
+/// So many characters of an argument are shown.
+const LONGEST_WORD: usize = 200;
+
 /// The top of the repository.
 pub(crate) fn root() -> &'static Path {
     let here = Path::new(env!("CARGO_MANIFEST_DIR"));
@@ -37,6 +40,16 @@ pub(crate) fn run(command: &mut Command) -> Result<()> {
     Ok(())
 }
 
+/// Prints the command, runs it, fails if it does, and gives back what it writes to standard output.
+pub(crate) fn output_of(command: &mut Command) -> Result<String> {
+    let line = command_line(command);
+    println!("$ {line}");
+    let output =
+        command.stderr(Stdio::inherit()).output().with_context(|| format!("{line}: could not be started"))?;
+    ensure!(output.status.success(), "{line}: {}", output.status);
+    Ok(String::from_utf8(output.stdout)?)
+}
+
 /// What the command writes to standard output, or nothing where it cannot be started or fails.
 pub(crate) fn output(command: &mut Command) -> Option<String> {
     let output = command.stderr(Stdio::null()).output().ok()?;
@@ -64,6 +77,12 @@ fn search_path() -> std::ffi::OsString {
 
 fn command_line(command: &Command) -> String {
     let words = std::iter::once(command.get_program()).chain(command.get_args());
-    let words: Vec<_> = words.map(|word| word.to_string_lossy()).collect();
+    let words: Vec<_> = words.map(|word| shortened(&word.to_string_lossy())).collect();
     words.join(" ")
+}
+
+/// A word as it is shown: of a long one the beginning is enough.
+fn shortened(word: &str) -> String {
+    let beginning: String = word.chars().take(LONGEST_WORD).collect();
+    if beginning.len() < word.len() { beginning + "…" } else { beginning }
 }
