@@ -61,9 +61,13 @@ export class Export {
     this.#judge();
   }
 
-  /** @param {string} stem of the file's name */
-  async save(stem) {
-    const name = `${stem}.${format()}`;
+  /**
+   * @param {string} stem of the file's name
+   * @param {string} drawing the name of the drawing, whose own file this is not to take the place of
+   */
+  async save(stem, drawing) {
+    const own = `${stem}.${format()}`;
+    const name = own === drawing ? `${stem} (Scumble).${format()}` : own;
     const file = await this.#worked(() => this.#made(format()));
     if (!file) return;
     this.#shell.download(name, file);

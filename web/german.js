@@ -306,7 +306,7 @@ export const german = {
 
   "untitled": "Ohne Titel",
   "title": ({ name, unsaved }) => `${unsaved ? "• " : ""}${name} – Scumble`,
-  "unsaved": "ungesichert",
+  "unsaved": "noch in keiner Datei",
   "copy": ({ name }) => `Kopie von ${name}`,
   "opened-copy": ({ name }) => `${name} geöffnet: ein anderer Tab hat die Zeichnung selbst`,
   "copied-beside": ({ name, before }) => `Ein anderer Tab hat ${before}; dieser macht weiter als ${name}`,

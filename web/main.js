@@ -213,7 +213,7 @@ const actions = {
   "export-1": () => exporting.now?.setSize(1),
   "export-2": () => exporting.now?.setSize(2),
   "export-4": () => exporting.now?.setSize(4),
-  "save-export": () => exporting.now?.save(stem(drawings.shown.name)),
+  "save-export": () => exporting.now?.save(stem(drawings.shown.name), drawings.shown.name),
   "copy-picture": () => exporting.now?.copy(),
   "cancel-export": () => exporting.now?.cancel(),
   "remove-tracing": removeTracing,

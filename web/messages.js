@@ -298,7 +298,7 @@ export const english = {
 
   "untitled": "Untitled",
   "title": ({ name, unsaved }) => `${unsaved ? "• " : ""}${name} – Scumble`,
-  "unsaved": "unsaved",
+  "unsaved": "not in a file yet",
   "copy": ({ name }) => `Copy of ${name}`,
   "opened-copy": ({ name }) => `Opened ${name}: another tab has the drawing itself`,
   "copied-beside": ({ name, before }) => `Another tab has ${before}; this one goes on as ${name}`,

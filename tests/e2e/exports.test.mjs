@@ -15,10 +15,10 @@ const SCRIBBLES = /** @type {[string, [number, number][]][]} */ ([
   ["Teal", [[150, 20], [185, 40], [180, 80]]],
 ]);
 
-/** Files stay in the page: `window.saved` is the address of the last one. @param {Editor} editor */
+/** Files stay in the page: `window.saved` is the address of the last one, `window.savedAs` its name. @param {Editor} editor */
 const catchFiles = (editor) =>
   editor.tab.evaluate(`{
-    HTMLAnchorElement.prototype.click = function () { window.saved = this.href; };
+    HTMLAnchorElement.prototype.click = function () { [window.saved, window.savedAs] = [this.href, this.download]; };
   }`);
 
 /** @param {Editor} editor @param {string} blob an expression in the page @returns {Promise<Buffer>} */
@@ -86,6 +86,7 @@ for (const browser of /** @type {const} */ (["chromium", "firefox"])) {
       const editor = await shaded();
       const png = Picture.decode(await exported(editor, "PNG"));
       const svg = await exported(editor, "SVG");
+      assert.equal(await editor.tab.evaluate("window.savedAs"), "shading (Scumble).svg", "not that of the lines");
       const pdf = await exported(editor, "PDF");
       assert.deepEqual([png.width, png.height], [SIZE.width, SIZE.height]);
       const canvas = await shown(editor, SIZE);

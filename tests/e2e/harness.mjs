@@ -237,6 +237,15 @@ export class Editor {
     return this.until(`Opened ${name}`, () => this.#reach("Open", choose));
   }
 
+  /** Drops a file on the page. @param {string} svg @param {string} name */
+  drop(svg, name) {
+    return this.tab.evaluate(`{
+      const data = new DataTransfer();
+      data.items.add(new File([${JSON.stringify(svg)}], "${name}", { type: "image/svg+xml" }));
+      document.getElementById("canvas").dispatchEvent(new DragEvent("drop", { dataTransfer: data, bubbles: true }));
+    }`);
+  }
+
   /**
    * Opens the lines of a sample.
    * @param {string} name

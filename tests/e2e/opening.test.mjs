@@ -10,21 +10,17 @@ describe("opening a drawing", () => {
   /** @type {string} */
   let svg;
   before(async () => {
-    svg = JSON.stringify(await readFile(drawing("rooms.svg"), "utf8"));
+    svg = await readFile(drawing("rooms.svg"), "utf8");
     editor = await session.open("cpu");
   });
 
   test("a file dropped on the page", () =>
-    editor.until("Opened rooms", () => editor.tab.evaluate(`{
-      const data = new DataTransfer();
-      data.items.add(new File([${svg}], "rooms.svg", { type: "image/svg+xml" }));
-      document.getElementById("canvas").dispatchEvent(new DragEvent("drop", { dataTransfer: data, bubbles: true }));
-    }`)));
+    editor.until("Opened rooms", () => editor.drop(svg, "rooms.svg")));
 
   test("pasted text", () =>
     editor.until("Opened", () => editor.tab.evaluate(`{
       const data = new DataTransfer();
-      data.setData("text/plain", ${svg});
+      data.setData("text/plain", ${JSON.stringify(svg)});
       document.body.dispatchEvent(new ClipboardEvent("paste", { clipboardData: data, bubbles: true }));
     }`)));
 });

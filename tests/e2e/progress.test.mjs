@@ -31,14 +31,6 @@ const SVG = `<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 9 9"><path str
 const IS_SEEN = `!document.getElementById("busy").hidden`;
 const CANCELLED = "Opening cancelled; everything is as it was";
 
-/** Drops a file on the page. @param {Editor} editor @param {string} svg @param {string} name */
-const drop = (editor, svg, name) =>
-  editor.tab.evaluate(`{
-    const data = new DataTransfer();
-    data.items.add(new File([${JSON.stringify(svg)}], "${name}", { type: "image/svg+xml" }));
-    document.getElementById("canvas").dispatchEvent(new DragEvent("drop", { dataTransfer: data, bubbles: true }));
-  }`);
-
 for (const browser of /** @type {const} */ (["chromium", "firefox"])) {
   describe(`progress in ${browser}`, () => {
     const session = useSession(browser);
@@ -63,18 +55,18 @@ for (const browser of /** @type {const} */ (["chromium", "firefox"])) {
     test("a file that is being read", async () => {
       const editor = await scribbled();
       await editor.tab.evaluate(`window.ask = Worker.prototype.postMessage; ${HOLD_WORKERS}`);
-      await drop(editor, SVG, "large.svg");
+      await editor.drop(SVG, "large.svg");
       await editor.tab.waitFor(IS_SEEN);
       assert.equal(await editor.tab.evaluate(`document.querySelector("#busy p").textContent`), "Opening large.svg …");
       await cancelled(editor);
       await editor.tab.evaluate(`Worker.prototype.postMessage = window.ask`);
-      await editor.until("Opened large.svg", () => drop(editor, SVG, "large.svg"));
+      await editor.until("Opened large.svg", () => editor.drop(SVG, "large.svg"));
     });
 
     test("a large drawing that is being made ready", async () => {
       const editor = await scribbled();
       await editor.tab.evaluate(HOLD_SLICES);
-      await drop(editor, lines(MANY), "many.svg");
+      await editor.drop(lines(MANY), "many.svg");
       await editor.tab.waitFor(`window.held && ${IS_SEEN}`);
       await editor.until("2 in the drawing", () => editor.scribble([[120, 30], [140, 60]], 200));
       await editor.click("Undo");
@@ -90,7 +82,7 @@ for (const browser of /** @type {const} */ (["chromium", "firefox"])) {
     test("a large drawing, as soon as that is seen", async () => {
       const editor = await scribbled();
       await editor.tab.evaluate(HOLD_PAINTED);
-      await drop(editor, lines(2 * MANY), "many.svg");
+      await editor.drop(lines(2 * MANY), "many.svg");
       await editor.tab.waitFor(`window.held && ${IS_SEEN}`);
       await editor.until(CANCELLED, () => editor.click("Cancel"));
       await editor.tab.evaluate(`window.held()`);

@@ -34,7 +34,7 @@ mod tools;
 
 use gestures::{Held, Stroke};
 use opening::Coming;
-use sheet::Sheet;
+use sheet::{Sheet, Shelf};
 
 /// The page that is there before a drawing is opened, in du.
 const BLANK: Rect = Rect::new(0.0, 0.0, 1024.0, 768.0);
@@ -46,8 +46,7 @@ const THUMBNAIL_PX: f64 = 240.0;
 #[derive(Debug)]
 pub struct Session {
     sheet: Sheet,
-    /// Drawings with work in them that others were opened over, for undo to come back to.
-    shelf: Vec<Sheet>,
+    shelf: Shelf,
     /// The drawing on its way.
     coming: Option<Coming>,
     /// How many drawings have been opened.
@@ -120,7 +119,7 @@ impl Session {
         Ok(Self {
             viewport: Viewport::new(drawing.frame()),
             sheet: Sheet::new(0, Work::new(Document::new(drawing)))?,
-            shelf: Vec::new(),
+            shelf: Shelf::default(),
             coming: None,
             opened: 0,
             boundary: Boundary::default(),
@@ -376,8 +375,8 @@ impl Session {
     fn state(&self) -> State {
         State {
             sheet: Some(self.sheet.state()),
-            undo: Some(self.sheet.editor.can_undo() || !self.shelf.is_empty()),
-            redo: Some(self.sheet.editor.can_redo()),
+            undo: Some(self.can_undo()),
+            redo: Some(self.can_redo()),
             zoom: Some(self.viewport.zoom()),
             view: Some(self.viewport.css_from_du()),
             turn: Some(self.viewport.turn()),

@@ -425,9 +425,9 @@ fn drawings_that_undo_does_not_come_back_to_are_told_of() {
     }
     closed(Command::Palette(vec![Paint::from(RED).into()]));
     assert_eq!(closed(page::open(SQUARE, &[])), Some(2));
-    assert_eq!(closed(Command::Undo), Some(11));
-    assert_eq!(closed(Command::Undo), None, "the palette of number 10");
-    assert_eq!(closed(Command::Undo), Some(10));
+    let undone: Vec<_> = (0..3).map(|_| closed(Command::Undo)).collect();
+    assert_eq!(undone, [None; 3], "redo comes back to number 11 and 10");
+    assert_eq!(closed(page::open(SQUARE, &[])), Some(11), "and no longer");
 }
 
 #[test]
@@ -506,6 +506,31 @@ fn undo_brings_back_the_drawing_that_another_was_opened_over() {
     page.session.command(Command::Undo);
     page.session.command(Command::Undo);
     assert!(page.session.document().scribbles.is_empty());
+}
+
+#[test]
+fn redo_brings_back_an_opening_that_was_undone_until_something_else_is_done() {
+    let mut page = Page::open(SQUARE);
+    page.stroke(RED, &ACROSS);
+    page.session.command(page::open(SQUARE, &[]));
+    page.stroke(BLUE, &ACROSS);
+    let done = |page: &mut Page, command: Command| {
+        page.session.take_effects();
+        page.session.command(command);
+        let told = page.session.take_effects();
+        (told.contains(&Effect::Undone) || told.contains(&Effect::Redone))
+            .then(|| page.color_at((440.0, 200.0)))
+    };
+    let mut colors =
+        |commands: &[Command]| commands.iter().map(|c| done(&mut page, c.clone())).collect::<Vec<_>>();
+    let back = [Command::Undo, Command::Undo];
+    assert_eq!(colors(&back), [Some(PAPER), Some(RED)]);
+    assert_eq!(colors(&[Command::Redo, Command::Redo, Command::Redo]), [Some(PAPER), Some(BLUE), None]);
+    assert_eq!(colors(&back), [Some(PAPER), Some(RED)]);
+    page.pen(Phase::Down, (650.0, 200.0));
+    assert_eq!(done(&mut page, Command::Redo), None, "while the pen is down");
+    page.session.pointer(Phase::Up, &[]);
+    assert_eq!(done(&mut page, Command::Redo), None, "the drawing under it is another");
 }
 
 #[test]

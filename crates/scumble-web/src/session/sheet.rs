@@ -1,6 +1,6 @@
 //! The drawing in work, and those that it was opened over.
 
-use std::mem::replace;
+use std::mem::{replace, take};
 
 use scumble_core::work::Item;
 use scumble_core::{Document, Drawing, Editor, MapError, Work};
@@ -65,18 +65,46 @@ impl Sheet {
     }
 }
 
+/// The drawings that undo and redo come back to.
+#[derive(Debug, Default)]
+pub(super) struct Shelf {
+    /// Those with work in them that others were opened over.
+    under: Vec<Sheet>,
+    /// Those that undo took away, each with the revision of the one under it then.
+    over: Vec<(u32, Sheet)>,
+}
+
+impl Shelf {
+    /// Whether redo brings one back: not after the one under it was changed, nor while it is.
+    fn has_over(&self, under: &Editor) -> bool {
+        let is_in_hand = under.is_scribbling() || under.is_changing();
+        !is_in_hand && self.over.last().is_some_and(|(revision, _)| *revision == under.revision())
+    }
+}
+
 impl Session {
     /// Shows another drawing. The one that was there is kept if somebody worked on it.
     pub(super) fn lay_over(&mut self, sheet: Sheet) {
         let under = self.show(sheet);
+        for (_, sheet) in take(&mut self.shelf.over) {
+            self.close(&sheet);
+        }
         if !under.editor.can_undo() {
             return self.close(&under);
         }
-        self.shelf.push(under);
-        if self.shelf.len() > SHELF_SIZE {
-            let oldest = self.shelf.remove(0);
+        self.shelf.under.push(under);
+        if self.shelf.under.len() > SHELF_SIZE {
+            let oldest = self.shelf.under.remove(0);
             self.close(&oldest);
         }
+    }
+
+    pub(super) fn can_undo(&self) -> bool {
+        self.sheet.editor.can_undo() || !self.shelf.under.is_empty()
+    }
+
+    pub(super) fn can_redo(&self) -> bool {
+        self.sheet.editor.can_redo() || self.shelf.has_over(&self.sheet.editor)
     }
 
     fn close(&mut self, sheet: &Sheet) {
@@ -116,9 +144,9 @@ impl Session {
         if self.sheet.editor.undo() {
             self.things_changed();
             self.forget_missing();
-        } else if let Some(sheet) = self.shelf.pop() {
+        } else if let Some(sheet) = self.shelf.under.pop() {
             let over = self.show(sheet);
-            self.close(&over);
+            self.shelf.over.push((self.sheet.editor.revision(), over));
         } else {
             return;
         }
@@ -137,9 +165,16 @@ impl Session {
     pub(super) fn redo(&mut self) {
         self.settle();
         if self.sheet.editor.redo() {
-            self.tell(Effect::Redone);
             self.things_changed();
             self.forget_missing();
+        } else if self.shelf.has_over(&self.sheet.editor)
+            && let Some((_, sheet)) = self.shelf.over.pop()
+        {
+            let under = self.show(sheet);
+            self.shelf.under.push(under);
+        } else {
+            return;
         }
+        self.tell(Effect::Redone);
     }
 }
