@@ -21,11 +21,26 @@ pub(super) struct Coming {
 #[derive(Debug)]
 enum Step {
     Read(Box<Work>),
-    Mapped(Box<Sheet>),
-    Meshed(Box<Sheet>),
+    /// So many of [`MAKING`] are done.
+    Mapped(Box<Sheet>, usize),
     /// What it is, or why it is none.
     Ready(Result<Box<Sheet>, MapError>),
 }
+
+/// What is made of a map, each from what is before it: the labels say which gaps are closed in the mesh.
+const MAKING: [fn(&mut Sheet); 3] = [
+    |Sheet { picture, editor, .. }| {
+        let Document { scribbles, settings, .. } = editor.document();
+        picture.label(scribbles, settings);
+    },
+    |sheet| {
+        sheet.picture.mesh();
+    },
+    |sheet| {
+        // What fails is told of when the picture is shown, with the lines.
+        let _ = sheet.picture.update(sheet.editor.document());
+    },
+];
 
 impl Session {
     /// Begins to make work ready to be opened, by its exact bytes, in the place of other work that is on its way.
@@ -51,21 +66,16 @@ impl Session {
     fn after(&self, step: Step) -> Step {
         match step {
             Step::Read(work) => match Sheet::new(self.opened + 1, *work) {
-                Ok(sheet) if self.is_meshed_first(&sheet) => Step::Mapped(Box::new(sheet)),
+                Ok(sheet) if self.is_meshed_first(&sheet) => Step::Mapped(Box::new(sheet), 0),
                 sheet => Step::Ready(sheet.map(Box::new)),
             },
-            Step::Mapped(mut sheet) => {
-                // First, as it says which gaps are closed.
-                let Document { scribbles, settings, .. } = sheet.editor.document();
-                sheet.picture.label(scribbles, settings);
-                sheet.picture.mesh();
-                Step::Meshed(sheet)
-            }
-            Step::Meshed(mut sheet) => {
-                // What fails is told of when the picture is shown, with the lines.
-                let _ = sheet.picture.update(sheet.editor.document());
-                Step::Ready(Ok(sheet))
-            }
+            Step::Mapped(mut sheet, done) => match MAKING.get(done) {
+                Some(make) => {
+                    make(&mut sheet);
+                    Step::Mapped(sheet, done + 1)
+                }
+                None => Step::Ready(Ok(sheet)),
+            },
             Step::Ready(sheet) => Step::Ready(sheet),
         }
     }
