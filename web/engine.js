@@ -42,6 +42,8 @@ export class Engine {
   /** @type {Record<string, Handler>} */
   #handlers;
   #frameAsked = false;
+  /** @type {Renderer | undefined} The renderer that it began with. */
+  #build;
 
   /** @param {Record<string, Handler>} handlers what to do with each effect; `stopped` is called after a fault, with whether a drawing was being made ready */
   constructor(handlers) {
@@ -63,6 +65,7 @@ export class Engine {
     for (const renderer of await candidates()) {
       try {
         const { App } = await load(renderer);
+        this.#build = renderer;
         const options = { renderer, desk, wake: () => this.#askFrame() };
         this.#app = await App.create(this.#freshCanvas(), options);
         return;
@@ -206,9 +209,12 @@ export class Engine {
    * A canvas whose device is gone serves no more: a new one goes to the renderer that is named.
    * @param {Renderer | null} renderer
    */
-  #recover(renderer) {
-    if (renderer) this.command("canvas", { canvas: this.#freshCanvas(), renderer });
-    else this.#handlers["no-renderer"]?.(undefined);
+  async #recover(renderer) {
+    if (!renderer) return this.#handlers["no-renderer"]?.(undefined);
+    const canvas = this.#freshCanvas();
+    // The module has no renderer but its own build's: that of the other build paints for it.
+    const painter = renderer === this.#build || renderer === "cpu" ? undefined : await beside(renderer, canvas);
+    this.command("canvas", { canvas, renderer, painter });
   }
 
   /** Puts an untouched canvas in the place of the one in the page: a canvas takes one kind of context in its life. */
@@ -256,6 +262,21 @@ function load(renderer) {
   builds.set(build, module);
   module.catch(() => builds.delete(build));
   return module;
+}
+
+/**
+ * A painter of another build on a canvas, if it can be had.
+ * @param {Renderer} renderer
+ * @param {HTMLCanvasElement} canvas
+ */
+async function beside(renderer, canvas) {
+  try {
+    const { Beside } = await load(renderer);
+    return await Beside.create(canvas);
+  } catch (fault) {
+    console.warn(`${renderer}:`, fault);
+    return undefined;
+  }
 }
 
 /** @param {string} build */

@@ -340,6 +340,7 @@ export const german = {
   "redone": "Wiederholt",
   "exported": ({ name }) => `${name} exportiert`,
   "recovered": "Die Grafikkarte war verloren; das Bild ist neu gemalt",
+  "recovered-webgl": "Die Grafikkarte war verloren; die Seite malt jetzt mit WebGL 2",
   "recovered-cpu": "Die Grafikkarte war verloren; die Seite malt ohne sie",
 
   "failed": ({ sentence }) => {

@@ -333,6 +333,7 @@ export const english = {
   "redone": "Redone",
   "exported": ({ name }) => `Exported ${name}`,
   "recovered": "The graphics device was lost; the picture has been drawn again",
+  "recovered-webgl": "The graphics device was lost; the page draws with WebGL 2 now",
   "recovered-cpu": "The graphics device was lost; the page draws without it",
 
   "failed": ({ sentence }) => `${sentence.charAt(0).toUpperCase()}${sentence.slice(1)}.`,

@@ -1,5 +1,6 @@
 //! What a painter paints, on the CPU or on the GPU: paper, a colour field, flat shapes over it.
 
+use std::array;
 use std::ops::Range;
 use std::sync::Arc;
 
@@ -28,11 +29,46 @@ pub struct Shape {
     pub color: Rgba8,
 }
 
+/// What a triangle of a shape takes as bytes: six numbers of four.
+const TRIANGLE_BYTES: usize = 4 * 6;
+
 impl Shape {
+    /// Shapes as bytes, for another module of the page: of each its colour, the number of its triangles, and these.
+    pub fn all_to_bytes(shapes: &[Self]) -> Vec<u8> {
+        let mut bytes = Vec::new();
+        for Self { triangles, color } in shapes {
+            bytes.extend(color.0);
+            bytes.extend((triangles.len() as u32).to_le_bytes());
+            bytes.extend(
+                triangles.as_flattened().as_flattened().iter().flat_map(|number| number.to_le_bytes()),
+            );
+        }
+        bytes
+    }
+
+    /// What [`Shape::all_to_bytes`] made; `None` for other bytes.
+    pub fn all_from_bytes(mut bytes: &[u8]) -> Option<Vec<Self>> {
+        let mut shapes = Vec::new();
+        while let Some((&color, rest)) = bytes.split_first_chunk() {
+            let (&count, rest) = rest.split_first_chunk()?;
+            let count = u32::from_le_bytes(count) as usize;
+            let (triangles, rest) = rest.split_at_checked(count.checked_mul(TRIANGLE_BYTES)?)?;
+            let triangles = triangles.as_chunks().0.iter().map(triangle_from_bytes).collect();
+            shapes.push(Self { triangles, color: Rgba8(color) });
+            bytes = rest;
+        }
+        bytes.is_empty().then_some(shapes)
+    }
+
     /// What it lies within, in du; `None` where there is nothing of it.
     pub fn bounds(&self) -> Option<Rect> {
         bounds(&*self.triangles)
     }
+}
+
+fn triangle_from_bytes(bytes: &[u8; TRIANGLE_BYTES]) -> [[f32; 2]; 3] {
+    let (numbers, _) = bytes.as_chunks();
+    array::from_fn(|i| array::from_fn(|c| f32::from_le_bytes(numbers[2 * i + c])))
 }
 
 /// What triangles lie within.
@@ -76,5 +112,30 @@ impl View {
             width_px: columns.end - columns.start,
             height_px: rows.end - rows.start,
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn bytes_of_shapes_lose_nothing_and_other_bytes_are_none() {
+        let shape = |count: usize, color| {
+            let triangles =
+                (0..count).map(|i| [[i as f32 + 0.1, -2.5], [1024.0, 3.0], [7.0, f32::MIN_POSITIVE]]);
+            Shape { triangles: triangles.collect(), color: Rgba8(color) }
+        };
+        for shapes in [vec![], vec![shape(2, [1, 2, 3, 4]), shape(0, [255; 4]), shape(1, [0; 4])]] {
+            let bytes = Shape::all_to_bytes(&shapes);
+            assert_eq!(Shape::all_from_bytes(&bytes), Some(shapes));
+            let longer = [&bytes[..], &[0]].concat();
+            assert_eq!(Shape::all_from_bytes(&longer), None);
+        }
+        assert_eq!(
+            Shape::all_from_bytes(&[1, 2, 3, 4, 255, 255, 255, 255]),
+            None,
+            "a count without its triangles"
+        );
     }
 }

@@ -18,7 +18,7 @@ use crate::boundary::{
 use crate::command::Phase;
 use crate::effect::Effect;
 use crate::painting::PAPER;
-use crate::screen::{CPU, GPU, Screen};
+use crate::screen::{self, Screen};
 use crate::session::Session;
 
 /// A device that is lost or not had this often while nobody draws is not asked for again: it may be lost by what is drawn.
@@ -80,7 +80,8 @@ impl App {
     }
 
     /// Does what a control asks for; see `boundary.rs` for names and arguments. "lost" says that the canvas has lost
-    /// its context. "canvas" (`canvas`, `renderer`: the next ones) takes longer than the call.
+    /// its context. "canvas" (`canvas`, `renderer`: the next ones; `painter`: that of the other build, which has
+    /// the canvas then) takes longer than the call.
     ///
     /// # Errors
     /// For a command that does not exist with these arguments.
@@ -161,6 +162,13 @@ impl App {
         let canvas = field(args, "canvas").dyn_into().map_err(|_| missing("canvas"))?;
         let renderer = field(args, "renderer").as_string().ok_or_else(|| missing("renderer"))?;
         let shared = Rc::clone(&self.shared);
+        #[cfg(feature = "webgpu")]
+        if field(args, "painter").is_object() {
+            // Its class is another module's, by which it cannot be known here.
+            let painter = Screen::Beside(field(args, "painter").unchecked_into());
+            shared.borrow_mut().reopened(Some(painter), &renderer);
+            return Ok(());
+        }
         spawn_local(async move {
             let screen = Screen::open(canvas, &renderer, on_device_failure).await;
             shared.borrow_mut().reopened(screen.ok(), &renderer);
@@ -222,19 +230,18 @@ impl Shared {
     /// Has the page ask for a renderer once more, or for what there is in its place.
     fn ask_after(&mut self, renderer: &'static str) {
         self.losses += 1;
-        let next = if renderer == CPU {
-            None
-        } else if self.losses < LOSSES_BORNE {
+        let next = if self.losses < LOSSES_BORNE {
             Some(renderer)
         } else {
-            Some(CPU)
+            self.losses = 0;
+            screen::after(renderer)
         };
         self.session.tell(Effect::Lost(next));
     }
 
     fn reopened(&mut self, screen: Option<Screen>, renderer: &str) {
         let Some(screen) = screen else {
-            return self.ask_after(if renderer == CPU { CPU } else { GPU });
+            return self.ask_after(screen::name_of(renderer));
         };
         self.session.set_grids(screen.grids());
         self.session.tell(Effect::Renderer(screen.renderer()));

@@ -14,10 +14,11 @@
 //! | pan, zoom, fit | [`view`] |
 //! | scribbles, ink and desk over the picture | [`layers`] |
 //! | the canvas and what paints it: GPU or CPU | `screen` |
+//! | the renderer of the other build, in its own module | `beside` |
 //! | commands and effects as JavaScript values | `boundary` |
 //! | what JavaScript calls | `app` |
 //!
-//! All but the last three are free of the browser and tested without one.
+//! All but the last four are free of the browser and tested without one.
 
 pub mod brush;
 pub mod command;
@@ -33,6 +34,8 @@ pub mod view;
 
 #[cfg(target_arch = "wasm32")]
 mod app;
+#[cfg(target_arch = "wasm32")]
+pub mod beside;
 #[cfg(target_arch = "wasm32")]
 mod boundary;
 #[cfg(target_arch = "wasm32")]

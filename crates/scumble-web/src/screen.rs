@@ -3,23 +3,42 @@
 //! A canvas takes one kind of context in its life. WebGPU claims it only after its device is there; WebGL cannot be
 //! had without claiming it, and after a failure wants another canvas.
 
+use scumble_core::Srgb8;
 use scumble_gpu::wgpu::{self, CurrentSurfaceTexture};
 use scumble_gpu::{
     Gpu, GpuError, GpuGridSolver, GridKernels, Layer, Renderer, instance, probe, surface_format,
 };
 use scumble_solve::grid::{GridProblem, PAGE_STEPS};
-use scumble_solve::{Pixmap, View};
+use scumble_solve::{Field, Pixmap, Shape, View};
 use thiserror::Error;
 use wasm_bindgen::{Clamped, JsCast};
 use web_sys::{CanvasRenderingContext2d, HtmlCanvasElement, ImageData};
 
+#[cfg(feature = "webgpu")]
+use crate::beside::Beside;
 use crate::painting::{Changed, Painter, Painting, PartPainter};
 use crate::solver::Grids;
 
 /// The name of the painter on the CPU.
 pub const CPU: &str = "cpu";
+/// The name of the renderer with WebGL 2, which is in a build of its own.
+const WEBGL: &str = "webgl";
 /// The name of the renderer on the GPU that this build has.
-pub const GPU: &str = if cfg!(feature = "webgl") { "webgl" } else { "webgpu" };
+pub const GPU: &str = if cfg!(feature = "webgl") { WEBGL } else { "webgpu" };
+
+/// The name of the renderer that follows one of a name, once that is given up.
+pub fn after(renderer: &str) -> Option<&'static str> {
+    match renderer {
+        CPU => None,
+        WEBGL => Some(CPU),
+        _ => Some(WEBGL),
+    }
+}
+
+/// The name of a renderer as one that lasts: where there is none of it, it is this build's.
+pub fn name_of(renderer: &str) -> &'static str {
+    [CPU, WEBGL].into_iter().find(|name| *name == renderer).unwrap_or(GPU)
+}
 
 /// Why a canvas cannot be painted.
 #[derive(Debug, Error)]
@@ -37,6 +56,9 @@ pub enum ScreenError {
 pub enum Screen {
     /// A renderer on the GPU.
     Gpu(Box<GpuScreen>),
+    /// The renderer of the other build.
+    #[cfg(feature = "webgpu")]
+    Beside(Beside),
     /// The painter on the CPU.
     Cpu(CpuScreen),
 }
@@ -51,16 +73,19 @@ impl Screen {
         renderer: &str,
         on_failure: impl Fn(GpuError) + Send + Sync + 'static,
     ) -> Result<Self, ScreenError> {
-        if renderer == CPU {
-            return Ok(Self::Cpu(CpuScreen::open(canvas)?));
+        match renderer {
+            CPU => Ok(Self::Cpu(CpuScreen::open(canvas)?)),
+            GPU => Ok(Self::Gpu(Box::new(GpuScreen::open(canvas, on_failure).await?))),
+            _ => Err(ScreenError::Canvas(format!("no {renderer} here"))),
         }
-        Ok(Self::Gpu(Box::new(GpuScreen::open(canvas, on_failure).await?)))
     }
 
     /// The name of what paints.
     pub fn renderer(&self) -> &'static str {
         match self {
             Self::Gpu(_) => GPU,
+            #[cfg(feature = "webgpu")]
+            Self::Beside(_) => WEBGL,
             Self::Cpu(_) => CPU,
         }
     }
@@ -69,7 +94,7 @@ impl Screen {
     pub fn grids(&self) -> Grids {
         match self {
             Self::Gpu(screen) => screen.grids(),
-            Self::Cpu(_) => Grids::No,
+            _ => Grids::No,
         }
     }
 }
@@ -78,6 +103,11 @@ impl Painter for Screen {
     fn paint(&mut self, painting: &Painting<'_>, changed: Changed) -> bool {
         match self {
             Self::Gpu(screen) => screen.paint(painting, changed),
+            #[cfg(feature = "webgpu")]
+            Self::Beside(painter) => {
+                painter.show(painting, changed);
+                true
+            }
             Self::Cpu(screen) => {
                 screen.paint(painting, &changed);
                 true
@@ -110,7 +140,7 @@ struct Solving {
 const FRAME_STEPS: usize = 5;
 
 impl GpuScreen {
-    async fn open(
+    pub(crate) async fn open(
         canvas: HtmlCanvasElement,
         on_failure: impl Fn(GpuError) + Send + Sync + 'static,
     ) -> Result<Self, ScreenError> {
@@ -139,18 +169,32 @@ impl GpuScreen {
     }
 
     fn paint(&mut self, painting: &Painting<'_>, changed: Changed) -> bool {
-        self.resize(&painting.view);
         self.upload(painting, changed);
         self.solve_on();
+        self.show(&painting.view, painting.paper);
+        self.solving.as_ref().is_none_or(|solving| solving.steps_left == 0)
+    }
+
+    /// Draws what there is of a view.
+    pub(crate) fn show(&mut self, view: &View, paper: Option<Srgb8>) {
+        self.resize(view);
         // A frame that cannot be had is dropped: a lost device is reported by itself.
         if let CurrentSurfaceTexture::Success(frame) | CurrentSurfaceTexture::Suboptimal(frame) =
             self.surface.get_current_texture()
         {
             let target = frame.texture.create_view(&wgpu::TextureViewDescriptor::default());
-            self.renderer.draw(&painting.view, painting.paper, &target);
+            self.renderer.draw(view, paper, &target);
             self.gpu.queue.present(frame);
         }
-        self.solving.as_ref().is_none_or(|solving| solving.steps_left == 0)
+    }
+
+    pub(crate) fn set_field(&mut self, field: &Field) {
+        self.solving = None;
+        self.renderer.set_field(field);
+    }
+
+    pub(crate) fn set_shapes(&mut self, layer: Layer, shapes: &[Shape]) {
+        self.renderer.set_shapes(layer, shapes);
     }
 
     /// Takes a problem to its first picture.
@@ -182,17 +226,14 @@ impl GpuScreen {
     fn upload(&mut self, painting: &Painting<'_>, changed: Changed) {
         match painting.problem {
             Some(problem) if changed.problem => self.begin(problem),
-            None if changed.field => {
-                self.solving = None;
-                self.renderer.set_field(painting.field);
-            }
+            None if changed.field => self.set_field(painting.field),
             _ => {}
         }
         if changed.scribbles {
-            self.renderer.set_shapes(Layer::Scribbles, painting.layers.scribbles());
+            self.set_shapes(Layer::Scribbles, painting.layers.scribbles());
         }
         if changed.ink {
-            self.renderer.set_shapes(Layer::Ink, painting.layers.ink());
+            self.set_shapes(Layer::Ink, painting.layers.ink());
         }
     }
 }
