@@ -45,10 +45,10 @@ export class KeyboardPen {
    * An arrow key moves it, and the view at its rim.
    * @param {number[]} direction
    * @param {boolean} isFar
-   * @returns whether it is there to be moved
+   * @returns whether it is there to be moved, and no other control has the keys
    */
   move(direction, isFar) {
-    if (this.#cross.hidden) return false;
+    if (this.#cross.hidden || !(document.activeElement instanceof HTMLCanvasElement)) return false;
     const { clientWidth, clientHeight } = this.#shell.stage;
     const wanted = this.#place.map((at, i) => at + STEPS_PX[Number(isFar)] * direction[i]);
     const [x, y] = (this.#place = [within(wanted[0], clientWidth), within(wanted[1], clientHeight)]);

@@ -93,6 +93,9 @@ for (const browser of /** @type {const} */ (["chromium", "firefox"])) {
       await editor.tab.press("Enter");
       await press(editor, "ArrowDown", 3);
       await editor.until("Scribble added, 1", () => editor.tab.press("Tab"));
+      const place = await cross(editor);
+      await editor.tab.press("ArrowDown");
+      assert.deepEqual(await cross(editor), place, "arrows are the focused control's");
       await tabTo(editor, IS_CANVAS);
       await editor.tab.press("0");
       await editor.tab.press("i");
