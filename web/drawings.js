@@ -14,7 +14,7 @@ import { say } from "./messages.js";
  * @property {string} [id] what the browser's storage has it as, if it does
  * @property {number} [writer] whose it is there, by a number
  * @property {number} [kept] the revision that is there
- * @property {Images} images those that have lain under its lines, for undo to come back to
+ * @property {Images} images those that have lain under its lines, for undo and redo to come back to
  * @property {number} [keptImage] which of them is in the browser's storage; NaN while that is not known
  * @property {number} revision
  * @property {number} saved the revision that was opened or saved last
@@ -63,7 +63,7 @@ export class Drawings {
     this.#changed(this.#shown);
   }
 
-  /** Lets go of what undo does not come back to. @param {number} sheet */
+  /** Lets go of what neither undo nor redo comes back to. @param {number} sheet */
   close(sheet) {
     this.#all.get(sheet)?.images.clear();
   }

@@ -32,6 +32,9 @@
 /** Work that takes longer than this lets the page go on in between. */
 const SLICE_MS = 30;
 
+/** Another build is waited for so long, with nothing painted. */
+const PATIENCE_MS = 8_000;
+
 const RENDERERS = /** @type {Renderer[]} */ (["webgpu", "webgl", "cpu"]);
 
 export class Engine {
@@ -213,8 +216,26 @@ export class Engine {
     if (!renderer) return this.#handlers["no-renderer"]?.(undefined);
     const canvas = this.#freshCanvas();
     // The module has no renderer but its own build's: that of the other build paints for it.
-    const painter = renderer === this.#build || renderer === "cpu" ? undefined : await beside(renderer, canvas);
+    const painter = renderer === this.#build || renderer === "cpu" ? undefined : await this.#beside(renderer, canvas);
     this.command("canvas", { canvas, renderer, painter });
+  }
+
+  /**
+   * A painter of another build on a canvas, if it can be had soon.
+   * @param {Renderer} renderer
+   * @param {HTMLCanvasElement} canvas
+   */
+  async #beside(renderer, canvas) {
+    const lost = () => requestAnimationFrame(() => canvas.isConnected && this.command("lost"));
+    const late = new Promise((_, reject) => setTimeout(reject, PATIENCE_MS, new Error("it does not come")));
+    const made = load(renderer).then(({ Beside }) => Beside.create(canvas, lost));
+    try {
+      return await Promise.race([made, late]);
+    } catch (fault) {
+      console.warn(`${renderer}:`, fault);
+      made.then((painter) => painter.free()).catch(() => {});
+      return undefined;
+    }
   }
 
   /** Puts an untouched canvas in the place of the one in the page: a canvas takes one kind of context in its life. */
@@ -262,21 +283,6 @@ function load(renderer) {
   builds.set(build, module);
   module.catch(() => builds.delete(build));
   return module;
-}
-
-/**
- * A painter of another build on a canvas, if it can be had.
- * @param {Renderer} renderer
- * @param {HTMLCanvasElement} canvas
- */
-async function beside(renderer, canvas) {
-  try {
-    const { Beside } = await load(renderer);
-    return await Beside.create(canvas);
-  } catch (fault) {
-    console.warn(`${renderer}:`, fault);
-    return undefined;
-  }
 }
 
 /** @param {string} build */

@@ -67,7 +67,7 @@ export class Export {
    */
   async save(stem, drawing) {
     const own = `${stem}.${format()}`;
-    const name = own === drawing ? `${stem} (Scumble).${format()}` : own;
+    const name = own.toLowerCase() === drawing.toLowerCase() ? `${stem} (Scumble).${format()}` : own;
     const file = await this.#worked(() => this.#made(format()));
     if (!file) return;
     this.#shell.download(name, file);

@@ -107,7 +107,7 @@ export const german = {
   "solver-automatic": "Automatisch",
   "solver-mesh": "Netz",
   "solver-gpu": "GPU",
-  "source-without-gpu": "Ohne WebGPU oder WebGL2 malt der Löser auf dem Netz",
+  "source-without-gpu": "Was hier malt, hat keinen GPU-Löser; der Löser auf dem Netz malt",
   "source-so-close": "Bei diesem Zoom malt der Löser auf dem Netz",
   "gap-closing": "Lücken schließen",
   "gap-note": "Mehr hält Farben an breiteren Lücken zwischen Linien auf",
@@ -306,7 +306,7 @@ export const german = {
 
   "untitled": "Ohne Titel",
   "title": ({ name, unsaved }) => `${unsaved ? "• " : ""}${name} – Scumble`,
-  "unsaved": "noch in keiner Datei",
+  "unsaved": "nicht als Datei gesichert",
   "copy": ({ name }) => `Kopie von ${name}`,
   "opened-copy": ({ name }) => `${name} geöffnet: ein anderer Tab hat die Zeichnung selbst`,
   "copied-beside": ({ name, before }) => `Ein anderer Tab hat ${before}; dieser macht weiter als ${name}`,

@@ -99,7 +99,7 @@ export const english = {
   "solver-automatic": "Automatic",
   "solver-mesh": "Mesh",
   "solver-gpu": "GPU",
-  "source-without-gpu": "Without WebGPU or WebGL2, the mesh solver draws",
+  "source-without-gpu": "What paints here has no GPU solver; the mesh solver draws",
   "source-so-close": "At this zoom, the mesh solver draws",
   "gap-closing": "Gap closing",
   "gap-note": "More stops colours at wider gaps between lines",
@@ -298,7 +298,7 @@ export const english = {
 
   "untitled": "Untitled",
   "title": ({ name, unsaved }) => `${unsaved ? "• " : ""}${name} – Scumble`,
-  "unsaved": "not in a file yet",
+  "unsaved": "not saved to a file",
   "copy": ({ name }) => `Copy of ${name}`,
   "opened-copy": ({ name }) => `Opened ${name}: another tab has the drawing itself`,
   "copied-beside": ({ name, before }) => `Another tab has ${before}; this one goes on as ${name}`,

@@ -16,6 +16,12 @@ const WAY = /** @type {Point[]} */ ([[30, 30], [50, 60], [70, 40]]);
 /** The page's renderer is not asked for again after so many losses while nobody draws. */
 const LOSSES_BORNE = 3;
 
+/** Has no WebGL 2. */
+const WITHOUT_WEBGL = `
+  HTMLCanvasElement.prototype.getContext = function (kind, ...options) {
+    return kind === "webgl2" ? null : given.call(this, kind, ...options);
+  };`;
+
 /** What is said of the renderers that come after one. */
 const FOLLOWERS = { webgpu: ["draws with WebGL 2", "draws without it"], webgl: ["draws without it"] };
 
@@ -97,3 +103,29 @@ for (const renderer of /** @type {const} */ (["webgpu", "webgl"])) {
     });
   });
 }
+
+describe("webgpu, lost where there is no WebGL 2", () => {
+  const session = useSession("chromium");
+
+  test("in the middle of a stroke, with the gpu solver: the CPU goes on with it", async () => {
+    const tab = await session.newTab();
+    await tab.prepare(WATCH + WITHOUT_WEBGL);
+    const editor = await Editor.open(tab, `${session.url}?renderer=webgpu`, "webgpu");
+    await editor.openDrawing("rooms");
+    await editor.choose("Solver", "gpu");
+    await editor.shows("gpu");
+    const { x, y } = await editor.box();
+    const [first, ...rest] = (await editor.place(WAY, ROOMS)).map(([px, py]) => /** @type {const} */ ([x + px, y + py]));
+    await tab.mouse.move(...first);
+    await tab.mouse.down();
+    for (let loss = 1; loss < LOSSES_BORNE; loss++) {
+      await editor.until("has been drawn again", () => tab.evaluate("devices.at(-1)()"));
+    }
+    await editor.until("draws without it", () => tab.evaluate("devices.at(-1)()"));
+    for (const place of rest) await tab.mouse.move(...place);
+    await editor.until("Scribble added, 1", () => tab.mouse.up());
+    await editor.shows("mesh-without-gpu");
+    assert.deepEqual(tab.faults, []);
+  });
+});
+

@@ -120,7 +120,7 @@ describe("the solver", () => {
   testPage("GPU without a GPU: the mesh solver, and the page says so", "cpu", "", async () => {
     await shade(editor);
     const mesh = await editor.picture();
-    await editor.until("Without WebGPU or WebGL2", () => editor.choose("Solver", "gpu"));
+    await editor.until("has no GPU solver", () => editor.choose("Solver", "gpu"));
     await editor.shows("without-gpu");
     assert.ok((await editor.picture()).equals(mesh));
   });

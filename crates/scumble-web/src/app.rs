@@ -12,13 +12,15 @@ use wasm_bindgen::{JsCast, JsError, JsValue};
 use wasm_bindgen_futures::spawn_local;
 use web_sys::{HtmlCanvasElement, console};
 
+#[cfg(feature = "webgpu")]
+use crate::beside::BesideScreen;
 use crate::boundary::{
     color, color_model_from_name, command_from_js, field, js_from_effects, js_from_history, js_from_picture,
 };
 use crate::command::Phase;
 use crate::effect::Effect;
 use crate::painting::PAPER;
-use crate::screen::{self, Screen};
+use crate::screen::{self, GPU, Screen};
 use crate::session::Session;
 
 /// A device that is lost or not had this often while nobody draws is not asked for again: it may be lost by what is drawn.
@@ -165,8 +167,8 @@ impl App {
         #[cfg(feature = "webgpu")]
         if field(args, "painter").is_object() {
             // Its class is another module's, by which it cannot be known here.
-            let painter = Screen::Beside(field(args, "painter").unchecked_into());
-            shared.borrow_mut().reopened(Some(painter), &renderer);
+            let painter = BesideScreen::new(field(args, "painter").unchecked_into(), note_failure);
+            shared.borrow_mut().reopened(Some(Screen::Beside(painter)), &renderer);
             return Ok(());
         }
         spawn_local(async move {
@@ -210,7 +212,7 @@ impl Export {
 
 impl Shared {
     fn paint(&mut self) {
-        if DEVICE_LOST.take() && matches!(self.screen, Some(Screen::Gpu(_))) {
+        if DEVICE_LOST.take() && !matches!(self.screen, Some(Screen::Cpu(_))) {
             self.lose();
         }
         if let Some(screen) = &mut self.screen
@@ -230,18 +232,22 @@ impl Shared {
     /// Has the page ask for a renderer once more, or for what there is in its place.
     fn ask_after(&mut self, renderer: &'static str) {
         self.losses += 1;
-        let next = if self.losses < LOSSES_BORNE {
-            Some(renderer)
+        if self.losses < LOSSES_BORNE {
+            self.session.tell(Effect::Lost(Some(renderer)));
         } else {
-            self.losses = 0;
-            screen::after(renderer)
-        };
-        self.session.tell(Effect::Lost(next));
+            self.give_up(renderer);
+        }
+    }
+
+    fn give_up(&mut self, renderer: &str) {
+        self.losses = 0;
+        self.session.tell(Effect::Lost(screen::after(renderer)));
     }
 
     fn reopened(&mut self, screen: Option<Screen>, renderer: &str) {
         let Some(screen) = screen else {
-            return self.ask_after(screen::name_of(renderer));
+            // What takes the place of another is not tried twice.
+            return if renderer == GPU { self.ask_after(GPU) } else { self.give_up(renderer) };
         };
         self.session.set_grids(screen.grids());
         self.session.tell(Effect::Renderer(screen.renderer()));
@@ -263,6 +269,10 @@ impl std::fmt::Debug for Shared {
 /// May be called in the middle of drawing, so it only leaves a mark and asks for a frame.
 fn on_device_failure(error: GpuError) {
     console::warn_1(&error.to_string().into());
+    note_failure();
+}
+
+fn note_failure() {
     DEVICE_LOST.set(true);
     wake();
 }

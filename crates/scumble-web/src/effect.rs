@@ -13,7 +13,7 @@ use crate::view::Turn;
 pub enum Effect {
     /// Which drawing is shown, and as which revision of it.
     Sheet(SheetState),
-    /// Undo does not come back to the drawing of this number any more.
+    /// Neither undo nor redo comes back to the drawing of this number any more.
     Closed(u32),
     /// Whether there is something to undo.
     Undo(bool),

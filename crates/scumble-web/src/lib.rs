@@ -20,6 +20,7 @@
 //!
 //! All but the last four are free of the browser and tested without one.
 
+pub mod beside;
 pub mod brush;
 pub mod command;
 pub mod effect;
@@ -34,8 +35,6 @@ pub mod view;
 
 #[cfg(target_arch = "wasm32")]
 mod app;
-#[cfg(target_arch = "wasm32")]
-pub mod beside;
 #[cfg(target_arch = "wasm32")]
 mod boundary;
 #[cfg(target_arch = "wasm32")]

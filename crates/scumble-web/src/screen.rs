@@ -1,4 +1,4 @@
-//! The canvas of the page and what paints it: a renderer on the GPU, or the painter on the CPU.
+//! The canvas of the page and what paints it: a renderer on the GPU, that of the other build, or the painter on the CPU.
 //!
 //! A canvas takes one kind of context in its life. WebGPU claims it only after its device is there; WebGL cannot be
 //! had without claiming it, and after a failure wants another canvas.
@@ -15,7 +15,7 @@ use wasm_bindgen::{Clamped, JsCast};
 use web_sys::{CanvasRenderingContext2d, HtmlCanvasElement, ImageData};
 
 #[cfg(feature = "webgpu")]
-use crate::beside::Beside;
+use crate::beside::BesideScreen;
 use crate::painting::{Changed, Painter, Painting, PartPainter};
 use crate::solver::Grids;
 
@@ -33,11 +33,6 @@ pub fn after(renderer: &str) -> Option<&'static str> {
         WEBGL => Some(CPU),
         _ => Some(WEBGL),
     }
-}
-
-/// The name of a renderer as one that lasts: where there is none of it, it is this build's.
-pub fn name_of(renderer: &str) -> &'static str {
-    [CPU, WEBGL].into_iter().find(|name| *name == renderer).unwrap_or(GPU)
 }
 
 /// Why a canvas cannot be painted.
@@ -58,7 +53,7 @@ pub enum Screen {
     Gpu(Box<GpuScreen>),
     /// The renderer of the other build.
     #[cfg(feature = "webgpu")]
-    Beside(Beside),
+    Beside(BesideScreen),
     /// The painter on the CPU.
     Cpu(CpuScreen),
 }

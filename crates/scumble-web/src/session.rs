@@ -173,6 +173,7 @@ impl Session {
 
     /// What the page has not been told yet.
     pub fn take_effects(&mut self) -> Vec<Effect> {
+        self.settle_shelf();
         let state = self.state();
         let mut effects = state.news_since(&self.known);
         effects.append(&mut self.effects);

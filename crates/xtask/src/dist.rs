@@ -11,12 +11,11 @@
 //! | `samples/` | the drawings that the page offers, bare and coloured, with thumbnails, `index.json` and licences |
 
 use crate::package::{self, FILES, FLAVOURS};
-use crate::process::{node, root, run};
+use crate::process::{minifier, root, run};
 use crate::{icons, samples, tools, version};
 use anyhow::{Context, Result};
 use std::fs;
 use std::path::{Path, PathBuf};
-use std::process::Command;
 
 /// Builds the page; steps whose input is as it was are skipped. Another build of it is waited for.
 pub(crate) fn build() -> Result<PathBuf> {
@@ -56,13 +55,6 @@ fn write_web(from: &Path, to: &Path) -> Result<()> {
     icons::write(&from.join("icon.svg"), to)?;
     let files = ["main.js", "formats_worker.js", "style.css"].map(|name| from.join(name));
     run(minifier().args(["--bundle", "--splitting"]).arg(format!("--outdir={}", to.display())).args(files))
-}
-
-/// What takes from a script or style what only people read.
-pub(crate) fn minifier() -> Command {
-    let mut minifier = node();
-    minifier.args(["node_modules/esbuild/bin/esbuild", "--format=esm", "--minify", "--log-level=warning"]);
-    minifier
 }
 
 fn copy_files(files: impl IntoIterator<Item = PathBuf>, to: &Path) -> Result<()> {

@@ -2,11 +2,10 @@
 //!
 //! The two know each other's functions by names that end in a hash, some hundreds, which do not compress: they get short ones.
 
-use crate::dist::minifier;
-use crate::process::{cargo, command, node, output_of, root, run};
+use crate::process::{cargo, command, minifier, node, output_of, root, run};
 use crate::tools;
 use anyhow::{Context, Result};
-use serde_json::{Map, Value};
+use std::collections::BTreeMap;
 use std::fs;
 use std::path::{Path, PathBuf};
 
@@ -44,9 +43,9 @@ pub(crate) fn build(name: &str) -> Result<PathBuf> {
     tools::wasm_bindgen()?;
     let work = root().join("target/page").join(name);
     let (seen, package) = (work.join("seen"), work.join("package"));
-    // The tools and their settings are part of it, so that a change of them runs the steps again.
+    // The tools and how they are used are part of it, so that a change of them runs the steps again.
     let tools = fs::read(root().join("package-lock.json"))?;
-    let input = [fs::read(&wasm)?, tools, WASM_OPT.concat().into()].concat();
+    let input = [&fs::read(&wasm)?, &tools, &include_bytes!("package.rs")[..]].concat();
     if fs::read(&seen).is_ok_and(|seen| seen == input) {
         return Ok(package);
     }
@@ -56,7 +55,7 @@ pub(crate) fn build(name: &str) -> Result<PathBuf> {
     bind(&wasm, &package)?;
     let module = crate_of(name).replace('-', "_");
     let names = optimise(&package.join(format!("{module}_bg.wasm")))?;
-    shorten(&package.join(format!("{module}.js")), &names, &work.join("names.json"))?;
+    shorten(&package.join(format!("{module}.js")), &names)?;
     fs::write(seen, input)?;
     Ok(package)
 }
@@ -85,56 +84,88 @@ fn bind(wasm: &Path, package: &Path) -> Result<()> {
         .args([package, wasm]))
 }
 
-/// Gives back the short names by those that the module's JavaScript has still.
-fn optimise(wasm: &Path) -> Result<Map<String, Value>> {
+/// Optimises a module in its place, and gives back the short names that its imports and exports have now.
+fn optimise(wasm: &Path) -> Result<ShortNames> {
     let optimised = wasm.with_extension("optimised");
     let wasm_opt = "node_modules/binaryen/bin/wasm-opt";
-    let names = output_of(node().arg(wasm_opt).args(WASM_OPT).arg(wasm).arg("-o").arg(&optimised))?;
+    let list = output_of(node().arg(wasm_opt).args(WASM_OPT).arg(wasm).arg("-o").arg(&optimised))?;
     fs::rename(optimised, wasm)?;
-    short_names(&names)
+    ShortNames::read(&list)
 }
 
-/// The names of a list of `wasm-opt`, which has `imports` of module, name and short name, and `exports` of name and short name.
-fn short_names(list: &str) -> Result<Map<String, Value>> {
-    let list: Value = serde_json::from_str(list).context("wasm-opt: its list of names")?;
-    let rows = ["imports", "exports"].into_iter().filter_map(|kind| list[kind].as_array()).flatten();
-    let mut names = Map::new();
-    for row in rows.filter_map(Value::as_array) {
-        let [.., name, short] = row.as_slice() else { continue };
-        names.insert(name.as_str().unwrap_or_default().to_owned(), short.clone());
-        if let [module, _, _] = row.as_slice() {
-            names.insert(module.as_str().unwrap_or_default().to_owned(), SHORT_MODULE.into());
+/// Has a script use the short names, and minifies it in its place.
+fn shorten(script: &Path, names: &ShortNames) -> Result<()> {
+    fs::write(script, names.written_in(&fs::read_to_string(script)?))?;
+    run(minifier().arg("--allow-overwrite").arg(format!("--outfile={}", script.display())).arg(script))
+}
+
+/// Short names by those that `wasm-bindgen` gave.
+#[derive(Debug, Default, PartialEq)]
+struct ShortNames {
+    /// Of modules, as they are quoted.
+    modules: BTreeMap<String, String>,
+    imports: BTreeMap<String, String>,
+    exports: BTreeMap<String, String>,
+}
+
+impl ShortNames {
+    /// Reads a list of `wasm-opt`.
+    fn read(list: &str) -> Result<Self> {
+        #[derive(serde::Deserialize)]
+        struct List {
+            /// Module, name, short name.
+            imports: Vec<[String; 3]>,
+            exports: Vec<(String, String)>,
         }
+        let List { imports, exports } =
+            serde_json::from_str(list).context("the names that wasm-opt lists")?;
+        let modules =
+            imports.iter().map(|[module, ..]| (format!("\"{module}\""), format!("\"{SHORT_MODULE}\"")));
+        Ok(Self {
+            modules: modules.collect(),
+            imports: imports.iter().map(|[_, name, short]| (name.clone(), short.clone())).collect(),
+            exports: exports.into_iter().collect(),
+        })
     }
-    Ok(names)
-}
 
-/// Minifies a script in its place, with short names for the properties that have one: no export may be called as a property of
-/// the browser's that the script uses.
-fn shorten(script: &Path, names: &Map<String, Value>, list: &Path) -> Result<()> {
-    fs::write(list, serde_json::to_vec(names)?)?;
-    let any: Vec<_> = names.keys().map(|name| name.replace('.', r"\.").replace('$', r"\$")).collect();
-    run(minifier()
-        .arg(format!("--mangle-props=^({})$", any.join("|")))
-        .args(["--mangle-quoted", "--allow-overwrite"])
-        .arg(format!("--mangle-cache={}", list.display()))
-        .arg(format!("--outfile={}", script.display()))
-        .arg(script))
+    /// A script of `wasm-bindgen` with these names. There an export is a property of `wasm`; an import has a name of its own.
+    fn written_in(&self, script: &str) -> String {
+        let script =
+            self.modules.iter().fold(script.to_owned(), |script, (name, short)| script.replace(name, short));
+        let is_in_name = |c: char| c.is_ascii_alphanumeric() || c == '_' || c == '$';
+        let mut written = String::with_capacity(script.len());
+        let mut rest = &script[..];
+        while let Some(start) = rest.find(is_in_name) {
+            let (before, from) = rest.split_at(start);
+            let (name, after) = from.split_at(from.find(|c| !is_in_name(c)).unwrap_or(from.len()));
+            written.push_str(before);
+            let names = if written.ends_with("wasm.") { &self.exports } else { &self.imports };
+            written.push_str(names.get(name).map_or(name, String::as_str));
+            rest = after;
+        }
+        written + rest
+    }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
 
+    const LIST: &str =
+        r#"{"imports": [["./m.js", "__wbg_a_0", "$"]], "exports": [["palette", "b"], ["memory", "c"]]}"#;
+
     #[test]
-    fn short_names_are_by_those_of_modules_imports_and_exports() {
-        let list = r#"{"imports": [["./m.js", "__wbg_a_0", "$"]], "exports": [["app_a", "b"]]}"#;
-        let names = short_names(list).expect("names");
-        let expected = [("./m.js", SHORT_MODULE), ("__wbg_a_0", "$"), ("app_a", "b")];
-        assert_eq!(
-            names,
-            expected.map(|(name, short)| (name.to_owned(), short.into())).into_iter().collect()
-        );
-        assert!(short_names("no list").is_err());
+    fn exports_are_renamed_where_they_are_those_of_the_module_alone() {
+        let names = ShortNames::read(LIST).expect("names");
+        let script = r#"get palette() { return wasm.palette(a.memory, wasm.memory.buffer); } return {"./m.js": {__wbg_a_0: f}};"#;
+        let expected = r#"get palette() { return wasm.b(a.memory, wasm.c.buffer); } return {"a": {$: f}};"#;
+        assert_eq!(names.written_in(script), expected);
+    }
+
+    #[test]
+    fn lists_that_are_none_are_refused() {
+        for list in ["", "{}", r#"{"imports": [["a", "b"]], "exports": []}"#] {
+            assert!(ShortNames::read(list).is_err(), "{list}");
+        }
     }
 }

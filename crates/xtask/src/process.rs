@@ -4,9 +4,6 @@ use anyhow::{Context, Result, ensure};
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 
-/// So many characters of an argument are shown.
-const LONGEST_WORD: usize = 200;
-
 /// The top of the repository.
 pub(crate) fn root() -> &'static Path {
     let here = Path::new(env!("CARGO_MANIFEST_DIR"));
@@ -30,22 +27,24 @@ pub(crate) fn node() -> Command {
     command("node")
 }
 
+/// What takes from a script or style what only people read.
+pub(crate) fn minifier() -> Command {
+    let mut minifier = node();
+    minifier.args(["node_modules/esbuild/bin/esbuild", "--format=esm", "--minify", "--log-level=warning"]);
+    minifier
+}
+
 /// Prints the command, runs it with its output shown, and fails if it does.
 pub(crate) fn run(command: &mut Command) -> Result<()> {
-    let line = command_line(command);
-    println!("$ {line}");
-    let status =
-        command.status().with_context(|| format!("{line}: could not be started; is it installed?"))?;
-    ensure!(status.success(), "{line}: {status}");
-    Ok(())
+    output_of(command.stdout(Stdio::inherit())).map(drop)
 }
 
 /// Prints the command, runs it, fails if it does, and gives back what it writes to standard output.
 pub(crate) fn output_of(command: &mut Command) -> Result<String> {
     let line = command_line(command);
     println!("$ {line}");
-    let output =
-        command.stderr(Stdio::inherit()).output().with_context(|| format!("{line}: could not be started"))?;
+    let child = command.stderr(Stdio::inherit()).output();
+    let output = child.with_context(|| format!("{line}: could not be started; is it installed?"))?;
     ensure!(output.status.success(), "{line}: {}", output.status);
     Ok(String::from_utf8(output.stdout)?)
 }
@@ -77,12 +76,6 @@ fn search_path() -> std::ffi::OsString {
 
 fn command_line(command: &Command) -> String {
     let words = std::iter::once(command.get_program()).chain(command.get_args());
-    let words: Vec<_> = words.map(|word| shortened(&word.to_string_lossy())).collect();
+    let words: Vec<_> = words.map(|word| word.to_string_lossy()).collect();
     words.join(" ")
-}
-
-/// A word as it is shown: of a long one the beginning is enough.
-fn shortened(word: &str) -> String {
-    let beginning: String = word.chars().take(LONGEST_WORD).collect();
-    if beginning.len() < word.len() { beginning + "…" } else { beginning }
 }

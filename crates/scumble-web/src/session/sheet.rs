@@ -80,15 +80,18 @@ impl Shelf {
         let is_in_hand = under.is_scribbling() || under.is_changing();
         !is_in_hand && self.over.last().is_some_and(|(revision, _)| *revision == under.revision())
     }
+
+    /// Whether redo never comes to one again, as something else was done.
+    fn is_cut_off(&self, under: &Editor) -> bool {
+        !under.can_redo() && self.over.last().is_some_and(|(revision, _)| *revision != under.revision())
+    }
 }
 
 impl Session {
     /// Shows another drawing. The one that was there is kept if somebody worked on it.
     pub(super) fn lay_over(&mut self, sheet: Sheet) {
         let under = self.show(sheet);
-        for (_, sheet) in take(&mut self.shelf.over) {
-            self.close(&sheet);
-        }
+        self.close_over();
         if !under.editor.can_undo() {
             return self.close(&under);
         }
@@ -96,6 +99,19 @@ impl Session {
         if self.shelf.under.len() > SHELF_SIZE {
             let oldest = self.shelf.under.remove(0);
             self.close(&oldest);
+        }
+    }
+
+    /// Lets go of what redo does not come to any more.
+    pub(super) fn settle_shelf(&mut self) {
+        if self.shelf.is_cut_off(&self.sheet.editor) {
+            self.close_over();
+        }
+    }
+
+    fn close_over(&mut self) {
+        for (_, sheet) in take(&mut self.shelf.over) {
+            self.close(&sheet);
         }
     }
 
