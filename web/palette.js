@@ -73,7 +73,7 @@ export class PaletteEditor {
     const added = { color, name: "" };
     if (known < 0) this.#set([...swatches, added]);
     this.#choose(known < 0 ? swatches.length : known);
-    this.#shell.done(this.#shell.say("swatch-added", { name: this.#shell.nameOf(this.#swatches[this.#chosen]) }));
+    this.#shell.done(this.#shell.say(known < 0 ? "swatch-added" : "swatch-there", { name: this.#shell.nameOf(this.#swatches[this.#chosen]) }));
   }
 
   #tools() {

@@ -267,7 +267,7 @@ for (const browser of /** @type {const} */ (["chromium", "firefox"])) {
       const editor = await open();
       await openPanel(editor, "Colour");
       await write(editor, HEX, "#804020");
-      await editor.until("#804020 is in the palette", () => editor.tab.click("button", "Add to palette"));
+      await editor.until("#804020 has been added to the palette", () => editor.tab.click("button", "Add to palette"));
       assert.deepEqual(await palette(editor), [...USUAL, "#804020"]);
       await editor.tab.press("Escape");
       await openPanel(editor, "Edit palette");

@@ -124,7 +124,7 @@ describe("webgpu, lost where there is no WebGL 2", () => {
     await editor.until("draws without it", () => tab.evaluate("devices.at(-1)()"));
     for (const place of rest) await tab.mouse.move(...place);
     await editor.until("Scribble added, 1", () => tab.mouse.up());
-    await editor.shows("mesh-without-gpu");
+    await editor.shows("without-gpu");
     assert.deepEqual(tab.faults, []);
   });
 });

@@ -512,6 +512,8 @@ fn undo_brings_back_the_drawing_that_another_was_opened_over() {
 fn redo_brings_back_an_opening_that_was_undone_until_something_else_is_done() {
     let mut page = Page::open(SQUARE);
     page.stroke(RED, &ACROSS);
+    page.stroke(BLUE, &ACROSS);
+    page.session.command(Command::Undo);
     page.session.command(page::open(SQUARE, &[]));
     page.stroke(BLUE, &ACROSS);
     let done = |page: &mut Page, command: Command| {

@@ -180,14 +180,15 @@ impl Session {
 
     pub(super) fn redo(&mut self) {
         self.settle();
-        if self.sheet.editor.redo() {
-            self.things_changed();
-            self.forget_missing();
-        } else if self.shelf.has_over(&self.sheet.editor)
+        // What was taken back before another drawing was opened is not done again after it.
+        if self.shelf.has_over(&self.sheet.editor)
             && let Some((_, sheet)) = self.shelf.over.pop()
         {
             let under = self.show(sheet);
             self.shelf.under.push(under);
+        } else if self.sheet.editor.redo() {
+            self.things_changed();
+            self.forget_missing();
         } else {
             return;
         }
