@@ -24,7 +24,7 @@ fn build(curves: Vec<(BezPath, f64)>, gap_closing: f64) -> PlanarMap {
     let curves =
         curves.into_iter().map(|(path, width_du)| Curve { path, line: Some(line(width_du)) }).collect();
     let drawing = Drawing { curves, ..Drawing::new(Rect::new(0.0, 0.0, 1024.0, 768.0)) };
-    let sampling = Sampling { spacing_du: 8.0, chord_du: 0.2 };
+    let sampling = Sampling { spacing_du: 8.0, tip_du: 1.0, chord_du: 0.2 };
     PlanarMap::build(&drawing, &sampling).expect("a map").with_gaps_closed(gap_closing)
 }
 

@@ -16,7 +16,7 @@ use problem::{Problem, at};
 const CENTRE: Point = Point::new(512.0, 512.0);
 
 /// Spacing of nodes along curves of the default mesh.
-const DEFAULT_DU: f64 = 3.0;
+const DEFAULT_DU: f64 = 4.0;
 
 fn circle(centre: Point, radius_du: f64) -> BezPath {
     Circle::new(centre, radius_du).to_path(1e-6)
