@@ -20,8 +20,10 @@ pub(crate) enum EdgeTag {
     Gap(u32),
 }
 
-/// Smallest angle, in degrees, that refinement aims at.
-const REFINED_ANGLE_DEG: f64 = 20.0;
+/// Smallest angles, in degrees, that refinement aims at, each for triangles from so many squares of the spacing of nodes along
+/// curves on. The larger one lets triangles grow more slowly with their distance from the curves, where colours still change;
+/// small triangles are too many for it.
+const REFINED_ANGLES_DEG: [(f64, f64); 2] = [(20.0, 0.0), (29.0, 1.0)];
 
 /// Largest triangle of the refined mesh, in squares of the spacing of nodes along curves: 30 du from corner to corner
 /// at the default spacing. Angles alone let triangles grow with their distance from the curves, whatever the
@@ -100,14 +102,18 @@ fn shortest_piece_du(cdt: &Cdt, v: FixedVertexHandle) -> f64 {
 ///
 /// Ruppert's refinement would split the pieces at acute corners without end; it is told to keep them.
 pub(crate) fn refine(cdt: &mut Cdt, frame: Rect, spacing_du: f64) {
-    let largest_du2 = REFINED_AREA * spacing_du * spacing_du;
+    let square_du2 = spacing_du * spacing_du;
+    let largest_du2 = REFINED_AREA * square_du2;
     let empty_page = 4.0 * frame.area() / largest_du2;
-    let parameters = RefinementParameters::new()
-        .keep_constraint_edges()
-        .with_max_additional_vertices(10 * cdt.num_vertices() + empty_page as usize)
-        .with_max_allowed_area(largest_du2)
-        .with_angle_limit(spade::AngleLimit::from_deg(REFINED_ANGLE_DEG));
-    cdt.refine(parameters);
+    for (angle_deg, least_area) in REFINED_ANGLES_DEG {
+        let parameters = RefinementParameters::new()
+            .keep_constraint_edges()
+            .with_max_additional_vertices(10 * cdt.num_vertices() + empty_page as usize)
+            .with_min_required_area(least_area * square_du2)
+            .with_max_allowed_area(largest_du2)
+            .with_angle_limit(spade::AngleLimit::from_deg(angle_deg));
+        cdt.refine(parameters);
+    }
 }
 
 /// The triangles of `spade`'s structure as flat arrays, in its order.

@@ -21,7 +21,8 @@ use crate::triangulation::{HalfEdge, SideId, Triangulation};
 pub struct Sampling {
     /// Largest distance of neighbouring nodes along a curve, in du; positive.
     pub spacing_du: f64,
-    /// Length of the piece at the tip of an open curve, in du, where that is less; positive. From there on pieces grow.
+    /// Length of the piece at the tip of an open curve, in du, where that is less; positive. From there on pieces grow. At
+    /// corners it is twice as much; both are more on curves of less than 48 du.
     pub tip_du: f64,
     /// Largest distance of a piece from its curve, in du; positive.
     pub chord_du: f64,
@@ -225,7 +226,7 @@ impl PlanarMap {
     }
 
     /// The same pieces with further nodes between them, so that angles are at least 20° where the pieces allow
-    /// it, and no triangle is larger than the sampling asks for: the mesh of the solver. Pieces are never split;
+    /// it, and 29° in larger triangles, and no triangle is larger than the sampling asks for: the mesh of the solver. Pieces are never split;
     /// gaps are chains of edges. Worked out at the first call, and anew with other gaps.
     pub fn refined(&self) -> &Arc<Triangulation> {
         self.refined.get_or_init(|| Arc::new(self.refine()))

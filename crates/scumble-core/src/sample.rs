@@ -1,8 +1,10 @@
 //! Curves as polylines on a lattice: the first step to a planar map.
 //!
-//! Nodes lie at most a given distance apart along the arc, and closer towards the tips of open curves; pieces lie at most a
-//! given distance off their curve, and corners are kept. What lies outside the frame is cut off. Every node is put on a
+//! Nodes lie at most a given distance apart along the arc, and closer towards tips and corners; pieces lie at most a given
+//! distance off their curve, and corners are kept. What lies outside the frame is cut off. Every node is put on a
 //! lattice of 1/1024 du, so that all later decisions about crossings are exact in integers.
+
+mod ends;
 
 use kurbo::{
     BezPath, CubicBez, Line, ParamCurve, ParamCurveArclen, ParamCurveNearest, PathSeg, Point, Rect, Shape,
@@ -64,9 +66,9 @@ pub(crate) fn sample(
         return Some(Vec::new());
     }
     let rect = frame_rect(frame);
-    let mut sampler = Sampler { rect, sampling, limit, tips: tips(path), stretches: Vec::new(), arc_du: 0.0 };
-    for segment in path.segments() {
-        sampler.segment(segment.to_cubic(), matches!(segment, PathSeg::Line(_)), 0)?;
+    let mut sampler = Sampler { rect, sampling, limit, stretches: Vec::new(), arc_du: 0.0 };
+    for (segment, ends_du) in ends::segments(path, sampling) {
+        sampler.segment(segment.to_cubic(), matches!(segment, PathSeg::Line(_)), ends_du, 0)?;
     }
     Some(sampler.stretches)
 }
@@ -75,18 +77,10 @@ pub(crate) fn frame_rect(frame: LatticePoint) -> Rect {
     Rect::from_points(Point::ORIGIN, frame.to_point())
 }
 
-/// Where an open curve starts and ends.
-fn tips(path: &BezPath) -> Option<[Point; 2]> {
-    let start = path.segments().next()?.start();
-    let end = path.segments().last()?.end();
-    (start != end).then_some([start, end])
-}
-
 struct Sampler<'a> {
     rect: Rect,
     sampling: &'a Sampling,
     limit: usize,
-    tips: Option<[Point; 2]>,
     stretches: Vec<Stretch>,
     arc_du: f64,
 }
@@ -107,7 +101,7 @@ const MAX_HALVINGS: usize = 24;
 
 impl Sampler<'_> {
     /// Halves a segment until its parts lie inside the frame or outside, and samples those inside.
-    fn segment(&mut self, c: CubicBez, straight: bool, halvings: usize) -> Option<()> {
+    fn segment(&mut self, c: CubicBez, straight: bool, ends_du: [f64; 2], halvings: usize) -> Option<()> {
         let hull = Rect::from_points(c.p0, c.p1).union(Rect::from_points(c.p2, c.p3));
         let frame_size = self.rect.size().max_side();
         if hull.x1 < self.rect.x0
@@ -120,23 +114,18 @@ impl Sampler<'_> {
         }
         if hull.size().max_side() > 2.0 * frame_size && halvings < MAX_HALVINGS {
             let (first, second) = c.subdivide();
-            self.segment(first, straight, halvings + 1)?;
-            return self.segment(second, straight, halvings + 1);
+            let middle_du = self.sampling.spacing_du;
+            self.segment(first, straight, [ends_du[0], middle_du], halvings + 1)?;
+            return self.segment(second, straight, [middle_du, ends_du[1]], halvings + 1);
         }
-        self.inside(c, straight)
+        self.inside(c, straight, ends_du)
     }
 
-    /// How long a piece may be at the ends of a segment, in du.
-    fn at_ends_du(&self, c: &CubicBez) -> [f64; 2] {
-        let is_tip = |p: Point| self.tips.is_some_and(|tips| tips.contains(&p));
-        [c.p0, c.p3].map(|p| if is_tip(p) { self.sampling.tip_du } else { self.sampling.spacing_du })
-    }
-
-    /// Nodes at equal distances along the arc, closer towards tips and where the chord would leave the curve.
-    fn inside(&mut self, c: CubicBez, straight: bool) -> Option<()> {
+    /// Nodes at equal distances along the arc, closer towards its ends and where the chord would leave the curve.
+    fn inside(&mut self, c: CubicBez, straight: bool, ends_du: [f64; 2]) -> Option<()> {
         let line = Line::new(c.p0, c.p3);
         let length_du = if straight { line.arclen(1e-3) } else { measured_path::length_du(&c) };
-        let arcs = graded(length_du, self.at_ends_du(&c), self.sampling.spacing_du);
+        let arcs = graded(length_du, ends_du, self.sampling.spacing_du);
         if self.stretches.len() + arcs.len() > self.limit {
             return None;
         }
