@@ -225,9 +225,9 @@ impl PlanarMap {
         self.clearance.get_or_init(|| Clearance::new(self))
     }
 
-    /// The same pieces with further nodes between them, so that angles are at least 20° where the pieces allow
-    /// it, and 29° in larger triangles, and no triangle is larger than the sampling asks for: the mesh of the solver. Pieces are never split;
-    /// gaps are chains of edges. Worked out at the first call, and anew with other gaps.
+    /// The same pieces with further nodes between them, so that angles are at least 20° where the pieces allow it, and 29°
+    /// in larger triangles, and no triangle is larger than the sampling asks for: the mesh of the solver. Pieces are never
+    /// split; gaps are chains of edges. Worked out at the first call, and anew with other gaps.
     pub fn refined(&self) -> &Arc<Triangulation> {
         self.refined.get_or_init(|| Arc::new(self.refine()))
     }
