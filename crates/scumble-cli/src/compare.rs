@@ -1,9 +1,11 @@
-//! `scumble compare`: how far pictures on pixels are from the mesh solver's, over a set of drawings and a made one.
+//! `scumble compare`: how far pictures on pixels, and those on a finer mesh, are from the mesh solver's, over a set of
+//! drawings and a made one.
 //!
 //! Errors are in levels of sRGB over white paper, of which there are 255; of a pixel's channels the worst counts. They
 //! are taken at pixel centres, away from curves and from the ends of curves, junctions and changes of what a side is;
 //! near those they are reported apart.
 
+mod finer;
 mod levels;
 mod zones;
 
@@ -21,6 +23,9 @@ use zones::Zone;
 
 /// Size of the pictures.
 const SIZE_PX: u32 = 1024;
+
+/// Pixels nearer than this, in px, to an end, a junction or a change count apart.
+const SPECIAL_PX: f64 = 4.0;
 
 /// Further steps, for the picture that the iteration tends to.
 const FURTHER_STEPS: usize = 8;
@@ -40,6 +45,8 @@ struct Row {
     iteration: f64,
     away: Spread,
     special: Spread,
+    /// What a mesh of half the width changes: everywhere, and away from special places.
+    finer: [Spread; 2],
     jeschke: [Spread; JESCHKE_STEPS.len()],
 }
 
@@ -81,7 +88,7 @@ fn row(picture: &mut Picture, mut boundary: Boundary, view: &View, half: bool) -
     }
     let blend = Settings::default().blend;
     let constraints = Constraints::new(picture.map(), &boundary, view)?;
-    let zones = zones::zones(picture.map(), &boundary, view);
+    let zones = zones::zones(picture.map(), &boundary, view, SPECIAL_PX);
     let mesh = levels(&centers::colors(picture.mesh().solve(&boundary, blend)?, view), blend);
     let mut solver = GridSolver::new(&constraints);
     let steps = solver.solve(TOLERANCE);
@@ -89,11 +96,13 @@ fn row(picture: &mut Picture, mut boundary: Boundary, view: &View, half: bool) -
     (0..FURTHER_STEPS).for_each(|_| solver.step());
     let iteration = Spread::of(&grid, &levels(&solver.pixels(), blend), |_| true).largest();
     let away = |i: usize| zones[i] == Zone::Away;
+    let finer = finer::changes(picture.map(), &boundary, view, &mesh)?;
     Ok(Row {
         steps,
         iteration,
         away: Spread::of(&grid, &mesh, away),
         special: Spread::of(&grid, &mesh, |i| zones[i] == Zone::Special),
+        finer,
         jeschke: JESCHKE_STEPS.map(|steps| Spread::of(&jeschke(&constraints, steps, blend), &mesh, away)),
     })
 }
@@ -126,13 +135,14 @@ impl Row {
         self.iteration = self.iteration.max(other.iteration);
         self.away.add(&other.away);
         self.special.add(&other.special);
+        self.finer.iter_mut().zip(&other.finer).for_each(|(sum, other)| sum.add(other));
         self.jeschke.iter_mut().zip(&other.jeschke).for_each(|(sum, other)| sum.add(other));
     }
 
     fn print(&self, name: &str) {
         let name: String = name.chars().take(20).collect();
         print!("{name:<20} {:>5} {:>8.2}  {}  {}", self.steps, self.iteration, self.away, self.special);
-        self.jeschke.iter().for_each(|spread| print!("  {spread}"));
+        self.finer.iter().chain(&self.jeschke).for_each(|spread| print!("  {spread}"));
         println!();
     }
 }
@@ -140,7 +150,7 @@ impl Row {
 fn print_head() {
     println!("levels: mean, 99 %, largest");
     let [few, many] = JESCHKE_STEPS.map(|steps| format!("Jeschke, {steps} steps"));
-    let columns = ["away from curves", "at ends, junctions", &few, &many];
+    let columns = ["away from curves", "at ends, junctions", "finer mesh", "… away from ends", &few, &many];
     print!("{:<20} {:>5} {:>8}", "drawing", "steps", "to come");
     columns.iter().for_each(|column| print!("  {column:>20}"));
     println!();

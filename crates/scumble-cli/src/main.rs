@@ -97,8 +97,8 @@ scumble bench SETDIR
     times each stage on a quality set (SETDIR/ID/drawing.svg, SETDIR/ID/dense.json), and labelling by each engine
 
 scumble compare SETDIR [--every 1] [--half]
-    how far pictures by the grid solver and by Jeschke's are from those of the mesh solver, on every so many-th drawing
-    of a set, with all colours or with those of half the sides
+    how far pictures by the grid solver and by Jeschke's, and those on a mesh of half the width, are from those of the mesh
+    solver, on every so many-th drawing of a set, with all colours or with those of half the sides
 
 scumble bench --made
     times labelling on made drawings of about 1,000 to 100,000 pieces

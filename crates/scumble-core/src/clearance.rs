@@ -27,8 +27,8 @@ const BORDER_FACTOR: f64 = 4.0;
 /// The width of a passage along the border with no line beside it, in du.
 pub(crate) const OPEN_DU: f64 = 4096.0;
 
-/// Steps from the tip of a line to the place that its direction is taken from.
-const TIP_STEPS: usize = 3;
+/// Distance along a line, in du, from its tip to the place that its direction is taken from, or more, up to a node.
+const TIP_DU: f64 = 9.0;
 
 /// The widths of all passages of a map.
 #[derive(Clone, Debug)]
@@ -219,7 +219,7 @@ fn tip_directions(map: &PlanarMap) -> Vec<Option<Vec2>> {
     let points = map.triangulation().points();
     let neighbours = Neighbours::new(map);
     let direction = |tip: usize| {
-        let back = neighbours.walk_back(tip as u32)?;
+        let back = neighbours.walk_back(points, tip as u32)?;
         let along = points[tip] - points[back as usize];
         Some(along / along.hypot())
     };
@@ -251,18 +251,18 @@ impl Neighbours {
         *count += 1;
     }
 
-    /// A node some steps back from a tip; `None` if the node is none.
-    fn walk_back(&self, tip: u32) -> Option<u32> {
+    /// A node some way back from a tip; `None` if the node is none.
+    fn walk_back(&self, points: &[Point], tip: u32) -> Option<u32> {
         if self.count[tip as usize] != 1 {
             return None;
         }
+        let step_du = |from: u32, at: u32| points[from as usize].distance(points[at as usize]);
         let (mut from, mut at) = (tip, self.of[tip as usize][0]);
-        for _ in 1..TIP_STEPS {
-            if self.count[at as usize] != 2 {
-                break;
-            }
+        let mut way_du = step_du(from, at);
+        while way_du < TIP_DU && self.count[at as usize] == 2 {
             let [a, b] = self.of[at as usize];
             (from, at) = (at, if a == from { b } else { a });
+            way_du += step_du(from, at);
         }
         Some(at)
     }

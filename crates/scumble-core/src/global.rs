@@ -1,10 +1,11 @@
 //! The `Global` engine: all scribbles at once, each place taken by the one that comes to it by the widest way.
 //!
 //! Every scribble floods the refined mesh from where it was drawn. The way from triangle to triangle costs
-//! `(length + 1 du) · (1 / width)⁸`: nearly the order "widest passage first, then distance", but a metric, so that a
-//! scribble that grows takes places from others and never gives any away, and the order of scribbles does not matter.
-//! Costs are integers, so that nothing depends on how sums are rounded. Only a room that turns out not to be meant is
-//! given up, with all that was taken there: a stroke may begin on the page, just beside its shape.
+//! `length · (1 / width)⁸`, through a gap as if that were half as long as it is wide: nearly the order "widest passage
+//! first, then distance", but a metric, so that a scribble that grows takes places from others and never gives any away,
+//! and the order of scribbles does not matter. Costs are integers, so that nothing depends on how sums are rounded. Only a
+//! room that turns out not to be meant is given up, with all that was taken there: a stroke may begin on the page, just
+//! beside its shape.
 //!
 //! A place in a passage of a certain width is as hard to leave as the passage: what is scribbled close to a line, or
 //! on it, has less to say about the other end of the room than what is scribbled in the open. That makes up for the

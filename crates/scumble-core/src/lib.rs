@@ -14,6 +14,7 @@
 //! | triangles, half-edges, sides | [`triangulation`] |
 //! | Delaunay triangulation and refinement | `delaunay` |
 //! | distances along a path | [`measured_path`] |
+//! | lengths that grow from the ends of a line | `grading` |
 //! | curves sampled on a lattice | `sample` |
 //! | crossings found and rounded | `snap` |
 //! | curves as pieces that meet only at nodes | [`planar_map`] |
@@ -40,6 +41,7 @@ pub mod engine;
 pub mod exact;
 mod gaps;
 pub mod global;
+mod grading;
 pub mod measured_path;
 pub mod palette;
 pub mod planar_map;

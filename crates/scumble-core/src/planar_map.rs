@@ -21,14 +21,17 @@ use crate::triangulation::{HalfEdge, SideId, Triangulation};
 pub struct Sampling {
     /// Largest distance of neighbouring nodes along a curve, in du; positive.
     pub spacing_du: f64,
+    /// Length of the piece at the tip of an open curve, in du, where that is less; positive. From there on pieces grow. At
+    /// corners it is twice as much; both are more on curves of less than 48 du.
+    pub tip_du: f64,
     /// Largest distance of a piece from its curve, in du; positive.
     pub chord_du: f64,
 }
 
 impl Default for Sampling {
-    /// 3 du apart, at most 0.1 du off the curve.
+    /// 4 du apart, 0.5 du at tips, at most 0.1 du off the curve.
     fn default() -> Self {
-        Self { spacing_du: 3.0, chord_du: 0.1 }
+        Self { spacing_du: 4.0, tip_du: 0.5, chord_du: 0.1 }
     }
 }
 
@@ -91,7 +94,7 @@ pub struct PlanarMap {
     steps: Vec<Vec<Step>>,
     gaps: Vec<Gap>,
     half_widths_du: Vec<f64>,
-    spacing_du: f64,
+    sampling: Sampling,
     half_edges_of_sides: OnceLock<Vec<Option<HalfEdge>>>,
     clearance: OnceLock<Clearance>,
     refined: OnceLock<Arc<Triangulation>>,
@@ -121,7 +124,7 @@ impl PlanarMap {
             steps,
             gaps: Vec::new(),
             half_widths_du,
-            spacing_du: sampling.spacing_du,
+            sampling: *sampling,
             half_edges_of_sides: OnceLock::new(),
             clearance: OnceLock::new(),
             refined: OnceLock::new(),
@@ -222,24 +225,20 @@ impl PlanarMap {
         self.clearance.get_or_init(|| Clearance::new(self))
     }
 
-    /// The same pieces with further nodes between them, so that angles are at least 20° where the pieces allow
-    /// it, and no triangle is larger than the sampling asks for: the mesh of the solver. Pieces are never split;
-    /// gaps are chains of edges. Worked out at the first call, and anew with other gaps.
+    /// The same pieces with further nodes between them, so that angles are at least 20° where the pieces allow it, and 29°
+    /// in larger triangles, and no triangle is larger than the sampling asks for: the mesh of the solver. Pieces are never
+    /// split; gaps are chains of edges. Worked out at the first call, and anew with other gaps.
     pub fn refined(&self) -> &Arc<Triangulation> {
         self.refined.get_or_init(|| Arc::new(self.refine()))
     }
 
     fn refine(&self) -> Triangulation {
         let mut cdt = self.cdt.clone();
-        delaunay::keep_gaps(&mut cdt, &self.triangulation, GAP_COARSENING * self.spacing_du);
-        delaunay::refine(&mut cdt, self.frame, self.spacing_du);
+        delaunay::keep_gaps(&mut cdt, &self.triangulation, &self.sampling);
+        delaunay::refine(&mut cdt, self.frame, self.sampling.spacing_du);
         delaunay::flatten(&cdt, &self.pieces)
     }
 }
-
-/// The edges along a gap are this many times as long as the spacing of nodes along curves, at most: as one long edge
-/// it would spoil the triangles beside it.
-const GAP_COARSENING: f64 = 4.0;
 
 /// The frame is sampled this many times as coarsely as the curves: no colour sits on it, but as four long edges
 /// it would spoil the triangles of the background.

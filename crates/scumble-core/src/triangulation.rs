@@ -3,6 +3,8 @@
 //! Half-edge `3 t + i` runs from corner `i` to corner `i + 1` of triangle `t`, which lies to its left. *Left* is
 //! where `(dest − origin) × (p − origin) > 0`; on a page whose y axis points down that is the right hand.
 
+mod halved;
+
 use kurbo::Point;
 
 use crate::sort;

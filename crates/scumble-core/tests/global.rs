@@ -20,12 +20,15 @@ fn fresh(map: &PlanarMap, spread: bool, scribbles: &[Scribble]) -> Labels {
 }
 
 fn build(curves: Vec<(BezPath, f64)>, gap_closing: f64) -> PlanarMap {
+    sampled(curves, gap_closing, &Sampling { spacing_du: 8.0, tip_du: 1.0, chord_du: 0.2 })
+}
+
+fn sampled(curves: Vec<(BezPath, f64)>, gap_closing: f64, sampling: &Sampling) -> PlanarMap {
     let line = |width_du| Line { stroke: Stroke::new(width_du), color: Rgba8([0, 0, 0, 255]) };
     let curves =
         curves.into_iter().map(|(path, width_du)| Curve { path, line: Some(line(width_du)) }).collect();
     let drawing = Drawing { curves, ..Drawing::new(Rect::new(0.0, 0.0, 1024.0, 768.0)) };
-    let sampling = Sampling { spacing_du: 8.0, chord_du: 0.2 };
-    PlanarMap::build(&drawing, &sampling).expect("a map").with_gaps_closed(gap_closing)
+    PlanarMap::build(&drawing, sampling).expect("a map").with_gaps_closed(gap_closing)
 }
 
 fn polyline(points: &[Point]) -> BezPath {
@@ -368,5 +371,44 @@ fn what_lies_behind_gaps_does_not_depend_on_what_came_through_them_before() {
             let now = &scribbles[..count];
             assert!(engine.label(&map, now) == fresh(&map, true, now), "{cells} cells, {count} scribbles");
         }
+    }
+}
+
+/// A room between two others, with a door to each, of these widths. The ends of the lines beside the second are short lines
+/// of their own, which are cut into longer pieces.
+fn room_with_doors(doors_du: [f64; 2]) -> PlanarMap {
+    let line = |x: f64, ys: [f64; 2]| (polyline(&ys.map(|y| Point::new(x, y))), 4.0);
+    let [left, right] = doors_du.map(|door_du| [400.0 - 0.5 * door_du, 400.0 + 0.5 * door_du]);
+    let curves = vec![
+        (Rect::new(100.0, 250.0, 900.0, 550.0).to_path(0.1), 4.0),
+        line(400.0, [250.0, left[0]]),
+        line(400.0, [left[1], 550.0]),
+        line(600.0, [250.0, right[0] - 6.0]),
+        line(600.0, [right[0] - 6.0, right[0]]),
+        line(600.0, [right[1], right[1] + 6.0]),
+        line(600.0, [right[1] + 6.0, 550.0]),
+    ];
+    sampled(curves, 0.5, &Sampling::default())
+}
+
+#[test]
+fn colours_come_through_the_wider_door_however_lines_are_cut() {
+    let scribbles = [250.0, 750.0].map(|x| Scribble {
+        color: Paint::Clear,
+        kind: ScribbleKind::Fill,
+        width_du: 8.0,
+        points: vec![Point::new(x, 390.0), Point::new(x, 410.0)],
+    });
+    for (doors_du, wider) in [([30.0, 31.0], 1), ([31.0, 30.0], 0)] {
+        let map = room_with_doors(doors_du);
+        let labels = fresh(&map, true, &scribbles);
+        let is_between = |node: u32| {
+            let p = map.triangulation().points()[node as usize];
+            p.y == 550.0 && (410.0..590.0).contains(&p.x)
+        };
+        let within = sides(&map).filter(|side| map.ends(*side).into_iter().all(is_between));
+        let found: Vec<_> = within.map(|side| labels.sides[side.index()]).collect();
+        assert!(found.len() > 40 && found.contains(&Some(wider)), "{doors_du:?}");
+        assert!(!found.contains(&Some(1 - wider)), "{doors_du:?}");
     }
 }

@@ -22,7 +22,7 @@ fn blue() -> BlendColor {
 fn map(curves: impl IntoIterator<Item = BezPath>, spacing_du: f64) -> PlanarMap {
     let curves = curves.into_iter().map(|path| Curve { path, line: None }).collect();
     let drawing = Drawing { curves, ..Drawing::new(Rect::new(0.0, 0.0, 1024.0, 1024.0)) };
-    PlanarMap::build(&drawing, &Sampling { spacing_du, chord_du: 0.1 }).expect("a map")
+    PlanarMap::build(&drawing, &Sampling { spacing_du, ..Sampling::default() }).expect("a map")
 }
 
 /// A circle with an opening to the right, and the gap across it.

@@ -12,7 +12,7 @@ const PAGE: Rect = Rect::new(0.0, 0.0, 256.0, 256.0);
 fn map(curves: impl IntoIterator<Item = BezPath>) -> PlanarMap {
     let curves = curves.into_iter().map(|path| Curve { path, line: None }).collect();
     let drawing = Drawing { curves, ..Drawing::new(PAGE) };
-    PlanarMap::build(&drawing, &Sampling { spacing_du: 24.0, chord_du: 0.8 }).expect("a map")
+    PlanarMap::build(&drawing, &Sampling { spacing_du: 24.0, tip_du: 24.0, chord_du: 0.8 }).expect("a map")
 }
 
 fn solved(map: &PlanarMap, colors: &SideColors) -> Field {

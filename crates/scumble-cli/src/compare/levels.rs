@@ -72,7 +72,7 @@ impl Spread {
         self.counts.iter().sum()
     }
 
-    fn mean(&self) -> f64 {
+    pub(super) fn mean(&self) -> f64 {
         self.sum / self.count().max(1) as f64
     }
 

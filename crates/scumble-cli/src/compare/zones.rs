@@ -1,14 +1,11 @@
 //! Where on a picture curves are near, and where their ends, junctions and changes are.
 
 use kurbo::{Line, ParamCurveNearest, Point};
-use scumble_core::{Boundary, PlanarMap, SideId};
+use scumble_core::{BlendColor, Boundary, PlanarMap, SideId};
 use scumble_solve::View;
 
 /// Pixels nearer to a curve than this, in px, do not count.
 const CURVE_PX: f64 = 2.0;
-
-/// Pixels nearer than this, in px, to an end, a junction or a change count apart.
-const SPECIAL_PX: f64 = 4.0;
 
 /// What is near a pixel.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -17,12 +14,12 @@ pub(super) enum Zone {
     Away,
     /// A curve or a closed gap.
     Curve,
-    /// The end of a curve or of a closed gap, a junction, or where a side begins to have a colour.
+    /// The end of a curve or of a closed gap, a junction, or where the colour of a side changes or begins.
     Special,
 }
 
-/// What is near each pixel, row by row.
-pub(super) fn zones(map: &PlanarMap, boundary: &Boundary, view: &View) -> Vec<Zone> {
+/// What is near each pixel, row by row; special places are near where they are so many px away.
+pub(super) fn zones(map: &PlanarMap, boundary: &Boundary, view: &View, special_px: f64) -> Vec<Zone> {
     let at = |node: u32| view.px_from_du * map.triangulation().points()[node as usize];
     let mut zones = Zones::new(view);
     let curves = map.pieces().iter().filter(|piece| piece.curve.is_some()).map(|piece| piece.nodes);
@@ -32,7 +29,7 @@ pub(super) fn zones(map: &PlanarMap, boundary: &Boundary, view: &View) -> Vec<Zo
         zones.mark(nodes.map(at), CURVE_PX, Zone::Curve);
     }
     for node in special_nodes(map, boundary).into_iter().chain(gaps.into_iter().flatten()) {
-        zones.mark([at(node); 2], SPECIAL_PX, Zone::Special);
+        zones.mark([at(node); 2], special_px, Zone::Special);
     }
     zones.pixels
 }
@@ -67,18 +64,19 @@ impl Zones {
     }
 }
 
-/// The nodes where curves end or meet, or where a side begins or ceases to have a colour.
+/// The nodes where curves end or meet, or where the colour of a side changes, or begins or ceases.
 fn special_nodes(map: &PlanarMap, boundary: &Boundary) -> Vec<u32> {
-    let is_colored = |side: SideId| boundary.sides.get(side.index()).is_some_and(Option::is_some);
+    let colors = |side: SideId| boundary.sides.get(side.index()).copied().flatten();
     let mut around = vec![Vec::new(); map.triangulation().points().len()];
     for (i, piece) in map.pieces().iter().enumerate().filter(|(_, piece)| piece.curve.is_some()) {
-        let [left, right] = [false, true].map(|is_right| is_colored(SideId::of(i, is_right)));
+        let [left, right] = [false, true].map(|is_right| colors(SideId::of(i, is_right)));
         around[piece.nodes[0] as usize].push([left, right]);
         around[piece.nodes[1] as usize].push([right, left]);
     }
-    let is_special = |sides: &[[bool; 2]]| match sides {
+    let is_plain = |side: &Option<[BlendColor; 3]>| side.is_none_or(|[a, b, c]| a == b && b == c);
+    let is_special = |sides: &[[_; 2]]| match sides {
         [] => false,
-        [[left, right], other] => other != &[*right, *left],
+        [[left, right], other] => other != &[*right, *left] || !other.iter().all(is_plain),
         _ => true,
     };
     (0..).zip(&around).filter(|(_, sides)| is_special(sides)).map(|(node, _)| node).collect()

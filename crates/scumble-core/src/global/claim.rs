@@ -13,6 +13,9 @@ use crate::stroke::Stroke;
 /// shadows no line marks); with more, a hand that leaves its region takes another.
 const HOLD: f64 = 3.0;
 
+/// How long that passage is, in du.
+const START_DU: f64 = 1.0;
+
 /// What lies around a sample within this many times its distance from the drawn lines is at hand, and [`BESIDE_DU`]
 /// more: the nearest line is, so that a careful dab near a line has its say. Where two meet, the one that was drawn in
 /// the open has that much of a start: that parts a room better on the quality set. What is *nearest* is the same without
@@ -61,7 +64,12 @@ pub(super) struct Seed {
 impl Seed {
     fn new(triangle: usize, distance_du: f64) -> Self {
         let start = |part: f64| length(LONGEST_START_DU - part * distance_du.clamp(0.0, OPEN_DU));
-        Self { triangle, cost: cost(0.0, HOLD * distance_du), at_hand: start(AT_HAND), nearest: start(1.0) }
+        Self {
+            triangle,
+            cost: cost(START_DU, HOLD * distance_du),
+            at_hand: start(AT_HAND),
+            nearest: start(1.0),
+        }
     }
 }
 

@@ -10,11 +10,14 @@ use crate::clearance::OPEN_DU;
 use crate::planar_map::PlanarMap;
 use crate::triangulation::{HalfEdge, Triangulation};
 
-/// The cost of a way. Sums are exact: there are at most 2²² triangles, and a step costs less than 2¹⁰¹.
+/// The cost of a way. Sums are exact: there are at most 2²² triangles, and a step costs less than 2¹⁰⁵.
 pub(super) type Cost = u128;
 
 /// Lengths are counted in these parts of a du, so that their sums are exact.
 const PARTS_PER_DU: f64 = 4096.0;
+
+/// Of lengths through passages there are no finer parts than these of a du, at the widest, for the sums' sake.
+const COST_PARTS_PER_DU: f64 = 16.0;
 
 /// Widths below this count as this, in du.
 const LEAST_WIDTH_DU: f64 = 2.0;
@@ -22,15 +25,30 @@ const LEAST_WIDTH_DU: f64 = 2.0;
 /// Label of a triangle that no scribble reaches.
 pub(super) const NONE: u32 = u32::MAX;
 
-/// Each step costs as if it were this much longer, in du: what is left for a way that has no length.
-const STEP_DU: f64 = 1.0;
+/// A gap costs as much as a way through a passage of its width, this part of that width long: as a hole has no length of its
+/// own, that of the triangles beside it would count, and smaller ones would make it cheaper. Anything from 0.3 to 2 colours
+/// the quality set as well.
+const GAP_LENGTH: f64 = 0.5;
 
 /// What it costs to go some way through a passage, both in du.
 pub(super) fn cost(length_du: f64, width_du: f64) -> Cost {
     let narrowness = OPEN_DU / width_du.clamp(LEAST_WIDTH_DU, OPEN_DU);
     let squared = narrowness * narrowness;
     let fourth = squared * squared;
-    ((STEP_DU + length_du) * fourth * fourth) as Cost
+    (COST_PARTS_PER_DU * length_du * fourth * fourth) as Cost
+}
+
+/// What it costs to go through each gap of a map.
+fn gap_costs(map: &PlanarMap) -> Vec<Cost> {
+    let mesh = map.triangulation();
+    let mut costs = vec![0; map.gaps().len()];
+    for h in mesh.half_edges() {
+        if let Some(gap) = mesh.gap(h) {
+            let width_du = map.clearance().widths_du[h.index()].max(LEAST_WIDTH_DU);
+            costs[gap as usize] = cost(GAP_LENGTH * width_du, width_du);
+        }
+    }
+    costs
 }
 
 /// A length as a cost.
@@ -71,9 +89,10 @@ impl Ways {
         let triangle_of_side = vec![NONE; map.side_count()];
         let (costs, lengths) = (none.clone(), none);
         let mut ways = Self { costs, lengths, room_of, rooms, are_clear, triangle_of_side, gaps, is_open };
+        let gap_costs = gap_costs(map);
         for (t, base) in bases(map).into_iter().map(|base| base as usize).enumerate() {
             ways.are_clear[ways.room_of[t] as usize] |= map.clearance().place_widths_du[base] > 0.0;
-            (0..3).for_each(|i| ways.measure(map, HalfEdge::of(t, i), base));
+            (0..3).for_each(|i| ways.measure(map, HalfEdge::of(t, i), base, &gap_costs));
         }
         ways
     }
@@ -93,7 +112,7 @@ impl Ways {
 
     /// Sets what lies at a half-edge of the refined mesh, or what it takes to go through it, either way, from a triangle
     /// whose centroid lies in the triangle `base` of the map.
-    fn measure(&mut self, map: &PlanarMap, h: HalfEdge, base: usize) {
+    fn measure(&mut self, map: &PlanarMap, h: HalfEdge, base: usize, gap_costs: &[Cost]) {
         let mesh = map.refined();
         if let Some(side) = mesh.side(h) {
             self.triangle_of_side[side.index()] = h.triangle() as u32;
@@ -102,9 +121,11 @@ impl Ways {
         let [a, b] = mesh.segment(h);
         let [from, to] = [h, twin].map(|h| centroid(mesh, h.triangle()));
         let length_du = (to - from).hypot();
-        let width_du = map.clearance().narrowest_du(map, [from, a.midpoint(b), to], base);
+        let step_cost =
+            || cost(length_du, map.clearance().narrowest_du(map, [from, a.midpoint(b), to], base));
+        let cost = mesh.gap(h).map_or_else(step_cost, |gap| gap_costs[gap as usize]);
         for h in [h, twin] {
-            (self.costs[h.index()], self.lengths[h.index()]) = (cost(length_du, width_du), length(length_du));
+            (self.costs[h.index()], self.lengths[h.index()]) = (cost, length(length_du));
         }
     }
 }

@@ -16,7 +16,7 @@ use problem::{Problem, at};
 const CENTRE: Point = Point::new(512.0, 512.0);
 
 /// Spacing of nodes along curves of the default mesh.
-const DEFAULT_DU: f64 = 3.0;
+const DEFAULT_DU: f64 = 4.0;
 
 fn circle(centre: Point, radius_du: f64) -> BezPath {
     Circle::new(centre, radius_du).to_path(1e-6)
@@ -49,7 +49,8 @@ fn annulus_is_the_logarithm_of_the_radius() {
         annulus(r, big, |problem| assert_level(problem.largest_error(DEFAULT_DU), 0.3));
     }
     annulus(100.0, 400.0, |problem| problem.assert_falls(&[3.0, 1.5], 0.25));
-    annulus(100.0, 400.0, |problem| problem.assert_falls(&[3.0, 0.75], 1.0 / 16.0));
+    // Below 1 du the lattice that nodes are put on counts for more.
+    annulus(100.0, 400.0, |problem| problem.assert_falls(&[6.0, 1.5], 1.0 / 16.0));
 }
 
 /// A circle with the colour of a wave with `k` crests along it.

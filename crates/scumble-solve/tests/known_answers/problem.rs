@@ -10,6 +10,9 @@ use super::DEFAULT_DU;
 /// Length of the page's sides.
 const PAGE_DU: f64 = 1024.0;
 
+/// Distance of nodes for the grid solver: so small that chords matter less than pixels.
+const GRID_DU: f64 = 3.0;
+
 /// Curves on a page, the colours of their sides, and the values in between.
 ///
 /// Both functions take a point and another one to the side of it that is meant, for points on a curve where the
@@ -31,8 +34,10 @@ impl Problem<'_> {
     fn map(&self, spacing_du: f64) -> PlanarMap {
         let curves = self.curves.iter().map(|path| Curve { path: path.clone(), line: None }).collect();
         let drawing = Drawing { curves, ..Drawing::new(Rect::new(0.0, 0.0, PAGE_DU, PAGE_DU)) };
-        let chord_du = Sampling::default().chord_du * spacing_du / DEFAULT_DU;
-        PlanarMap::build(&drawing, &Sampling { spacing_du, chord_du }).expect("a map")
+        let scale = spacing_du / DEFAULT_DU;
+        let [tip_du, chord_du] =
+            [Sampling::default().tip_du, Sampling::default().chord_du].map(|du| du * scale);
+        PlanarMap::build(&drawing, &Sampling { spacing_du, tip_du, chord_du }).expect("a map")
     }
 
     fn boundary(&self, map: &PlanarMap) -> Boundary {
@@ -75,7 +80,7 @@ impl Problem<'_> {
 
     /// The values that the grid solver gives the pixels that get a colour, with the places of their centres.
     pub(crate) fn solve_grid(&self, size_px: u32) -> Vec<(Point, f64)> {
-        let map = self.map(DEFAULT_DU);
+        let map = self.map(GRID_DU);
         let px_from_du = Affine::scale(f64::from(size_px) / PAGE_DU);
         let view = View { px_from_du, width_px: size_px, height_px: size_px };
         let mut solver =
