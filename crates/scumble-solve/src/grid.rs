@@ -4,6 +4,7 @@
 //! |---|---|
 //! | all that is given | `constraints` |
 //! | where curves cut the links between pixels | `cut_links`, `wall` |
+//! | what that makes of the equations of pixels | `equations` |
 //! | the layer that shading scribbles lay over pixels | `covers` |
 //! | the regions of a map among pixels | `regions` |
 //! | pixels that their colour cannot reach | `unreached` |
@@ -27,6 +28,7 @@ mod constraints;
 mod covers;
 mod curve_cells;
 mod cut_links;
+mod equations;
 mod gradients;
 mod hierarchy;
 mod jeschke;
@@ -44,9 +46,10 @@ pub use constraints::{Constraints, Pull};
 pub use covers::Covers;
 pub use curve_cells::CurveCells;
 pub use cut_links::{Cut, Face, LEAST_FRACTION, Link};
+pub use equations::Equation;
 pub use hierarchy::{Hierarchy, STEPS};
 pub use jeschke::JeschkeSolver;
-pub use level::Level;
+pub use level::{Level, Size};
 pub use picture::GridPicture;
 pub use problem::GridProblem;
 pub use texture::{Texel, Texture};
