@@ -103,6 +103,9 @@ scumble compare SETDIR [--every 1] [--half]
 scumble bench --made
     times labelling on made drawings of about 1,000 to 100,000 pieces
 
+scumble bench --drag
+    times the frames while the end of a curve is moved in a made drawing of 5,000 pieces, on the graphics card
+
 scumble eval SETDIR
     tells how much of a quality set (the above, with sparse.json and truth.png) has the expected colours
     [--kind dense|sparse]   which scribbles
@@ -136,6 +139,7 @@ fn run() -> anyhow::Result<ExitCode> {
         Command::Corpus { folder, take } => return corpus::run(&folder, take),
         Command::Bench { set } => bench::run(&set)?,
         Command::BenchMade => bench::run_made()?,
+        Command::BenchDrag => bench::run_drag()?,
         Command::Compare { set, every, half } => compare::run(&set, every, half)?,
         Command::Eval(options) => eval::run(&options)?,
         Command::Render(options) => render::run(&options)?,

@@ -22,6 +22,7 @@ pub(crate) enum Command {
     Corpus { folder: PathBuf, take: Option<usize> },
     Bench { set: PathBuf },
     BenchMade,
+    BenchDrag,
     Compare { set: PathBuf, every: usize, half: bool },
     Eval(EvalOptions),
     Render(RenderOptions),
@@ -128,6 +129,7 @@ pub(crate) fn parse(mut arguments: Arguments) -> anyhow::Result<Command> {
             let [folder] = rest(arguments, ["DIR"])?;
             Ok(Command::Corpus { folder: folder.into(), take })
         }
+        Some("bench") if arguments.contains("--drag") => rest(arguments, []).map(|[]| Command::BenchDrag),
         Some("bench") if arguments.contains("--made") => rest(arguments, []).map(|[]| Command::BenchMade),
         Some("bench") => {
             let [set] = rest(arguments, ["SETDIR"])?;
