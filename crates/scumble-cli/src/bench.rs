@@ -4,6 +4,7 @@
 mod drag;
 mod growth;
 mod labels;
+mod passes;
 mod pictures;
 mod shades;
 
@@ -22,6 +23,7 @@ use shades::{ShadeTimes, WIDTHS_DU};
 
 pub(crate) use drag::run as run_drag;
 pub(crate) use growth::run as run_made;
+pub(crate) use passes::run as run_passes;
 
 /// Size of the pictures.
 const SIZE_PX: u32 = 1024;

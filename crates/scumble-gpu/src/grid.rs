@@ -11,12 +11,14 @@
 //! | a problem, and steps to its solution | `gradients` |
 //! | the picture and what lies over it | `stack` |
 //! | the solution as a layer of a scene | `layer` |
+//! | what passes cost | `costs` |
 //! | why it cannot be done | `error` |
 //!
 //! Every pass draws a texture of numbers from others with a fragment shader, so that WebGL2 can do it too. Of a problem only
 //! the equations of pixels at curves are uploaded, and later those that have changed: the matrices of the levels are drawn
 //! from them.
 
+mod costs;
 mod equations;
 mod error;
 mod gradients;
@@ -36,6 +38,7 @@ use scumble_solve::grid::{Constraints, MAX_STEPS, Texel};
 
 use crate::error::GpuError;
 use crate::gpu::Gpu;
+pub use costs::{Costs, SolverCosts};
 pub use error::GridError;
 pub use kernels::Kernels;
 use stack::{Stack, Step};
@@ -62,10 +65,24 @@ impl GpuGridSolver {
     /// # Errors
     /// When the device cannot draw so large a picture.
     pub fn new(gpu: &Gpu, kernels: &Kernels, constraints: &Constraints) -> Result<Self, GridError> {
+        let solver = Self::record(gpu, kernels, constraints)?;
+        solver.start.play(gpu);
+        Ok(solver)
+    }
+
+    /// What a solver costs; it draws nothing for that.
+    ///
+    /// # Errors
+    /// When the device cannot draw so large a picture.
+    pub fn costs(gpu: &Gpu, kernels: &Kernels, constraints: &Constraints) -> Result<SolverCosts, GridError> {
+        let Self { start, steps, .. } = Self::record(gpu, kernels, constraints)?;
+        Ok(SolverCosts::of(&start, steps.each_ref().map(|step| &step.tape)))
+    }
+
+    fn record(gpu: &Gpu, kernels: &Kernels, constraints: &Constraints) -> Result<Self, GridError> {
         let mut recorder = Recorder::new(gpu, kernels);
         let mut stack = Stack::new(gpu, kernels, constraints, &mut recorder)?;
         let start = recorder.take();
-        start.play(gpu);
         let steps = [(); 2].map(|()| stack.step(&mut recorder));
         let change = stack.change().clone();
         Ok(Self { gpu: gpu.clone(), stack, start, steps, is_even: true, change })

@@ -27,6 +27,18 @@ pub(crate) enum Kernel {
     Gather,
 }
 
+impl Kernel {
+    /// Whether it reads the links of a level.
+    pub(super) fn reads_links(self) -> bool {
+        !matches!(self, Self::Start | Self::Spread | Self::Attach)
+    }
+
+    /// Whether it reads how its unknowns are held.
+    pub(super) fn reads_holds(self) -> bool {
+        !matches!(self, Self::Diagonal | Self::Attach)
+    }
+}
+
 /// What a kernel is made of.
 pub(crate) struct Source {
     pub(crate) name: &'static str,

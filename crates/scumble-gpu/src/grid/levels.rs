@@ -8,14 +8,20 @@ use super::tape::Recorder;
 use super::texels::{FORMAT, alike, single, single_texel, target};
 use crate::gpu::Gpu;
 
+/// The matrix of a level.
+#[derive(Debug)]
+pub(crate) struct Matrix {
+    pub(super) group: wgpu::BindGroup,
+    pub(super) links: [wgpu::TextureView; 3],
+    pub(super) holds: wgpu::TextureView,
+}
+
 /// A level: its matrix, and what cycles write.
 #[derive(Debug)]
 pub(crate) struct GpuLevel {
-    pub(crate) matrix: wgpu::BindGroup,
-    /// The matrix with the texture that is first in `values` in the place of `holds`.
-    draft: wgpu::BindGroup,
-    pub(super) links: [wgpu::TextureView; 3],
-    pub(super) holds: wgpu::TextureView,
+    pub(crate) matrix: Matrix,
+    /// The matrix with the texture that is first in `values` in the place of its `holds`.
+    draft: Matrix,
     pub(super) values: wgpu::TextureView,
     /// At first the given colours.
     pub(super) right: wgpu::TextureView,
@@ -68,28 +74,29 @@ impl Maker<'_> {
         let has_coarser = size.columns.max(size.rows) > 1;
         let marks = has_coarser.then(|| self.target(size.columns.div_ceil(2), size.rows.div_ceil(2)));
         let uniform = uniform(self.gpu, [size.columns as i32, size.slots as i32, 0, 0]);
-        let matrix = self.matrix(&uniform, &links, &holds);
-        let draft = self.matrix(&uniform, &links, &values);
-        GpuLevel { matrix, draft, links, holds, values, right, room, marks }
+        let draft = self.matrix(&uniform, links.clone(), values.clone());
+        let matrix = self.matrix(&uniform, links, holds);
+        GpuLevel { matrix, draft, values, right, room, marks }
     }
 
     fn matrix(
         &self,
         uniform: &wgpu::Buffer,
-        links: &[wgpu::TextureView; 3],
-        holds: &wgpu::TextureView,
-    ) -> wgpu::BindGroup {
-        let texels = links.iter().chain([holds]).map(wgpu::BindingResource::TextureView);
+        links: [wgpu::TextureView; 3],
+        holds: wgpu::TextureView,
+    ) -> Matrix {
+        let texels = links.iter().chain([&holds]).map(wgpu::BindingResource::TextureView);
         let resources = std::iter::once(uniform.as_entire_binding()).chain(texels);
         let entries: Vec<_> = (0..)
             .zip(resources)
             .map(|(binding, resource)| wgpu::BindGroupEntry { binding, resource })
             .collect();
-        self.gpu.device.create_bind_group(&wgpu::BindGroupDescriptor {
+        let group = self.gpu.device.create_bind_group(&wgpu::BindGroupDescriptor {
             label: Some("level"),
             layout: &self.kernels.level_layout,
             entries: &entries,
-        })
+        });
+        Matrix { group, links, holds }
     }
 }
 
@@ -137,7 +144,8 @@ impl GpuLevels {
 
     /// The numbers of the unknowns of a level whose links are there.
     fn complete(&self, recorder: &mut Recorder<'_>, depth: usize) {
-        let GpuLevel { matrix, draft, holds, values, room, marks, .. } = &self.levels[depth];
+        let GpuLevel { matrix, draft, values, room, marks, .. } = &self.levels[depth];
+        let holds = &matrix.holds;
         let hold = if depth == 0 { &self.hold } else { room };
         let Some(marks) = marks else {
             return recorder.pass_on(draft, Kernel::Diagonal, &[hold], holds);
@@ -149,12 +157,12 @@ impl GpuLevels {
 
     /// The links of the next level, how strongly it is held, and to which colours.
     fn build_coarser(&self, recorder: &mut Recorder<'_>, depth: usize) {
-        let GpuLevel { matrix, holds, right, .. } = &self.levels[depth];
+        let GpuLevel { matrix, right, .. } = &self.levels[depth];
         let coarse = &self.levels[depth + 1];
-        for (direction, links) in self.directions.iter().zip(&coarse.links) {
+        for (direction, links) in self.directions.iter().zip(&coarse.matrix.links) {
             recorder.pass_on(matrix, Kernel::Join, &[direction], links);
         }
-        recorder.pass_on(matrix, Kernel::Gather, &[holds], &coarse.room);
+        recorder.pass_on(matrix, Kernel::Gather, &[&matrix.holds], &coarse.room);
         recorder.pass_on(matrix, Kernel::Gather, &[right], &coarse.right);
     }
 

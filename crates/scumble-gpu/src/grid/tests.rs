@@ -187,9 +187,9 @@ fn levels_are_built_as_on_the_cpu() {
             let check = |name: &str, view: &wgpu::TextureView, expected: &Texture| {
                 assert_alike(&bench.read(view), expected, &format!("{name} at {depth}"))
             };
-            check("holds", &drawn.holds, &level.holds);
+            check("holds", &drawn.matrix.holds, &level.holds);
             check("given", &drawn.right, &hierarchy.given[depth]);
-            let links = drawn.links.iter().zip([&level.east, &level.south, &level.within]);
+            let links = drawn.matrix.links.iter().zip([&level.east, &level.south, &level.within]);
             for (has, (drawn, expected)) in has_links.iter_mut().zip(links).filter(|_| depth > 0) {
                 *has |= check("links", drawn, expected);
             }
@@ -352,4 +352,29 @@ fn only_what_has_changed_is_uploaded() {
     let cut = cuts.iter_mut().find(|cut| cut.color.is_some()).expect("a colour");
     cut.fraction *= 0.5;
     assert_eq!(solver.update(&kernels, &Constraints { cuts, ..before }), Ok(1));
+}
+
+#[test]
+fn costs_are_those_of_the_passes() {
+    let Some(Bench { gpu, kernels }) = Bench::new() else { return };
+    let costs = |side_px| {
+        let (cuts, faces, pulls) = Default::default();
+        let blank = Constraints { width_px: side_px, height_px: side_px, cuts, faces, pulls, covers: None };
+        GpuGridSolver::costs(&gpu, &kernels, &blank).expect("costs")
+    };
+    // One pixel: the diagonal, the first picture, what it lacks, and no direction yet; each a pass with its textures.
+    let pixel = costs(1);
+    let [thin, thick] = [4, 16];
+    let diagonal = 3 * thin + 2 * thick;
+    let spread = 4 * thick;
+    let residual = 2 * thin + 5 * thick;
+    let ratio = 3 * thick;
+    assert_eq!(pixel.start, Costs { passes: 4, bytes: diagonal + spread + residual + ratio });
+    let [small, large] = [256, 512].map(costs);
+    for (small, large) in [(small.start, large.start), (small.step, large.step)] {
+        assert!(large.passes > small.passes, "one level more");
+        assert!((3.9..4.1).contains(&(large.bytes as f64 / small.bytes as f64)), "{large:?} {small:?}");
+    }
+    assert!((3.9..4.1).contains(&(large.texture_bytes as f64 / small.texture_bytes as f64)));
+    assert_eq!(large.solve(3).passes, large.start.passes + 3 * large.step.passes);
 }
