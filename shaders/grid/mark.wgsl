@@ -24,7 +24,7 @@ fn member_place(cell: vec2<i32>, member: i32) -> vec2<i32> {
 }
 
 fn find(cell: vec2<i32>, member: i32) {
-    let is_within = 2 * cell.x + (member / level.slots & 1) < level.columns;
+    let is_within = 2 * cell.x + ((member / level.slots) & 1) < level.columns;
     let hold = load(holds, member_place(cell, member));
     links[member] = select(0.0, hold.y - hold.x, is_within);
     held[member] = select(0.0, hold.x, is_within);
