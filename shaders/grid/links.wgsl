@@ -1,4 +1,4 @@
-// The sum of linked_value, which each kernel has its own, over what is linked to an unknown, by the weights of the links.
+// The sum of weighted, which each kernel has its own, over what is linked to an unknown, with the weights of the links.
 // Where there is no cell beside it, another one is looked at: its weight there is zero.
 fn linked(place: vec2<i32>) -> vec4<f32> {
     let cell = place.x % level.columns;
@@ -18,11 +18,4 @@ fn linked(place: vec2<i32>) -> vec4<f32> {
         sum += weighted(inside[other], across);
     }
     return sum;
-}
-
-fn weighted(weight: f32, place: vec2<i32>) -> vec4<f32> {
-    if weight > 0.0 {
-        return weight * linked_value(place);
-    }
-    return vec4(0.0);
 }

@@ -173,7 +173,8 @@ fn closed_gap() -> Golden {
 fn solved(curves: &[BezPath], colors: &[[Option<Paint>; 2]]) -> Field {
     let curves = curves.iter().map(|path| Curve { path: path.clone(), line: None }).collect();
     let drawing = Drawing { curves, ..Drawing::new(Rect::new(0.0, 0.0, 1024.0, 1024.0)) };
-    let map = PlanarMap::build(&drawing, &Sampling { spacing_du: 24.0, chord_du: 0.5 }).expect("a map");
+    let map = PlanarMap::build(&drawing, &Sampling { spacing_du: 24.0, tip_du: 24.0, chord_du: 0.5 })
+        .expect("a map");
     let (first, last) = (map.steps(0).first().expect("a step"), map.steps(0).last().expect("a step"));
     let nodes = [map.ends(first.left)[0], map.ends(last.left)[1]];
     let map = map.with_gaps(vec![Gap { nodes, is_wide: false, is_plain: false }]);

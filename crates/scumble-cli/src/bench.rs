@@ -1,8 +1,10 @@
 //! `scumble bench`: how long each stage takes on the drawings of a quality set, and labelling by each engine, on one
-//! thread; or how labels and pictures grow on made drawings.
+//! thread; or how labels and pictures grow on made drawings, or how long a frame takes while a curve is moved.
 
+mod drag;
 mod growth;
 mod labels;
+mod passes;
 mod pictures;
 mod shades;
 
@@ -19,7 +21,9 @@ use crate::stages::{self, Opened, PAPER};
 use labels::{CANDIDATES, Candidate, LabelTimes};
 use shades::{ShadeTimes, WIDTHS_DU};
 
+pub(crate) use drag::run as run_drag;
 pub(crate) use growth::run as run_made;
+pub(crate) use passes::run as run_passes;
 
 /// Size of the pictures.
 const SIZE_PX: u32 = 1024;

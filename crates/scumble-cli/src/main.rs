@@ -96,12 +96,19 @@ scumble corpus DIR [--take N]
 scumble bench SETDIR
     times each stage on a quality set (SETDIR/ID/drawing.svg, SETDIR/ID/dense.json), and labelling by each engine
 
-scumble compare SETDIR [--every 1] [--half]
+scumble compare SETDIR [--every 1] [--half] [--referee]
     how far pictures by the grid solver and by Jeschke's, and those on a mesh of half the width, are from those of the mesh
-    solver, on every so many-th drawing of a set, with all colours or with those of half the sides
+    solver, on every so many-th drawing of a set, with all colours or with those of half the sides; and how far both solvers
+    are from what finer grids tend to
 
 scumble bench --made
     times labelling on made drawings of about 1,000 to 100,000 pieces
+
+scumble bench --drag
+    times the frames while the end of a curve is moved in a made drawing of 5,000 pieces, on the graphics card
+
+scumble bench --passes
+    what a picture by the grid solver costs on the graphics card: passes, bytes moved, textures; and how long it takes
 
 scumble eval SETDIR
     tells how much of a quality set (the above, with sparse.json and truth.png) has the expected colours
@@ -136,7 +143,9 @@ fn run() -> anyhow::Result<ExitCode> {
         Command::Corpus { folder, take } => return corpus::run(&folder, take),
         Command::Bench { set } => bench::run(&set)?,
         Command::BenchMade => bench::run_made()?,
-        Command::Compare { set, every, half } => compare::run(&set, every, half)?,
+        Command::BenchDrag => bench::run_drag()?,
+        Command::BenchPasses => bench::run_passes()?,
+        Command::Compare { set, every, options } => compare::run(&set, every, options)?,
         Command::Eval(options) => eval::run(&options)?,
         Command::Render(options) => render::run(&options)?,
         Command::Convert { from, to } => share::convert(&from, &to)?,

@@ -7,6 +7,7 @@ use anyhow::{Context, anyhow, bail, ensure};
 use pico_args::Arguments;
 use scumble_core::{Blend, EngineKind, Settings};
 
+use crate::compare::CompareOptions;
 use crate::eval::{EvalOptions, Method};
 use crate::set::Kind;
 use crate::works;
@@ -22,7 +23,9 @@ pub(crate) enum Command {
     Corpus { folder: PathBuf, take: Option<usize> },
     Bench { set: PathBuf },
     BenchMade,
-    Compare { set: PathBuf, every: usize, half: bool },
+    BenchDrag,
+    BenchPasses,
+    Compare { set: PathBuf, every: usize, options: CompareOptions },
     Eval(EvalOptions),
     Render(RenderOptions),
     Convert { from: PathBuf, to: PathBuf },
@@ -128,6 +131,8 @@ pub(crate) fn parse(mut arguments: Arguments) -> anyhow::Result<Command> {
             let [folder] = rest(arguments, ["DIR"])?;
             Ok(Command::Corpus { folder: folder.into(), take })
         }
+        Some("bench") if arguments.contains("--drag") => rest(arguments, []).map(|[]| Command::BenchDrag),
+        Some("bench") if arguments.contains("--passes") => rest(arguments, []).map(|[]| Command::BenchPasses),
         Some("bench") if arguments.contains("--made") => rest(arguments, []).map(|[]| Command::BenchMade),
         Some("bench") => {
             let [set] = rest(arguments, ["SETDIR"])?;
@@ -135,9 +140,12 @@ pub(crate) fn parse(mut arguments: Arguments) -> anyhow::Result<Command> {
         }
         Some("compare") => {
             let every = arguments.opt_value_from_fn("--every", positive).map_err(advise)?;
-            let half = arguments.contains("--half");
+            let options = CompareOptions {
+                half: arguments.contains("--half"),
+                referee: arguments.contains("--referee"),
+            };
             let [set] = rest(arguments, ["SETDIR"])?;
-            Ok(Command::Compare { set: set.into(), every: every.unwrap_or(1), half })
+            Ok(Command::Compare { set: set.into(), every: every.unwrap_or(1), options })
         }
         Some("eval") => eval(arguments).map(Command::Eval),
         Some("render") => render(arguments).map(Command::Render),

@@ -170,6 +170,11 @@ impl Editor {
         matches!(self.in_hand, Some(Gesture::Changes(..)))
     }
 
+    /// Whether such a gesture has given the drawing other lines.
+    pub fn is_changing_lines(&self) -> bool {
+        matches!(&self.in_hand, Some(Gesture::Changes(_, back)) if back.iter().any(Change::is_of_lines))
+    }
+
     /// What such a gesture does that is in hand.
     pub fn deed_in_hand(&self) -> Option<Deed> {
         match self.in_hand {

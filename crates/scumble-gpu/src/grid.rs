@@ -4,22 +4,28 @@
 //! |---|---|
 //! | a shader and what it reads | `kernels` |
 //! | textures of numbers | `texels` |
+//! | the equations of pixels, and what changes of them | `equations`, `points` |
 //! | passes that are drawn over and over | `tape` |
 //! | levels, and the ways through them | `levels` |
 //! | sums over all texels | `reduction` |
 //! | a problem, and steps to its solution | `gradients` |
 //! | the picture and what lies over it | `stack` |
 //! | the solution as a layer of a scene | `layer` |
+//! | what passes cost | `costs` |
 //! | why it cannot be done | `error` |
 //!
-//! Every pass draws a texture of numbers from others with a fragment shader, so that WebGL2 can do it too. The matrices
-//! of the levels come from the CPU.
+//! Every pass draws a texture of numbers from others with a fragment shader, so that WebGL2 can do it too. Of a problem only
+//! the equations of pixels at curves are uploaded, and later those that have changed: the matrices of the levels are drawn
+//! from them.
 
+mod costs;
+mod equations;
 mod error;
 mod gradients;
 pub(crate) mod kernels;
 pub(crate) mod layer;
 mod levels;
+mod points;
 mod reduction;
 mod stack;
 mod tape;
@@ -32,17 +38,23 @@ use scumble_solve::grid::{Constraints, MAX_STEPS, Texel};
 
 use crate::error::GpuError;
 use crate::gpu::Gpu;
+pub use costs::{Costs, SolverCosts};
 pub use error::GridError;
 pub use kernels::Kernels;
 use stack::{Stack, Step};
-use tape::Recorder;
+use tape::{Recorder, Tape};
 
 /// A picture on its way to the solution, on the GPU.
 #[derive(Debug)]
 pub struct GpuGridSolver {
     gpu: Gpu,
+    stack: Stack,
+    /// Builds the levels and makes the first picture.
+    start: Tape,
     /// Every step draws into the textures that the one before has read: what is done next, and what was done last.
     steps: [Step; 2],
+    /// Whether the steps stand as they did at the start.
+    is_even: bool,
     /// By how much the last step changed each channel most.
     change: wgpu::TextureView,
 }
@@ -53,11 +65,44 @@ impl GpuGridSolver {
     /// # Errors
     /// When the device cannot draw so large a picture.
     pub fn new(gpu: &Gpu, kernels: &Kernels, constraints: &Constraints) -> Result<Self, GridError> {
+        let solver = Self::record(gpu, kernels, constraints)?;
+        solver.start.play(gpu);
+        Ok(solver)
+    }
+
+    /// What a solver costs; it draws nothing for that.
+    ///
+    /// # Errors
+    /// When the device cannot draw so large a picture.
+    pub fn costs(gpu: &Gpu, kernels: &Kernels, constraints: &Constraints) -> Result<SolverCosts, GridError> {
+        let Self { start, steps, .. } = Self::record(gpu, kernels, constraints)?;
+        Ok(SolverCosts::of(&start, steps.each_ref().map(|step| &step.tape)))
+    }
+
+    fn record(gpu: &Gpu, kernels: &Kernels, constraints: &Constraints) -> Result<Self, GridError> {
         let mut recorder = Recorder::new(gpu, kernels);
         let mut stack = Stack::new(gpu, kernels, constraints, &mut recorder)?;
-        recorder.take().play(gpu);
-        let [first, second] = [(); 2].map(|()| stack.step(&mut recorder));
-        Ok(Self { gpu: gpu.clone(), steps: [first, second], change: stack.change().clone() })
+        let start = recorder.take();
+        let steps = [(); 2].map(|()| stack.step(&mut recorder));
+        let change = stack.change().clone();
+        Ok(Self { gpu: gpu.clone(), stack, start, steps, is_even: true, change })
+    }
+
+    /// Takes other constraints, with a first picture. Where there are as many pixels and as many layers as before, only what
+    /// has changed is uploaded; tells for how many pixels that was.
+    ///
+    /// # Errors
+    /// When the device cannot draw so large a picture; then nothing has changed.
+    pub fn update(&mut self, kernels: &Kernels, constraints: &Constraints) -> Result<usize, GridError> {
+        let Some(changed) = self.stack.update(&self.gpu, kernels, constraints) else {
+            *self = Self::new(&self.gpu, kernels, constraints)?;
+            return Ok(constraints.width_px as usize * constraints.height_px as usize);
+        };
+        if !std::mem::replace(&mut self.is_even, true) {
+            self.steps.swap(0, 1);
+        }
+        self.start.play(&self.gpu);
+        Ok(changed)
     }
 
     /// Steps until a step changes no channel by more than `tolerance`, or [`MAX_STEPS`] are done; and how many it took.
@@ -78,6 +123,7 @@ impl GpuGridSolver {
     pub fn step(&mut self) {
         self.steps[0].tape.play(&self.gpu);
         self.steps.swap(0, 1);
+        self.is_even = !self.is_even;
     }
 
     /// By how much the last step changed the value that it changed most.

@@ -9,7 +9,7 @@
 //! | whether a device draws what it should | [`probe`] |
 //! | lists of things to draw, on the GPU | `items` |
 //! | the textures that are drawn in | `samples` |
-//! | how each kind of thing is drawn | `pipelines`, `shaders` |
+//! | how each kind of thing is drawn | `pipelines`, `shaders`, `wgsl` |
 //!
 //! Everything is drawn multisampled into textures that hold sRGB-encoded bytes and never convert, so that colours mix
 //! in sRGB as they do on the CPU, and so that both builds for the web show the same bytes.
@@ -24,6 +24,7 @@ mod read_back;
 pub mod renderer;
 mod samples;
 mod shaders;
+mod wgsl;
 
 pub use error::GpuError;
 pub use gpu::{Gpu, instance, surface_format};

@@ -22,7 +22,7 @@ pub(crate) const VIEW_LAYOUT: wgpu::BindGroupLayoutDescriptor<'static> = wgpu::B
 /// What tells one pipeline from another.
 struct Kernel {
     label: &'static str,
-    source: &'static str,
+    source: [&'static str; 2],
     buffers: &'static [Option<wgpu::VertexBufferLayout<'static>>],
     depth_write: bool,
     depth_compare: wgpu::CompareFunction,
@@ -84,7 +84,7 @@ impl Kernel {
         format: wgpu::TextureFormat,
     ) -> wgpu::RenderPipeline {
         let label = Some(self.label);
-        let source = wgpu::ShaderSource::Wgsl(self.source.into());
+        let source = wgpu::ShaderSource::Wgsl(self.source.concat().into());
         let module = device.create_shader_module(wgpu::ShaderModuleDescriptor { label, source });
         let layout = device.create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
             label,

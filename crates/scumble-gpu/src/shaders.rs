@@ -1,38 +1,34 @@
 //! The shaders, each with the shared pieces before it.
 
-macro_rules! with_common {
-    ($file:literal) => {
-        concat!(
-            include_str!("../../../shaders/common.wgsl"),
-            include_str!(concat!("../../../shaders/", $file))
-        )
-    };
-}
+use crate::wgsl::wgsl;
+
+/// What all of them begin with.
+const COMMON: &str = wgsl!("common");
 
 /// Draws the triangles of a colour field.
-pub(crate) const FIELD: &str = with_common!("field.wgsl");
+pub(crate) const FIELD: [&str; 2] = [COMMON, wgsl!("field")];
 /// Draws flat shapes.
-pub(crate) const SHAPE: &str = with_common!("shape.wgsl");
-
+pub(crate) const SHAPE: [&str; 2] = [COMMON, wgsl!("shape")];
 /// Draws what the grid solver found.
-pub(crate) const SOLUTION: &str = with_common!("solution.wgsl");
+pub(crate) const SOLUTION: [&str; 2] = [COMMON, wgsl!("solution")];
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::grid::kernels::SOURCES;
+    use crate::grid::kernels::{POINTS, SOURCES};
     use naga::ShaderStage::{Fragment, Vertex};
     use naga::back::glsl;
     use naga::valid::{Capabilities, ModuleInfo, ValidationFlags, Validator};
 
-    const SCENE: [(&str, &str); 3] =
-        [("field.wgsl", FIELD), ("shape.wgsl", SHAPE), ("solution.wgsl", SOLUTION)];
+    const SCENE: [(&str, &[&str]); 4] =
+        [("field.wgsl", &FIELD), ("shape.wgsl", &SHAPE), ("solution.wgsl", &SOLUTION), ("points", &[POINTS])];
 
     /// Pieces of the grid solver's kernels that are none themselves.
-    const PIECES: [&str; 6] = ["block", "level", "links", "matrix", "parent", "pass"];
+    const PIECES: [&str; 8] = ["block", "level", "links", "matrix", "parent", "parts", "pass", "weighted"];
 
-    fn all() -> impl Iterator<Item = (&'static str, &'static str)> {
-        SCENE.into_iter().chain(SOURCES.iter().map(|source| (source.name, source.text)))
+    fn all() -> impl Iterator<Item = (&'static str, String)> {
+        let scene = SCENE.into_iter().map(|(name, pieces)| (name, pieces.concat()));
+        scene.chain(SOURCES.iter().map(|source| (source.name, source.text())))
     }
 
     fn validated(name: &str, source: &str) -> (naga::Module, ModuleInfo) {
@@ -64,7 +60,7 @@ mod tests {
     #[test]
     fn every_shader_is_valid_and_can_be_said_in_webgl() {
         for (name, source) in all() {
-            let (module, info) = validated(name, source);
+            let (module, info) = validated(name, &source);
             for (stage, entry) in [(Vertex, "vertex"), (Fragment, "fragment")] {
                 assert!(webgl_source(&module, &info, stage, entry).contains("void main()"), "{name}");
             }
@@ -74,7 +70,7 @@ mod tests {
     #[test]
     fn uniforms_have_the_sizes_that_webgl_takes() {
         for (name, source) in all() {
-            let (module, _) = validated(name, source);
+            let (module, _) = validated(name, &source);
             let uniforms =
                 module.global_variables.iter().filter(|(_, v)| v.space == naga::AddressSpace::Uniform);
             for (_, uniform) in uniforms {
@@ -97,7 +93,8 @@ mod tests {
     #[test]
     fn every_shader_file_is_used() {
         assert_eq!(files(""), ["common.wgsl", "field.wgsl", "shape.wgsl", "solution.wgsl"]);
-        let mut names: Vec<_> = SOURCES.iter().map(|source| source.name).chain(PIECES).collect();
+        let mut names: Vec<_> =
+            SOURCES.iter().map(|source| source.name).chain(PIECES).chain(["points"]).collect();
         names.sort();
         assert_eq!(files("grid"), names.iter().map(|name| format!("{name}.wgsl")).collect::<Vec<_>>());
     }

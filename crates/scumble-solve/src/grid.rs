@@ -4,6 +4,8 @@
 //! |---|---|
 //! | all that is given | `constraints` |
 //! | where curves cut the links between pixels | `cut_links`, `wall` |
+//! | corners where the solution is steep without end | `corners` |
+//! | what that makes of the equations of pixels | `equations` |
 //! | the layer that shading scribbles lay over pixels | `covers` |
 //! | the regions of a map among pixels | `regions` |
 //! | pixels that their colour cannot reach | `unreached` |
@@ -24,9 +26,11 @@
 //! Everything is computed texel by texel in `f32`, as it is on the GPU.
 
 mod constraints;
+mod corners;
 mod covers;
 mod curve_cells;
 mod cut_links;
+mod equations;
 mod gradients;
 mod hierarchy;
 mod jeschke;
@@ -44,9 +48,10 @@ pub use constraints::{Constraints, Pull};
 pub use covers::Covers;
 pub use curve_cells::CurveCells;
 pub use cut_links::{Cut, Face, LEAST_FRACTION, Link};
+pub use equations::Equation;
 pub use hierarchy::{Hierarchy, STEPS};
 pub use jeschke::JeschkeSolver;
-pub use level::Level;
+pub use level::{Level, Size};
 pub use picture::GridPicture;
 pub use problem::GridProblem;
 pub use texture::{Texel, Texture};

@@ -195,9 +195,13 @@ impl GpuScreen {
     /// Takes a problem to its first picture.
     fn begin(&mut self, problem: &GridProblem) {
         let kernels = self.kernels.get_or_insert_with(|| GridKernels::new(&self.gpu.device));
-        let solver = GpuGridSolver::new(&self.gpu, kernels, &problem.constraints);
         self.renderer.set_problem(problem);
+        let constraints = &problem.constraints;
         // Grids of the page fit into the textures of every device.
+        let solver = match self.solving.take() {
+            Some(Solving { mut solver, .. }) => solver.update(kernels, constraints).map(|_| solver),
+            None => GpuGridSolver::new(&self.gpu, kernels, constraints),
+        };
         self.solving = solver.ok().map(|solver| Solving { solver, steps_left: PAGE_STEPS });
     }
 

@@ -65,6 +65,12 @@ const WIDEST_PX: f64 = 2.0;
 /// [`FEW_PX`].
 const MANY_PIECES: usize = 100_000;
 
+/// Where lines are moved in a drawing of more pieces than this, the mesh solver no longer keeps up with the pen.
+const PIECES_IN_HAND: usize = 4000;
+
+/// Nor does what comes before any solver, where there are more than this.
+const MOST_PIECES_IN_HAND: usize = 20_000;
+
 /// What the choice depends on.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Moment {
@@ -74,14 +80,15 @@ pub(crate) struct Moment {
     pub(crate) pieces: usize,
     /// Whether the mesh is there, or nothing else will be shown before it is.
     pub(crate) is_mesh_due: bool,
+    /// Whether lines are being moved.
+    pub(crate) is_in_motion: bool,
 }
 
 impl Solver {
     /// Where the picture is to come from.
     pub(crate) fn source(self, moment: &Moment) -> Source {
-        let is_quick = moment.grids == Grids::Fast && moment.pieces > MANY_PIECES;
         match self {
-            Self::Automatic if is_quick && !moment.is_mesh_due => Source::Grid,
+            Self::Automatic if moment.is_grid_quicker() => Source::Grid,
             Self::Automatic | Self::Mesh => Source::Mesh,
             Self::Gpu if moment.grids == Grids::No => Source::MeshWithoutGpu,
             Self::Gpu if moment.px_per_du > WIDEST_PX * MOST_PX / LONGER_SIDE_DU => Source::MeshSoClose,
@@ -91,11 +98,25 @@ impl Solver {
 }
 
 impl Moment {
+    /// Whether the grid solver has a picture well before the mesh solver.
+    fn is_grid_quicker(&self) -> bool {
+        let is_first = self.pieces > MANY_PIECES && !self.is_mesh_due;
+        let is_followed = self.is_in_motion && self.pieces > PIECES_IN_HAND;
+        self.grids == Grids::Fast && (is_first || is_followed)
+    }
+
+    /// Whether lines can be followed in each frame while they are moved.
+    pub(crate) fn is_live(&self, solver: Solver) -> bool {
+        let by_grid = solver.source(self) == Source::Grid;
+        self.pieces <= if by_grid { MOST_PIECES_IN_HAND } else { PIECES_IN_HAND }
+    }
+
     /// Pixels of a grid for one du, about as large as those of the canvas; in steps of √2, so that it is solved anew only
     /// once in a while as the zoom changes.
     pub(crate) fn grid_scale(&self, solver: Solver) -> f64 {
         let most_px = match (self.grids, solver) {
             (Grids::Fast, Solver::Gpu) => MOST_PX,
+            (Grids::Fast, _) if self.is_in_motion => MOST_PX,
             (Grids::Fast, _) => FEW_PX,
             _ => FEWEST_PX,
         };
@@ -107,7 +128,8 @@ impl Moment {
 mod tests {
     use super::*;
 
-    const SMALL: Moment = Moment { grids: Grids::Fast, px_per_du: 1.0, pieces: 1000, is_mesh_due: false };
+    const SMALL: Moment =
+        Moment { grids: Grids::Fast, px_per_du: 1.0, pieces: 1000, is_mesh_due: false, is_in_motion: false };
     const LARGE: Moment = Moment { pieces: 200_000, ..SMALL };
 
     #[test]
@@ -127,6 +149,18 @@ mod tests {
         for moment in [Moment { is_mesh_due: true, ..LARGE }, Moment { grids: Grids::Slow, ..LARGE }] {
             assert_eq!(Solver::Automatic.source(&moment), Source::Mesh);
         }
+    }
+
+    #[test]
+    fn lines_in_motion_have_a_grid_where_the_mesh_cannot_follow() {
+        let moving = |pieces| Moment { pieces, is_in_motion: true, is_mesh_due: true, ..SMALL };
+        assert_eq!(Solver::Automatic.source(&moving(1000)), Source::Mesh);
+        assert_eq!(Solver::Automatic.source(&moving(5000)), Source::Grid);
+        assert_eq!(Solver::Automatic.source(&Moment { is_in_motion: false, ..moving(5000) }), Source::Mesh);
+        assert_eq!(Solver::Automatic.source(&Moment { grids: Grids::Slow, ..moving(5000) }), Source::Mesh);
+        assert_eq!(moving(5000).grid_scale(Solver::Automatic), moving(5000).grid_scale(Solver::Gpu));
+        assert!(moving(5000).is_live(Solver::Automatic) && moving(1000).is_live(Solver::Mesh));
+        assert!(!moving(5000).is_live(Solver::Mesh) && !moving(30_000).is_live(Solver::Automatic));
     }
 
     #[test]

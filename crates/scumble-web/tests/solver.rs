@@ -1,8 +1,9 @@
 //! Which solver makes the picture on the canvas, and what its painter is given for that.
 
-use scumble_core::{Document, Srgb8, Work, exact};
+use scumble_core::{Document, PlanarMap, Sampling, Srgb8, Work, exact};
 use scumble_io::import_svg;
-use scumble_web::command::{Command, Phase, ViewChange};
+use scumble_solve::grid::Constraints;
+use scumble_web::command::{Command, Phase, Tool, ViewChange};
 use scumble_web::effect::Effect;
 use scumble_web::painting::{Changed, Painter, Painting};
 use scumble_web::session::Session;
@@ -14,6 +15,7 @@ struct Screen {
     frames_left: usize,
     /// Of each frame: the longer side of the grid, or 0 for a field; and whether it is another than before.
     frames: Vec<(u32, bool)>,
+    constraints: Option<Constraints>,
 }
 
 impl Painter for Screen {
@@ -22,7 +24,9 @@ impl Painter for Screen {
             self.frames.push((0, changed.field));
             return true;
         };
-        self.frames.push((problem.view.width_px, changed.problem));
+        let is_other = changed.problem && self.constraints.as_ref() != Some(&problem.constraints);
+        self.frames.push((problem.view.width_px, is_other));
+        self.constraints = Some(problem.constraints.clone());
         self.frames_left = if changed.problem { 2 } else { self.frames_left.saturating_sub(1) };
         self.frames_left == 0
     }
@@ -32,10 +36,27 @@ impl Painter for Screen {
 const SQUARE: &[u8] = br#"<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 1024 768">
     <path d="M200 150H680V630H200Z" fill="none" stroke="black" stroke-width="8"/></svg>"#;
 
+/// Zigzags of some 480 pieces each in so many rows, and above them a line.
+fn zigzags(rows: u32) -> String {
+    let corner = |row: u32, i: u32| format!("L{} {}", 12 + 9 * i, 100 + 12 * row + 6 * (i % 2));
+    let corners = |row: u32| (1..110).map(|i| corner(row, i)).collect::<String>();
+    let row = |row: u32| format!("M12 {}{}", 100 + 12 * row, corners(row));
+    let path = |path: &str| format!(r#"<path d="{path}" fill="none" stroke="black" stroke-width="1"/>"#);
+    let rows: String = (0..rows).map(|i| path(&row(i))).collect();
+    format!(
+        r#"<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 1024 768">{rows}{}</svg>"#,
+        path("M300 40H500")
+    )
+}
+
 /// A page whose painter can do this with grids.
 fn page(grids: Grids) -> (Session, Screen) {
+    page_with(SQUARE, grids)
+}
+
+fn page_with(svg: &[u8], grids: Grids) -> (Session, Screen) {
     let mut session = Session::new(Srgb8([90; 3])).expect("a blank page");
-    let drawing = import_svg(SQUARE).expect("a drawing").drawing;
+    let drawing = import_svg(svg).expect("a drawing").drawing;
     let work = exact::write(&Work::new(Document::new(drawing)));
     session.set_grids(grids);
     session.command(Command::View(ViewChange::Resize([1200, 900], 1.0)));
@@ -119,4 +140,39 @@ fn a_painter_that_comes_in_the_place_of_a_lost_one_is_given_everything() {
     assert_eq!(frames(&mut session, &mut next), [(0, true)]);
     let state = SolverState { asked: Solver::Gpu, source: Source::MeshWithoutGpu };
     assert_eq!(source(&mut session), Some(state));
+}
+
+/// The frames while the line above the zigzags is moved, and those after.
+fn moved(session: &mut Session, screen: &mut Screen) -> [Vec<(u32, bool)>; 2] {
+    session.command(Command::Tool(Tool::Select));
+    draw(session, Phase::Down, [400.0, 40.0]);
+    session.pointer(Phase::Up, &[]);
+    frames(session, screen);
+    draw(session, Phase::Down, [400.0, 40.0]);
+    let mut in_motion = Vec::new();
+    for i in 1..=5 {
+        draw(session, Phase::Move, [400.0 + 9.0 * f64::from(i), 44.0]);
+        session.frame(screen);
+        in_motion.extend(std::mem::take(&mut screen.frames));
+    }
+    session.pointer(Phase::Up, &[]);
+    [in_motion, frames(session, screen)]
+}
+
+#[test]
+fn lines_among_5_000_pieces_are_followed_on_a_grid_and_meshed_when_they_rest() {
+    let drawing = import_svg(zigzags(11).as_bytes()).expect("a drawing").drawing;
+    let piece_count = PlanarMap::build(&drawing, &Sampling::default()).expect("a map").pieces().len();
+    assert!((5000..8000).contains(&piece_count), "{piece_count}");
+    let (mut session, mut screen) = page_with(zigzags(11).as_bytes(), Grids::Fast);
+    let [in_motion, after] = moved(&mut session, &mut screen);
+    assert_eq!(in_motion, [(512, true); 5], "another picture in each frame, by the grid solver");
+    assert_eq!(after, [(0, true)]);
+}
+
+#[test]
+fn lines_are_followed_by_the_mesh_solver_where_it_can() {
+    let (mut session, mut screen) = page_with(zigzags(2).as_bytes(), Grids::Fast);
+    let [in_motion, _] = moved(&mut session, &mut screen);
+    assert_eq!(in_motion, [(0, true); 5]);
 }

@@ -81,7 +81,7 @@ impl Spread {
     }
 
     /// The difference that a part of all, from 0 to 1, stays below, to a bin.
-    fn percentile(&self, part: f64) -> f64 {
+    pub(super) fn percentile(&self, part: f64) -> f64 {
         let rank = (part * self.count() as f64).ceil() as u64;
         let mut seen = 0;
         let bin = self.counts.iter().position(|count| {

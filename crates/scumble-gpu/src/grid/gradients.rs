@@ -51,13 +51,17 @@ impl Gradients {
         let [residual, corrected] = [(); 2].map(|()| like(&finest.values));
         let values = std::mem::replace(&mut finest.values, corrected);
         recorder.pass_on(&finest.matrix, Kernel::Residual, &[&values, &finest.right], &residual);
+        finest.right = residual;
+        let scalars = Scalars::new(gpu);
+        // There is no direction yet, whatever the textures hold.
+        recorder.pass(Kernel::Ratio, &[&levels.zero, &levels.zero], &scalars.curvature);
         Self {
-            residual_room: std::mem::replace(&mut finest.right, residual),
+            residual_room: like(&values),
             direction: Pair { now: like(&values), room: like(&values) },
             image: like(&values),
             reduction: Reduction::new(gpu, values.texture().width(), values.texture().height()),
             values: Pair { room: like(&values), now: values },
-            scalars: Scalars::new(gpu),
+            scalars,
             levels,
         }
     }

@@ -1,6 +1,7 @@
 //! The kernels of the grid solver: shaders, and the pipelines that draw with them.
 
-use super::texels::FORMAT;
+use super::texels::{FORMAT, THIN_FORMAT};
+use crate::wgsl::wgsl;
 
 /// A kernel and its twin on the CPU have the same name, but for sums over all texels.
 #[derive(Clone, Copy, Debug)]
@@ -19,43 +20,83 @@ pub(crate) enum Kernel {
     Advance,
     Retreat,
     Cover,
+    Diagonal,
+    Mark,
+    Attach,
+    Join,
+    Gather,
+}
+
+impl Kernel {
+    /// Whether it reads the links of a level.
+    pub(super) fn reads_links(self) -> bool {
+        !matches!(self, Self::Start | Self::Spread | Self::Attach)
+    }
+
+    /// Whether it reads how its unknowns are held.
+    pub(super) fn reads_holds(self) -> bool {
+        !matches!(self, Self::Diagonal | Self::Attach)
+    }
 }
 
 /// What a kernel is made of.
 pub(crate) struct Source {
     pub(crate) name: &'static str,
-    pub(crate) text: &'static str,
+    pieces: &'static [&'static str],
     /// Whether it reads the matrix of a level.
     has_level: bool,
 }
 
+impl Source {
+    pub(crate) fn text(&self) -> String {
+        self.pieces.concat()
+    }
+}
+
+const BLOCK: &str = wgsl!("grid/block");
+const LEVEL: &str = wgsl!("grid/level");
+const LINKS: &str = wgsl!("grid/links");
+const MATRIX: &str = wgsl!("grid/matrix");
+const PARENT: &str = wgsl!("grid/parent");
+const PARTS: &str = wgsl!("grid/parts");
+const PASS: &str = wgsl!("grid/pass");
+const WEIGHTED: &str = wgsl!("grid/weighted");
+
 macro_rules! source {
-    ($name:literal, $has_level:literal, $($piece:literal),+) => {
+    ($name:literal, $has_level:literal, $($piece:ident),+) => {
         Source {
             name: $name,
             has_level: $has_level,
-            text: concat!($(include_str!(concat!("../../../../shaders/grid/", $piece, ".wgsl")), "\n"),+),
+            pieces: &[$($piece,)+ wgsl!(concat!("grid/", $name))],
         }
     };
 }
 
 /// In the order of [`Kernel`].
-pub(crate) const SOURCES: [Source; 14] = [
-    source!("multiply", true, "pass", "level", "links", "matrix", "multiply"),
-    source!("residual", true, "pass", "level", "links", "matrix", "residual"),
-    source!("relax", true, "pass", "level", "links", "matrix", "relax"),
-    source!("start", true, "pass", "level", "start"),
-    source!("restrict", true, "pass", "level", "links", "restrict"),
-    source!("interpolate", true, "pass", "level", "links", "parent", "interpolate"),
-    source!("spread", true, "pass", "level", "parent", "spread"),
-    source!("dot", false, "pass", "block", "dot"),
-    source!("sum", false, "pass", "block", "sum"),
-    source!("largest", false, "pass", "largest"),
-    source!("ratio", false, "pass", "ratio"),
-    source!("advance", false, "pass", "advance"),
-    source!("retreat", false, "pass", "retreat"),
-    source!("cover", false, "pass", "cover"),
+pub(crate) const SOURCES: [Source; 19] = [
+    source!("multiply", true, PASS, LEVEL, LINKS, WEIGHTED, MATRIX),
+    source!("residual", true, PASS, LEVEL, LINKS, WEIGHTED, MATRIX),
+    source!("relax", true, PASS, LEVEL, LINKS, WEIGHTED, MATRIX),
+    source!("start", true, PASS, LEVEL),
+    source!("restrict", true, PASS, LEVEL, LINKS, WEIGHTED, PARTS),
+    source!("interpolate", true, PASS, LEVEL, LINKS, WEIGHTED, PARENT),
+    source!("spread", true, PASS, LEVEL, PARENT),
+    source!("dot", false, PASS, BLOCK),
+    source!("sum", false, PASS, BLOCK),
+    source!("largest", false, PASS),
+    source!("ratio", false, PASS),
+    source!("advance", false, PASS),
+    source!("retreat", false, PASS),
+    source!("cover", false, PASS),
+    source!("diagonal", true, PASS, LEVEL, LINKS),
+    source!("mark", true, PASS, LEVEL),
+    source!("attach", true, PASS, LEVEL),
+    source!("join", true, PASS, LEVEL, LINKS, PARTS),
+    source!("gather", true, PASS, LEVEL, LINKS, PARTS),
 ];
+
+/// Draws single texels.
+pub(crate) const POINTS: &str = wgsl!("grid/points");
 
 /// What a kernel may read besides a level.
 pub(super) const OPERANDS: usize = 3;
@@ -64,6 +105,8 @@ pub(super) const OPERANDS: usize = 3;
 #[derive(Debug)]
 pub struct Kernels {
     pipelines: Vec<wgpu::RenderPipeline>,
+    /// For targets of one number a texel, and of four.
+    points: [wgpu::RenderPipeline; 2],
     pub(super) operands_layout: wgpu::BindGroupLayout,
     pub(super) level_layout: wgpu::BindGroupLayout,
 }
@@ -79,9 +122,16 @@ impl Kernels {
         let both = [Some(&operands_layout), Some(&level_layout)];
         let pipelines = SOURCES.iter().map(|source| {
             let layouts = if source.has_level { &both[..] } else { &both[..1] };
-            pipeline(device, source, layouts)
+            let drawing = Drawing { format: FORMAT, topology: TRIANGLES, buffers: &[] };
+            pipeline(device, source.name, &source.text(), layouts, &drawing)
         });
-        Self { pipelines: pipelines.collect(), operands_layout, level_layout }
+        let pipelines = pipelines.collect();
+        Self { pipelines, points: points(device), operands_layout, level_layout }
+    }
+
+    /// What draws points into targets of a format.
+    pub(super) fn points(&self, format: wgpu::TextureFormat) -> &wgpu::RenderPipeline {
+        &self.points[usize::from(format == FORMAT)]
     }
 
     pub(super) fn pipeline(&self, kernel: Kernel) -> &wgpu::RenderPipeline {
@@ -113,13 +163,41 @@ pub(super) fn bind_group_layout(
     device.create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor { label: Some(label), entries })
 }
 
+const TRIANGLES: wgpu::PrimitiveTopology = wgpu::PrimitiveTopology::TriangleList;
+
+/// What a pipeline draws, of what, and where.
+struct Drawing<'a> {
+    format: wgpu::TextureFormat,
+    topology: wgpu::PrimitiveTopology,
+    buffers: &'a [Option<wgpu::VertexBufferLayout<'a>>],
+}
+
+fn points(device: &wgpu::Device) -> [wgpu::RenderPipeline; 2] {
+    use wgpu::VertexFormat::{Float32x2, Uint32, Uint32x4};
+    [(THIN_FORMAT, Uint32), (FORMAT, Uint32x4)].map(|(format, numbers)| {
+        let attributes = [(Float32x2, 0), (numbers, 1)]
+            .map(|(format, shader_location)| wgpu::VertexAttribute { format, offset: 0, shader_location });
+        let buffers = attributes.each_ref().map(|attribute| {
+            Some(wgpu::VertexBufferLayout {
+                array_stride: attribute.format.size(),
+                step_mode: wgpu::VertexStepMode::Vertex,
+                attributes: std::slice::from_ref(attribute),
+            })
+        });
+        let topology = wgpu::PrimitiveTopology::PointList;
+        pipeline(device, "points", POINTS, &[], &Drawing { format, topology, buffers: &buffers })
+    })
+}
+
 fn pipeline(
     device: &wgpu::Device,
-    source: &Source,
+    name: &str,
+    text: &str,
     bind_group_layouts: &[Option<&wgpu::BindGroupLayout>],
+    drawing: &Drawing<'_>,
 ) -> wgpu::RenderPipeline {
-    let label = Some(source.name);
-    let text = wgpu::ShaderSource::Wgsl(source.text.into());
+    let label = Some(name);
+    let text = wgpu::ShaderSource::Wgsl(text.into());
     let module = device.create_shader_module(wgpu::ShaderModuleDescriptor { label, source: text });
     let layout = device.create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
         label,
@@ -133,16 +211,16 @@ fn pipeline(
             module: &module,
             entry_point: Some("vertex"),
             compilation_options: Default::default(),
-            buffers: &[],
+            buffers: drawing.buffers,
         },
-        primitive: wgpu::PrimitiveState::default(),
+        primitive: wgpu::PrimitiveState { topology: drawing.topology, ..Default::default() },
         depth_stencil: None,
         multisample: wgpu::MultisampleState::default(),
         fragment: Some(wgpu::FragmentState {
             module: &module,
             entry_point: Some("fragment"),
             compilation_options: Default::default(),
-            targets: &[Some(FORMAT.into())],
+            targets: &[Some(drawing.format.into())],
         }),
         multiview_mask: None,
         cache: None,

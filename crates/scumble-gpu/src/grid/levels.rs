@@ -1,68 +1,103 @@
 //! The levels of the grid solver on the GPU, and the passes of the ways through them: what `hierarchy` is on the CPU.
 
-use scumble_solve::grid::{Hierarchy, Level, STEPS, Texture};
+use scumble_solve::grid::{STEPS, Size};
 
+use super::equations::Equations;
 use super::kernels::{Kernel, Kernels};
 use super::tape::Recorder;
-use super::texels::{alike, single, uploaded, uploaded_first};
+use super::texels::{FORMAT, alike, single, single_texel, target};
 use crate::gpu::Gpu;
+
+/// The matrix of a level.
+#[derive(Debug)]
+pub(crate) struct Matrix {
+    pub(super) group: wgpu::BindGroup,
+    pub(super) links: [wgpu::TextureView; 3],
+    pub(super) holds: wgpu::TextureView,
+}
 
 /// A level: its matrix, and what cycles write.
 #[derive(Debug)]
 pub(crate) struct GpuLevel {
-    pub(crate) matrix: wgpu::BindGroup,
+    pub(crate) matrix: Matrix,
+    /// The matrix with the texture that is first in `values` in the place of its `holds`.
+    draft: Matrix,
     pub(super) values: wgpu::TextureView,
     /// At first the given colours.
     pub(super) right: wgpu::TextureView,
     room: wgpu::TextureView,
+    /// What each unknown is a part of, by cells of the coarser level; none on the coarsest.
+    marks: Option<wgpu::TextureView>,
 }
 
 /// Levels, the finest first.
 #[derive(Debug)]
 pub(crate) struct GpuLevels {
     pub(crate) levels: Vec<GpuLevel>,
+    /// How strongly pixels are held.
+    hold: wgpu::TextureView,
     /// Parts of the way that steps go: the two of [`STEPS`].
     parts: [wgpu::TextureView; 2],
     one: wgpu::TextureView,
     pub(super) zero: wgpu::TextureView,
+    /// Where the cells are that `east`, `south` and `within` lead to, from their own.
+    directions: [wgpu::TextureView; 3],
 }
 
 /// As `Level` in WGSL has it.
 type LevelUniform = [i32; 4];
 
-impl GpuLevel {
-    fn new(gpu: &Gpu, kernels: &Kernels, level: &Level, given: &Texture, zero: &wgpu::TextureView) -> Self {
-        let right = uploaded(gpu, given);
-        Self {
-            matrix: matrix(gpu, kernels, level, zero),
-            values: alike(gpu, &right),
-            room: alike(gpu, &right),
-            right,
-        }
-    }
+/// Makes levels.
+struct Maker<'a> {
+    gpu: &'a Gpu,
+    kernels: &'a Kernels,
 }
 
-/// The matrix of a level. Pixels have but one link to each side, and none within.
-pub(crate) fn matrix(
-    gpu: &Gpu,
-    kernels: &Kernels,
-    level: &Level,
-    zero: &wgpu::TextureView,
-) -> wgpu::BindGroup {
-    let is_finest = level.slots == 1;
-    let links = if is_finest { uploaded_first } else { uploaded };
-    let within = if is_finest { zero.clone() } else { uploaded(gpu, &level.within) };
-    let textures = [links(gpu, &level.east), links(gpu, &level.south), within, uploaded(gpu, &level.holds)];
-    let uniform = uniform(gpu, [level.columns as i32, level.slots as i32, 0, 0]);
-    let texels = textures.iter().map(wgpu::BindingResource::TextureView);
-    let resources = std::iter::once(uniform.as_entire_binding()).chain(texels);
-    let entries: Vec<_> =
-        (0..).zip(resources).map(|(binding, resource)| wgpu::BindGroupEntry { binding, resource }).collect();
-    gpu.device.create_bind_group(&wgpu::BindGroupDescriptor {
-        label: Some("level"),
-        layout: &kernels.level_layout,
-        entries: &entries,
-    })
+impl Maker<'_> {
+    fn target(&self, columns: usize, rows: usize) -> wgpu::TextureView {
+        target(self.gpu, [columns as u32, rows as u32], FORMAT)
+    }
+
+    /// The level of the pixels. They have but one link to each side, and none within.
+    fn finest(&self, size: Size, equations: &Equations, zero: &wgpu::TextureView) -> GpuLevel {
+        let links = [&equations.east, &equations.south, zero].map(Clone::clone);
+        self.level(size, links, equations.right.clone())
+    }
+
+    fn coarse(&self, size: Size) -> GpuLevel {
+        let right = self.target(size.columns * size.slots, size.rows);
+        self.level(size, [(); 3].map(|()| alike(self.gpu, &right)), right)
+    }
+
+    fn level(&self, size: Size, links: [wgpu::TextureView; 3], right: wgpu::TextureView) -> GpuLevel {
+        let [holds, values, room] = [(); 3].map(|()| alike(self.gpu, &right));
+        let has_coarser = size.columns.max(size.rows) > 1;
+        let marks = has_coarser.then(|| self.target(size.columns.div_ceil(2), size.rows.div_ceil(2)));
+        let uniform = uniform(self.gpu, [size.columns as i32, size.slots as i32, 0, 0]);
+        let draft = self.matrix(&uniform, links.clone(), values.clone());
+        let matrix = self.matrix(&uniform, links, holds);
+        GpuLevel { matrix, draft, values, right, room, marks }
+    }
+
+    fn matrix(
+        &self,
+        uniform: &wgpu::Buffer,
+        links: [wgpu::TextureView; 3],
+        holds: wgpu::TextureView,
+    ) -> Matrix {
+        let texels = links.iter().chain([&holds]).map(wgpu::BindingResource::TextureView);
+        let resources = std::iter::once(uniform.as_entire_binding()).chain(texels);
+        let entries: Vec<_> = (0..)
+            .zip(resources)
+            .map(|(binding, resource)| wgpu::BindGroupEntry { binding, resource })
+            .collect();
+        let group = self.gpu.device.create_bind_group(&wgpu::BindGroupDescriptor {
+            label: Some("level"),
+            layout: &self.kernels.level_layout,
+            entries: &entries,
+        });
+        Matrix { group, links, holds }
+    }
 }
 
 fn uniform(gpu: &Gpu, level: LevelUniform) -> wgpu::Buffer {
@@ -77,15 +112,58 @@ fn uniform(gpu: &Gpu, level: LevelUniform) -> wgpu::Buffer {
 }
 
 impl GpuLevels {
-    pub(crate) fn new(gpu: &Gpu, kernels: &Kernels, hierarchy: &Hierarchy) -> Self {
-        let zero = single(gpu, 0.0);
-        let levels = hierarchy.levels.iter().zip(&hierarchy.given);
+    /// Room for levels of these sizes.
+    pub(crate) fn new(gpu: &Gpu, kernels: &Kernels, equations: &Equations, sizes: &[Size]) -> Self {
+        let (zero, maker) = (single(gpu, 0.0), Maker { gpu, kernels });
+        let level = |(depth, size): (usize, &Size)| match depth {
+            0 => maker.finest(*size, equations, &zero),
+            _ => maker.coarse(*size),
+        };
         Self {
-            levels: levels.map(|(level, given)| GpuLevel::new(gpu, kernels, level, given, &zero)).collect(),
+            levels: sizes.iter().enumerate().map(level).collect(),
+            hold: equations.hold.clone(),
             parts: STEPS.map(|part| single(gpu, part)),
             one: single(gpu, 1.0),
+            directions: [[1.0, 0.0], [0.0, 1.0], [0.0, 0.0]]
+                .map(|[x, y]| single_texel(gpu, [x, y, 0.0, 0.0])),
             zero,
         }
+    }
+
+    /// Records how the matrices and the given colours of all levels come from the equations of pixels.
+    ///
+    /// Values and rooms are overwritten.
+    pub(crate) fn build(&self, recorder: &mut Recorder<'_>) {
+        for depth in 0..self.levels.len() {
+            self.complete(recorder, depth);
+            if depth + 1 < self.levels.len() {
+                self.build_coarser(recorder, depth);
+            }
+        }
+    }
+
+    /// The numbers of the unknowns of a level whose links are there.
+    fn complete(&self, recorder: &mut Recorder<'_>, depth: usize) {
+        let GpuLevel { matrix, draft, values, room, marks, .. } = &self.levels[depth];
+        let holds = &matrix.holds;
+        let hold = if depth == 0 { &self.hold } else { room };
+        let Some(marks) = marks else {
+            return recorder.pass_on(draft, Kernel::Diagonal, &[hold], holds);
+        };
+        recorder.pass_on(matrix, Kernel::Diagonal, &[hold], values);
+        recorder.pass_on(draft, Kernel::Mark, &[hold], marks);
+        recorder.pass_on(draft, Kernel::Attach, &[values, marks], holds);
+    }
+
+    /// The links of the next level, how strongly it is held, and to which colours.
+    fn build_coarser(&self, recorder: &mut Recorder<'_>, depth: usize) {
+        let GpuLevel { matrix, right, .. } = &self.levels[depth];
+        let coarse = &self.levels[depth + 1];
+        for (direction, links) in self.directions.iter().zip(&coarse.matrix.links) {
+            recorder.pass_on(matrix, Kernel::Join, &[direction], links);
+        }
+        recorder.pass_on(matrix, Kernel::Gather, &[&matrix.holds], &coarse.room);
+        recorder.pass_on(matrix, Kernel::Gather, &[right], &coarse.right);
     }
 
     /// Records the way to a first picture, from the coarsest level up, with one cycle at each.
@@ -133,14 +211,14 @@ impl GpuLevels {
     }
 
     fn relax(&mut self, recorder: &mut Recorder<'_>, depth: usize, step: usize) {
-        let GpuLevel { matrix, right, values, room } = &mut self.levels[depth];
+        let GpuLevel { matrix, right, values, room, .. } = &mut self.levels[depth];
         recorder.pass_on(matrix, Kernel::Relax, &[values, right, &self.parts[step]], room);
         std::mem::swap(values, room);
     }
 
     /// Records how the values of a level are corrected by those of the next.
     fn correct(&mut self, recorder: &mut Recorder<'_>, depth: usize) {
-        let GpuLevel { matrix, right, values, room } = &self.levels[depth];
+        let GpuLevel { matrix, right, values, room, .. } = &self.levels[depth];
         recorder.pass_on(matrix, Kernel::Residual, &[values, right], room);
         recorder.pass_on(matrix, Kernel::Restrict, &[room], &self.levels[depth + 1].right);
         self.cycle_from_zero(recorder, depth + 1);

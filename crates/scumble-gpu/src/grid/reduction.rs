@@ -2,7 +2,7 @@
 
 use super::kernels::Kernel;
 use super::tape::Recorder;
-use super::texels::target;
+use super::texels::{FORMAT, target};
 use crate::gpu::Gpu;
 
 /// Columns and rows of a block, as the kernels have them.
@@ -17,8 +17,7 @@ impl Reduction {
     pub(crate) fn new(gpu: &Gpu, width: u32, height: u32) -> Self {
         let smaller = |&[width, height]: &[u32; 2]| Some([width.div_ceil(BLOCK), height.div_ceil(BLOCK)]);
         let sizes = std::iter::successors(smaller(&[width, height]), smaller);
-        let rooms =
-            sizes.take_while(|size| *size != [1, 1]).map(|[width, height]| target(gpu, width, height));
+        let rooms = sizes.take_while(|size| *size != [1, 1]).map(|size| target(gpu, size, FORMAT));
         Self(rooms.collect())
     }
 

@@ -1,13 +1,14 @@
 //! The picture and what lies over it.
 
-use scumble_solve::grid::{Constraints, Covers, Hierarchy};
+use scumble_solve::grid::{Constraints, Covers, Size, Texture};
 
+use super::equations::Equations;
 use super::error::GridError;
 use super::gradients::Gradients;
 use super::kernels::{Kernel, Kernels};
 use super::levels::GpuLevels;
 use super::tape::{Recorder, Tape};
-use super::texels::{alike, uploaded};
+use super::texels::{alike, uploaded, write_rows};
 use crate::gpu::Gpu;
 
 /// A step, and what comes of it.
@@ -22,6 +23,8 @@ pub(super) struct Step {
 /// A picture that is solved, and its layer.
 #[derive(Debug)]
 pub(super) struct Stack {
+    size_px: [u32; 2],
+    equations: Equations,
     picture: Gradients,
     layer: Option<Layer>,
 }
@@ -32,31 +35,80 @@ struct Layer {
     colors: wgpu::TextureView,
     parts: wgpu::TextureView,
     covered: wgpu::TextureView,
+    uploaded: Covers,
 }
 
 impl Layer {
     fn new(gpu: &Gpu, covers: &Covers) -> Self {
         let colors = uploaded(gpu, &covers.colors);
         let parts = covers.parts.as_ref().map_or_else(|| colors.clone(), |parts| uploaded(gpu, parts));
-        Self { covered: alike(gpu, &colors), colors, parts }
+        Self { covered: alike(gpu, &colors), colors, parts, uploaded: covers.clone() }
+    }
+
+    /// Whether other covers have room in the same textures.
+    fn has_room_for(&self, covers: &Covers) -> bool {
+        covers.parts.is_some() == self.uploaded.parts.is_some()
+    }
+
+    fn update(&mut self, gpu: &Gpu, covers: &Covers) {
+        update_rows(gpu, &self.colors, &self.uploaded.colors, &covers.colors);
+        if let [Some(before), Some(after)] = [&self.uploaded.parts, &covers.parts] {
+            update_rows(gpu, &self.parts, before, after);
+        }
+        self.uploaded.clone_from(covers);
+    }
+}
+
+/// Uploads the rows from the first that has changed to the last.
+fn update_rows(gpu: &Gpu, view: &wgpu::TextureView, before: &Texture, after: &Texture) {
+    let row = |texel: usize| texel / after.width.max(1);
+    let mut pairs = before.texels.iter().zip(&after.texels);
+    let first = pairs.position(|(a, b)| a != b).map(row);
+    let mut pairs = before.texels.iter().zip(&after.texels);
+    let last = pairs.rposition(|(a, b)| a != b).map(row);
+    if let (Some(first), Some(last)) = (first, last) {
+        write_rows(gpu, view, after, first..last + 1);
     }
 }
 
 impl Stack {
-    /// Records a first picture.
+    /// Records how levels are built and a first picture is made.
     pub(super) fn new(
         gpu: &Gpu,
         kernels: &Kernels,
         constraints: &Constraints,
         recorder: &mut Recorder<'_>,
     ) -> Result<Self, GridError> {
-        let hierarchy = Hierarchy::new(constraints);
-        check(gpu, &hierarchy)?;
-        let picture = Gradients::new(gpu, GpuLevels::new(gpu, kernels, &hierarchy), recorder);
-        let stack =
-            Self { picture, layer: constraints.covers.as_ref().map(|covers| Layer::new(gpu, covers)) };
+        let sizes = Size::levels(constraints);
+        check(gpu, &sizes)?;
+        let equations = Equations::new(gpu, kernels, constraints);
+        let levels = GpuLevels::new(gpu, kernels, &equations, &sizes);
+        levels.build(recorder);
+        let picture = Gradients::new(gpu, levels, recorder);
+        let layer = constraints.covers.as_ref().map(|covers| Layer::new(gpu, covers));
+        let size_px = [constraints.width_px, constraints.height_px];
+        let stack = Self { size_px, equations, picture, layer };
         stack.cover(recorder);
         Ok(stack)
+    }
+
+    /// Uploads what other constraints have otherwise, where they have room in the same textures; tells for how many pixels
+    /// that was.
+    pub(super) fn update(
+        &mut self,
+        gpu: &Gpu,
+        kernels: &Kernels,
+        constraints: &Constraints,
+    ) -> Option<usize> {
+        if self.size_px != [constraints.width_px, constraints.height_px] {
+            return None;
+        }
+        match (&mut self.layer, &constraints.covers) {
+            (None, None) => {}
+            (Some(layer), Some(covers)) if layer.has_room_for(covers) => layer.update(gpu, covers),
+            _ => return None,
+        }
+        Some(self.equations.update(gpu, kernels, constraints))
     }
 
     /// A single texel that [`Step::measure`] draws: by how much the last step changed each channel most.
@@ -76,15 +128,15 @@ impl Stack {
     /// Records what is seen.
     fn cover(&self, recorder: &mut Recorder<'_>) -> &wgpu::TextureView {
         let under = self.picture.values();
-        let Some(Layer { colors, parts, covered }) = &self.layer else { return under };
+        let Some(Layer { colors, parts, covered, .. }) = &self.layer else { return under };
         recorder.pass(Kernel::Cover, &[under, colors, parts], covered);
         covered
     }
 }
 
 /// Whether textures hold what the solver needs.
-fn check(gpu: &Gpu, hierarchy: &Hierarchy) -> Result<(), GridError> {
-    let longest = hierarchy.given.iter().map(|t| t.width.max(t.height)).max().unwrap_or(0);
+fn check(gpu: &Gpu, sizes: &[Size]) -> Result<(), GridError> {
+    let longest = sizes.iter().map(|size| (size.columns * size.slots).max(size.rows)).max().unwrap_or(0);
     let most = gpu.device.limits().max_texture_dimension_2d;
     if longest > most as usize { Err(GridError::TooLarge { most_px: most }) } else { Ok(()) }
 }

@@ -1,20 +1,23 @@
 //! Passes that are made ready once and drawn over and over: all that a step of the solver does.
 
 use super::kernels::{Kernel, Kernels, OPERANDS};
+use super::levels::Matrix;
 use crate::gpu::Gpu;
 
 /// A kernel with what it reads and where it draws.
 #[derive(Debug)]
-struct Pass {
+pub(super) struct Pass {
     pipeline: wgpu::RenderPipeline,
     operands: wgpu::BindGroup,
     level: Option<wgpu::BindGroup>,
-    target: wgpu::TextureView,
+    /// The textures that it reads.
+    pub(super) reads: Vec<wgpu::TextureView>,
+    pub(super) target: wgpu::TextureView,
 }
 
 /// Passes in their order.
 #[derive(Debug, Default)]
-pub(crate) struct Tape(Vec<Pass>);
+pub(crate) struct Tape(pub(super) Vec<Pass>);
 
 impl Tape {
     /// Has all passes drawn.
@@ -82,13 +85,16 @@ impl<'a> Recorder<'a> {
     /// A pass of a kernel that reads a level.
     pub(crate) fn pass_on(
         &mut self,
-        level: &wgpu::BindGroup,
+        matrix: &Matrix,
         kernel: Kernel,
         operands: &[&wgpu::TextureView],
         target: &wgpu::TextureView,
     ) {
-        let pass = self.ready(kernel, operands, target);
-        self.tape.0.push(Pass { level: Some(level.clone()), ..pass });
+        let mut pass = self.ready(kernel, operands, target);
+        pass.level = Some(matrix.group.clone());
+        pass.reads.extend(matrix.links.iter().filter(|_| kernel.reads_links()).cloned());
+        pass.reads.extend(kernel.reads_holds().then(|| matrix.holds.clone()));
+        self.tape.0.push(pass);
     }
 
     fn ready(&self, kernel: Kernel, operands: &[&wgpu::TextureView], target: &wgpu::TextureView) -> Pass {
@@ -96,6 +102,7 @@ impl<'a> Recorder<'a> {
             pipeline: self.kernels.pipeline(kernel).clone(),
             operands: self.operands(operands),
             level: None,
+            reads: operands.iter().copied().cloned().collect(),
             target: target.clone(),
         }
     }

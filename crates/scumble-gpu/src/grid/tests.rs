@@ -5,14 +5,16 @@ mod scene;
 
 use kurbo::{BezPath, Circle, Shape, Vec2};
 use scumble_solve::grid::{
-    Constraints, GridSolver, Hierarchy, Level, STEPS, Texel, Texture, kernels as twin,
+    Constraints, Cut, Face, GridSolver, Hierarchy, Level, Link, Pull, STEPS, Size, Texel, Texture,
+    kernels as twin,
 };
 
+use super::equations::Equations;
 use super::kernels::Kernel;
-use super::levels::{GpuLevels, matrix};
+use super::levels::{GpuLevel, GpuLevels};
 use super::reduction::Reduction;
 use super::tape::Recorder;
-use super::texels::{read, single, target, uploaded};
+use super::texels::{FORMAT, read, single, target, uploaded};
 use super::*;
 use scene::{SHADES, boundary, constraints, map, view};
 
@@ -56,14 +58,23 @@ impl Bench {
         Some(Self { kernels: Kernels::new(&gpu.device), gpu })
     }
 
-    /// What a kernel draws.
-    fn drawn(&self, level: &Level, kernel: Kernel, operands: &[&Texture], like: &Level) -> Vec<Texel> {
-        let zero = single(&self.gpu, 0.0);
-        let matrix = matrix(&self.gpu, &self.kernels, level, &zero);
-        let operands: Vec<_> = operands.iter().map(|texture| uploaded(&self.gpu, texture)).collect();
-        let target = target(&self.gpu, like.holds.width as u32, like.holds.height as u32);
+    /// The levels of a problem, built.
+    fn levels(&self, constraints: &Constraints) -> GpuLevels {
+        let equations = Equations::new(&self.gpu, &self.kernels, constraints);
+        let sizes = Size::levels(constraints);
+        let levels = GpuLevels::new(&self.gpu, &self.kernels, &equations, &sizes);
         let mut recorder = Recorder::new(&self.gpu, &self.kernels);
-        recorder.pass_on(&matrix, kernel, &operands.iter().collect::<Vec<_>>(), &target);
+        levels.build(&mut recorder);
+        recorder.take().play(&self.gpu);
+        levels
+    }
+
+    /// What a kernel draws.
+    fn drawn(&self, level: &GpuLevel, kernel: Kernel, operands: &[&Texture], like: &Level) -> Vec<Texel> {
+        let operands: Vec<_> = operands.iter().map(|texture| uploaded(&self.gpu, texture)).collect();
+        let target = target(&self.gpu, [like.holds.width as u32, like.holds.height as u32], FORMAT);
+        let mut recorder = Recorder::new(&self.gpu, &self.kernels);
+        recorder.pass_on(&level.matrix, kernel, &operands.iter().collect::<Vec<_>>(), &target);
         recorder.take().play(&self.gpu);
         self.read(&target)
     }
@@ -90,14 +101,21 @@ const LEVELS: usize = 5;
 /// How much of the largest number rounding may cost.
 const ROUNDING: f32 = 1e-6;
 
+/// The built levels of a problem with all kinds of links, and those on the CPU.
+fn levels(bench: &Bench) -> (GpuLevels, Hierarchy) {
+    let constraints = constraints(130, 97, &[]);
+    (bench.levels(&constraints), Hierarchy::new(&constraints))
+}
+
 #[test]
 fn kernels_within_a_level_draw_what_their_twins_compute() {
     let Some(bench) = Bench::new() else { return };
-    for (depth, level) in Hierarchy::new(&constraints(130, 97, &[])).levels.iter().take(LEVELS).enumerate() {
+    let (built, hierarchy) = levels(&bench);
+    for (depth, (level, drawn)) in hierarchy.levels.iter().zip(&built.levels).take(LEVELS).enumerate() {
         let (values, right) = (noise_like(level, 1), noise_like(level, 2));
         let part = Texture { width: 1, height: 1, texels: vec![[STEPS[0]; 4]] };
         let check = |kernel, operands: &[&Texture], twin: &dyn Fn(i32, i32) -> Texel| {
-            let drawn = bench.drawn(level, kernel, operands, level);
+            let drawn = bench.drawn(drawn, kernel, operands, level);
             assert_near(&drawn, &computed(level, twin).texels, ROUNDING, &format!("{kernel:?} at {depth}"));
         };
         let (v, r) = (&values, &right);
@@ -111,11 +129,12 @@ fn kernels_within_a_level_draw_what_their_twins_compute() {
 #[test]
 fn kernels_between_levels_draw_what_their_twins_compute() {
     let Some(bench) = Bench::new() else { return };
-    for (depth, pair) in Hierarchy::new(&constraints(130, 97, &[])).levels[..=LEVELS].windows(2).enumerate() {
-        let [fine, coarse] = pair else { unreachable!("windows of two") };
+    let (built, hierarchy) = levels(&bench);
+    for (depth, pair) in hierarchy.levels[..=LEVELS].windows(2).enumerate() {
+        let [fine, coarse] = pair else { unreachable!() };
         let (values, below) = (noise_like(fine, 1), noise_like(coarse, 2));
-        let check = |kernel, operands: &[&Texture], like, twin: &dyn Fn(i32, i32) -> Texel| {
-            let drawn = bench.drawn(fine, kernel, operands, like);
+        let check = |kernel, operands: &[&Texture], like: &Level, twin: &dyn Fn(i32, i32) -> Texel| {
+            let drawn = bench.drawn(&built.levels[depth], kernel, operands, like);
             assert_near(&drawn, &computed(like, twin).texels, ROUNDING, &format!("{kernel:?} at {depth}"));
         };
         let (v, b) = (&values, &below);
@@ -125,13 +144,67 @@ fn kernels_between_levels_draw_what_their_twins_compute() {
     }
 }
 
+/// Two halves, each held to a colour, with a wall between that has a narrow gap: links within cells.
+fn halves() -> Constraints {
+    let wall = |row: u32| {
+        [(30, Link::East), (31, Link::West)].map(|(column, link)| Cut {
+            pixel: 64 * row + column,
+            link,
+            fraction: 0.5,
+            color: None,
+        })
+    };
+    let pull = |pixel, c: f32| Pull { pixel, strength: 1.0, color: [c, 1.0 - c, 0.5, 1.0] };
+    Constraints {
+        width_px: 64,
+        height_px: 64,
+        cuts: (0..64).filter(|row| *row != 21).flat_map(wall).collect(),
+        faces: vec![Face { pixel: 64 * 21 + 30, link: Link::East, width: 0.03 }],
+        pulls: vec![pull(64 * 5 + 5, 0.2), pull(64 * 60 + 60, 0.9)],
+        covers: None,
+    }
+}
+
+/// Numbers of a level where there are some, compared.
+fn assert_alike(drawn: &[Texel], expected: &Texture, name: &str) -> bool {
+    let is_some = expected.texels.iter().flatten().any(|c| *c != 0.0);
+    match is_some {
+        true => assert_near(drawn, &expected.texels, ROUNDING, name),
+        false => assert_eq!(drawn, expected.texels, "{name}"),
+    }
+    is_some
+}
+
+/// The links of pixels, of which the GPU keeps a number each, are compared by what kernels make of them.
+#[test]
+fn levels_are_built_as_on_the_cpu() {
+    let Some(bench) = Bench::new() else { return };
+    let mut has_links = [false; 3];
+    for constraints in [constraints(130, 97, &[]), halves()] {
+        let (built, hierarchy) = (bench.levels(&constraints), Hierarchy::new(&constraints));
+        assert_eq!(built.levels.len(), hierarchy.levels.len());
+        for (depth, (level, drawn)) in hierarchy.levels.iter().zip(&built.levels).enumerate() {
+            let check = |name: &str, view: &wgpu::TextureView, expected: &Texture| {
+                assert_alike(&bench.read(view), expected, &format!("{name} at {depth}"))
+            };
+            check("holds", &drawn.matrix.holds, &level.holds);
+            check("given", &drawn.right, &hierarchy.given[depth]);
+            let links = drawn.matrix.links.iter().zip([&level.east, &level.south, &level.within]);
+            for (has, (drawn, expected)) in has_links.iter_mut().zip(links).filter(|_| depth > 0) {
+                *has |= check("links", drawn, expected);
+            }
+        }
+    }
+    assert_eq!(has_links, [true; 3], "links of all kinds");
+}
+
 #[test]
 fn a_picture_is_covered_as_the_twin_covers_it() {
     let Some(bench) = Bench::new() else { return };
     let [under, colors, covers] = [1, 2, 3].map(|seed| noise(130, 97, seed));
     let mut covered = Texture::new(130, 97);
     covered.draw(|x, y| twin::cover(&under, &colors, &covers, x, y));
-    let target = target(&bench.gpu, 130, 97);
+    let target = target(&bench.gpu, [130, 97], FORMAT);
     let operands = [under, colors, covers].map(|texture| uploaded(&bench.gpu, &texture));
     let mut recorder = Recorder::new(&bench.gpu, &bench.kernels);
     recorder.pass(Kernel::Cover, &operands.each_ref(), &target);
@@ -165,15 +238,14 @@ fn reductions_take_every_texel_once() {
 
 #[test]
 fn a_cycle_draws_what_the_one_on_the_cpu_computes() {
-    let Some(Bench { gpu, kernels }) = Bench::new() else { return };
-    let mut hierarchy = Hierarchy::new(&constraints(130, 97, &[]));
+    let Some(bench) = Bench::new() else { return };
+    let (mut built, mut hierarchy) = levels(&bench);
     let right = noise_like(&hierarchy.levels[0], 5);
-    let mut levels = GpuLevels::new(&gpu, &kernels, &hierarchy);
-    levels.levels[0].right = uploaded(&gpu, &right);
-    let mut recorder = Recorder::new(&gpu, &kernels);
-    levels.cycle_from_zero(&mut recorder, 0);
-    recorder.take().play(&gpu);
-    let drawn = pollster::block_on(read(&gpu, &levels.levels[0].values)).expect("the texels come back");
+    built.levels[0].right = uploaded(&bench.gpu, &right);
+    let mut recorder = Recorder::new(&bench.gpu, &bench.kernels);
+    built.cycle_from_zero(&mut recorder, 0);
+    recorder.take().play(&bench.gpu);
+    let drawn = bench.read(&built.levels[0].values);
     assert_near(&drawn, &hierarchy.precondition(&right).texels, 1e-5, "a cycle");
 }
 
@@ -236,4 +308,73 @@ fn a_picture_that_no_texture_holds_is_refused() {
     let wide = Constraints { width_px: most_px + 1, height_px: 1, ..constraints(1, 1, &[]) };
     let solver = GpuGridSolver::new(&gpu, &kernels, &wide);
     assert_eq!(solver.err(), Some(GridError::TooLarge { most_px }));
+}
+
+/// What shows after so many steps.
+fn seen(solver: &mut GpuGridSolver, steps: usize) -> Vec<Texel> {
+    (0..steps).for_each(|_| solver.step());
+    pollster::block_on(solver.pixels()).expect("the pixels come back")
+}
+
+/// A circle, in colours; the first two of these are as large.
+fn circle(x: f64, color: f64, width_px: u32) -> Constraints {
+    let map = map([Circle::new((x, 500.0), 200.0).to_path(1e-3)].into_iter());
+    let boundary = boundary(&map, &[[color, 0.9]]);
+    Constraints::new(&map, &boundary, &view(width_px, 97)).expect("solved")
+}
+
+#[test]
+fn other_constraints_leave_nothing_of_those_before() {
+    let Some(Bench { gpu, kernels }) = Bench::new() else { return };
+    let before = constraints(130, 97, SHADES[2]);
+    let layered = |shades| constraints(130, 97, shades);
+    let others =
+        [circle(500.0, 0.2, 130), circle(503.0, 0.2, 130), circle(503.0, 0.3, 64), layered(SHADES[1])];
+    for steps in [3, 4] {
+        let mut solver = GpuGridSolver::new(&gpu, &kernels, &before).expect("a solver");
+        for other in &others {
+            seen(&mut solver, steps);
+            solver.update(&kernels, other).expect("a solver");
+            let mut fresh = GpuGridSolver::new(&gpu, &kernels, other).expect("a solver");
+            assert_eq!(seen(&mut solver, 0), seen(&mut fresh, 0), "at first");
+            assert_eq!(seen(&mut solver, steps), seen(&mut fresh, steps), "after {steps} steps");
+        }
+    }
+}
+
+#[test]
+fn only_what_has_changed_is_uploaded() {
+    let Some(Bench { gpu, kernels }) = Bench::new() else { return };
+    let before = circle(500.0, 0.2, 130);
+    let mut solver = GpuGridSolver::new(&gpu, &kernels, &before).expect("a solver");
+    assert_eq!(solver.update(&kernels, &before), Ok(0));
+    let mut cuts = before.cuts.clone();
+    let cut = cuts.iter_mut().find(|cut| cut.color.is_some()).expect("a colour");
+    cut.fraction *= 0.5;
+    assert_eq!(solver.update(&kernels, &Constraints { cuts, ..before }), Ok(1));
+}
+
+#[test]
+fn costs_are_those_of_the_passes() {
+    let Some(Bench { gpu, kernels }) = Bench::new() else { return };
+    let costs = |side_px| {
+        let (cuts, faces, pulls) = Default::default();
+        let blank = Constraints { width_px: side_px, height_px: side_px, cuts, faces, pulls, covers: None };
+        GpuGridSolver::costs(&gpu, &kernels, &blank).expect("costs")
+    };
+    // One pixel: the diagonal, the first picture, what it lacks, and no direction yet; each a pass with its textures.
+    let pixel = costs(1);
+    let [thin, thick] = [4, 16];
+    let diagonal = 3 * thin + 2 * thick;
+    let spread = 4 * thick;
+    let residual = 2 * thin + 5 * thick;
+    let ratio = 3 * thick;
+    assert_eq!(pixel.start, Costs { passes: 4, bytes: diagonal + spread + residual + ratio });
+    let [small, large] = [256, 512].map(costs);
+    for (small, large) in [(small.start, large.start), (small.step, large.step)] {
+        assert!(large.passes > small.passes, "one level more");
+        assert!((3.9..4.1).contains(&(large.bytes as f64 / small.bytes as f64)), "{large:?} {small:?}");
+    }
+    assert!((3.9..4.1).contains(&(large.texture_bytes as f64 / small.texture_bytes as f64)));
+    assert_eq!(large.solve(3).passes, large.start.passes + 3 * large.step.passes);
 }

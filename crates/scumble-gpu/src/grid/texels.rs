@@ -1,5 +1,7 @@
 //! Textures of numbers: made, filled and read.
 
+use std::ops::Range;
+
 use scumble_solve::grid::{Texel, Texture};
 
 use crate::error::GpuError;
@@ -10,31 +12,25 @@ use crate::read_back::{copied, mapped, read_back_error};
 /// conjugate gradients live on the last bits.
 pub(super) const FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rgba32Uint;
 
-/// Texels that a kernel may draw; at first zeros.
-pub(super) fn target(gpu: &Gpu, width: u32, height: u32) -> wgpu::TextureView {
+/// The bits of one float a texel.
+pub(super) const THIN_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::R32Uint;
+
+/// Texels that may be drawn; at first zeros.
+pub(super) fn target(gpu: &Gpu, size: [u32; 2], format: wgpu::TextureFormat) -> wgpu::TextureView {
     let usage = wgpu::TextureUsages::RENDER_ATTACHMENT | wgpu::TextureUsages::COPY_SRC;
-    made(gpu, [width, height], FORMAT, usage).create_view(&Default::default())
+    made(gpu, size, format, usage).create_view(&Default::default())
 }
 
 /// A target like another.
 pub(super) fn alike(gpu: &Gpu, view: &wgpu::TextureView) -> wgpu::TextureView {
-    target(gpu, view.texture().width(), view.texture().height())
+    target(gpu, [view.texture().width(), view.texture().height()], FORMAT)
 }
 
 /// The same texels on the GPU, to be read and drawn.
 pub(crate) fn uploaded(gpu: &Gpu, texture: &Texture) -> wgpu::TextureView {
-    let view = target(gpu, texture.width as u32, texture.height as u32);
+    let view = target(gpu, [texture.width as u32, texture.height as u32], FORMAT);
     write(gpu, view.texture(), bytemuck::cast_slice(&texture.texels));
     view
-}
-
-/// The first number of each texel on the GPU, to be read.
-pub(super) fn uploaded_first(gpu: &Gpu, texture: &Texture) -> wgpu::TextureView {
-    let size = [texture.width as u32, texture.height as u32];
-    let texels = made(gpu, size, wgpu::TextureFormat::R32Uint, wgpu::TextureUsages::empty());
-    let firsts: Vec<f32> = texture.texels.iter().map(|texel| texel[0]).collect();
-    write(gpu, &texels, bytemuck::cast_slice(&firsts));
-    texels.create_view(&Default::default())
 }
 
 /// Pairs of numbers in rows on the GPU, to be read.
@@ -46,7 +42,12 @@ pub(super) fn uploaded_pairs(gpu: &Gpu, size: [u32; 2], pairs: &[[u32; 2]]) -> w
 
 /// A single texel of four equal numbers.
 pub(super) fn single(gpu: &Gpu, number: f32) -> wgpu::TextureView {
-    uploaded(gpu, &Texture { width: 1, height: 1, texels: vec![[number; 4]] })
+    single_texel(gpu, [number; 4])
+}
+
+/// A single texel.
+pub(super) fn single_texel(gpu: &Gpu, texel: Texel) -> wgpu::TextureView {
+    uploaded(gpu, &Texture { width: 1, height: 1, texels: vec![texel] })
 }
 
 fn made(
@@ -67,10 +68,25 @@ fn made(
     })
 }
 
+/// Uploads some rows into a texture of the same size.
+pub(super) fn write_rows(gpu: &Gpu, view: &wgpu::TextureView, texture: &Texture, rows: Range<usize>) {
+    let texels = &texture.texels[rows.start * texture.width..rows.end * texture.width];
+    let target = wgpu::TexelCopyTextureInfo {
+        origin: wgpu::Origin3d { x: 0, y: rows.start as u32, z: 0 },
+        ..view.texture().as_image_copy()
+    };
+    let size = wgpu::Extent3d { height: rows.len() as u32, ..view.texture().size() };
+    write_part(gpu, target, bytemuck::cast_slice(texels), size);
+}
+
 fn write(gpu: &Gpu, texture: &wgpu::Texture, bytes: &[u8]) {
-    let bytes_per_row = Some((bytes.len() as u32) / texture.height().max(1));
+    write_part(gpu, texture.as_image_copy(), bytes, texture.size());
+}
+
+fn write_part(gpu: &Gpu, target: wgpu::TexelCopyTextureInfo<'_>, bytes: &[u8], size: wgpu::Extent3d) {
+    let bytes_per_row = Some((bytes.len() as u32) / size.height.max(1));
     let layout = wgpu::TexelCopyBufferLayout { offset: 0, bytes_per_row, rows_per_image: None };
-    gpu.queue.write_texture(texture.as_image_copy(), bytes, layout, texture.size());
+    gpu.queue.write_texture(target, bytes, layout, size);
 }
 
 /// The texels of a target, row by row.

@@ -9,12 +9,40 @@
 //! together.
 
 use super::constraints::Constraints;
-use super::cut_links::Link;
+use super::equations::Equation;
 use super::parts;
-use super::texture::{Texel, Texture, plus, times};
+use super::texture::{Texel, Texture};
 
 /// Slots of a cell of the level next to the pixels, and of all others.
-pub(super) const SLOTS: [usize; 2] = [2, 4];
+const SLOTS: [usize; 2] = [2, 4];
+
+/// How large a level is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Size {
+    /// Cells of a row.
+    pub columns: usize,
+    /// Rows of cells.
+    pub rows: usize,
+    /// Unknowns of a cell.
+    pub slots: usize,
+}
+
+impl Size {
+    /// All levels, from that of the pixels of a picture to that of a single cell.
+    pub fn levels(constraints: &Constraints) -> Vec<Self> {
+        let coarser = |size: &Self| (size.columns.max(size.rows) > 1).then(|| size.coarser());
+        std::iter::successors(Some(Self::finest(constraints)), coarser).collect()
+    }
+
+    fn finest(constraints: &Constraints) -> Self {
+        Self { columns: constraints.width_px as usize, rows: constraints.height_px as usize, slots: 1 }
+    }
+
+    fn coarser(&self) -> Self {
+        let slots = SLOTS[usize::from(self.slots > 1)];
+        Self { columns: self.columns.div_ceil(2), rows: self.rows.div_ceil(2), slots }
+    }
+}
 
 /// A level: the matrix of its unknowns. It is symmetric; what a row has besides its links holds it to given colours.
 #[derive(Clone, Debug)]
@@ -39,36 +67,19 @@ pub struct Level {
 impl Level {
     /// The finest level, and the right side of its equations.
     pub(super) fn finest(constraints: &Constraints) -> (Self, Texture) {
-        let mut level = Self::empty(constraints.width_px as usize, constraints.height_px as usize, 1);
+        let mut level = Self::empty(Size::finest(constraints));
         let mut right = Texture::new(level.columns, level.rows);
-        level.link_pixels(constraints);
-        let cuts =
-            constraints.cuts.iter().filter_map(|cut| Some((cut.pixel, 1.0 / cut.fraction, cut.color?)));
-        let pulls = constraints.pulls.iter().map(|pull| (pull.pixel, pull.strength, pull.color));
-        for (pixel, strength, color) in cuts.chain(pulls) {
-            let i = pixel as usize;
-            level.holds.texels[i][0] += strength;
-            right.texels[i] = plus(right.texels[i], times(color, strength));
+        level.east.texels.fill([Equation::PLAIN.east, 0.0, 0.0, 0.0]);
+        level.south.texels.fill([Equation::PLAIN.south, 0.0, 0.0, 0.0]);
+        for equation in constraints.equations() {
+            let i = equation.pixel as usize;
+            level.east.texels[i][0] = equation.east;
+            level.south.texels[i][0] = equation.south;
+            level.holds.texels[i][0] = equation.hold;
+            right.texels[i] = equation.right;
         }
         level.sum_up();
         (level, right)
-    }
-
-    fn link_pixels(&mut self, constraints: &Constraints) {
-        let (columns, rows) = (self.columns as i32, self.rows as i32);
-        self.east.draw(|x, _| whole(x + 1 < columns));
-        self.south.draw(|_, y| whole(y + 1 < rows));
-        for face in &constraints.faces {
-            let links = if face.link == Link::East { &mut self.east } else { &mut self.south };
-            links.texels[face.pixel as usize][0] *= face.width;
-        }
-        for cut in &constraints.cuts {
-            match cut.link {
-                Link::East => self.east.texels[cut.pixel as usize] = [0.0; 4],
-                Link::South => self.south.texels[cut.pixel as usize] = [0.0; 4],
-                Link::West | Link::North => {}
-            }
-        }
     }
 
     /// Whether each pixel of the finest level hangs together with one that is held.
@@ -88,17 +99,20 @@ impl Level {
         is_reached
     }
 
-    fn empty(columns: usize, rows: usize, slots: usize) -> Self {
+    fn empty(Size { columns, rows, slots }: Size) -> Self {
         let texture = Texture::new(columns * slots, rows);
         let [east, south, within] = [(); 3].map(|()| texture.clone());
         Self { columns, rows, slots, east, south, within, holds: texture }
     }
 
+    fn size(&self) -> Size {
+        Size { columns: self.columns, rows: self.rows, slots: self.slots }
+    }
+
     /// The next coarser level; marks which unknown of this one is a part of which.
     pub(super) fn coarser(&mut self) -> Self {
-        let slots = SLOTS[usize::from(self.slots > 1)];
-        let mut coarse = Self::empty(self.columns.div_ceil(2), self.rows.div_ceil(2), slots);
-        parts::mark(self, slots);
+        let mut coarse = Self::empty(self.size().coarser());
+        parts::mark(self, coarse.slots);
         self.gather_into(&mut coarse);
         coarse.sum_up();
         coarse
@@ -217,11 +231,6 @@ impl Level {
             });
         }
     }
-}
-
-/// A link to a pixel beside, if there is one.
-fn whole(is_within: bool) -> Texel {
-    [f32::from(u8::from(is_within)), 0.0, 0.0, 0.0]
 }
 
 /// The numbers of an unknown whose links and hold are known.

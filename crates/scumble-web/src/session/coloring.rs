@@ -60,6 +60,7 @@ impl Session {
             px_per_du: self.px_per_du(),
             pieces: picture.map().pieces().len(),
             is_mesh_due: picture.has_mesh() || self.was_at_once,
+            is_in_motion: self.sheet.editor.is_changing_lines(),
         }
     }
 

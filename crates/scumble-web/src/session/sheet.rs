@@ -11,9 +11,6 @@ use crate::effect::{Effect, SheetState};
 use crate::regions::MapKey;
 use crate::selection::Selection;
 
-/// Lines of more pieces than this are followed only when they have come to rest.
-const LIVE_PIECES: usize = 4000;
-
 /// Drawings that undo can come back to.
 const SHELF_SIZE: usize = 8;
 
@@ -135,10 +132,12 @@ impl Session {
         replace(&mut self.sheet, sheet)
     }
 
-    /// Makes the picture anew where the lines are other ones. What makes too much of them is taken back.
+    /// Makes the picture anew where the lines are other ones; where that takes too long for a frame, once they have come to
+    /// rest. What makes too much of them is taken back.
     pub(super) fn refresh_map(&mut self) {
+        let is_live = self.moment().is_live(self.solver);
         let Sheet { editor, picture, mapped, .. } = &mut self.sheet;
-        let is_slow = editor.is_changing() && picture.map().pieces().len() > LIVE_PIECES;
+        let is_slow = editor.is_changing() && !is_live;
         if *mapped == editor.lines_revision() || is_slow {
             return;
         }

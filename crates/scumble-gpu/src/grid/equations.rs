@@ -1,0 +1,81 @@
+//! The equations of pixels on the GPU, where they stay: what changes of them is drawn over them, point by point.
+
+use scumble_solve::grid::{Constraints, Equation};
+
+use super::kernels::Kernels;
+use super::points::Points;
+use super::texels::{FORMAT, THIN_FORMAT, target};
+use crate::gpu::Gpu;
+
+/// Textures with a texel for each pixel, and what is in them.
+#[derive(Debug)]
+pub(crate) struct Equations {
+    size_px: [u32; 2],
+    pub(super) east: wgpu::TextureView,
+    pub(super) south: wgpu::TextureView,
+    pub(super) hold: wgpu::TextureView,
+    pub(super) right: wgpu::TextureView,
+    drawn: Vec<Equation>,
+}
+
+impl Equations {
+    /// Those of constraints.
+    pub(crate) fn new(gpu: &Gpu, kernels: &Kernels, constraints: &Constraints) -> Self {
+        let size_px = [constraints.width_px, constraints.height_px];
+        let [east, south, hold] = [(); 3].map(|()| target(gpu, size_px, THIN_FORMAT));
+        let right = target(gpu, size_px, FORMAT);
+        let drawn = constraints.equations();
+        let equations = Self { size_px, east, south, hold, right, drawn };
+        equations.draw(gpu, kernels, &equations.drawn, true);
+        equations
+    }
+
+    /// Draws what other constraints, of as many pixels, have otherwise; tells for how many pixels that was.
+    pub(crate) fn update(&mut self, gpu: &Gpu, kernels: &Kernels, constraints: &Constraints) -> usize {
+        let after = constraints.equations();
+        let changed = changes(&self.drawn, &after);
+        self.drawn = after;
+        self.draw(gpu, kernels, &changed, false);
+        changed.len()
+    }
+
+    /// Draws some equations over those that are there, or over plain ones.
+    fn draw(&self, gpu: &Gpu, kernels: &Kernels, equations: &[Equation], is_first: bool) {
+        let plain = |number: f32| is_first.then_some(number);
+        let points =
+            Points::new(gpu, kernels, &equations.iter().map(|e| self.center(e.pixel)).collect::<Vec<_>>());
+        let mut encoder = gpu.device.create_command_encoder(&Default::default());
+        points.draw(&mut encoder, &self.east, plain(1.0), &numbers(equations, |e| e.east));
+        points.draw(&mut encoder, &self.south, plain(1.0), &numbers(equations, |e| e.south));
+        points.draw(&mut encoder, &self.hold, plain(0.0), &numbers(equations, |e| e.hold));
+        points.draw(&mut encoder, &self.right, plain(0.0), &numbers(equations, |e| e.right));
+        gpu.queue.submit([encoder.finish()]);
+    }
+
+    /// The centre of a pixel in clip space.
+    fn center(&self, pixel: u32) -> [f32; 2] {
+        let [width, height] = self.size_px;
+        let part = |i: u32, count: u32| (2 * i + 1) as f32 / count as f32 - 1.0;
+        [part(pixel % width, width), -part(pixel / width, height)]
+    }
+}
+
+fn numbers<T>(equations: &[Equation], number: impl Fn(&Equation) -> T) -> Vec<T> {
+    equations.iter().map(number).collect()
+}
+
+/// The equations that are not as before, by pixel; some of them are plain.
+fn changes(before: &[Equation], after: &[Equation]) -> Vec<Equation> {
+    let (mut before, mut changed) = (before.iter().peekable(), Vec::new());
+    let plain = |e: &Equation| Equation { pixel: e.pixel, ..Equation::PLAIN };
+    for equation in after {
+        while let Some(gone) = before.next_if(|old| old.pixel < equation.pixel) {
+            changed.push(plain(gone));
+        }
+        if before.next_if(|old| old.pixel == equation.pixel) != Some(equation) {
+            changed.push(*equation);
+        }
+    }
+    changed.extend(before.map(plain));
+    changed
+}

@@ -1,0 +1,96 @@
+//! The equations of pixels that are not like all others: those at curves, at gaps and at the border.
+
+use super::constraints::Constraints;
+use super::cut_links::{Cut, Link};
+use super::texture::{Texel, plus, times};
+
+/// What the equation of one pixel has. Where no list names a pixel, it is [`Equation::PLAIN`].
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Equation {
+    /// The pixel: row times width plus column.
+    pub pixel: u32,
+    /// Weight of the link to the pixel to the east.
+    pub east: f32,
+    /// Weight of the link to the pixel to the south.
+    pub south: f32,
+    /// How strongly the pixel is held to given colours.
+    pub hold: f32,
+    /// These colours, each times how strongly it holds.
+    pub right: Texel,
+}
+
+impl Equation {
+    /// That of a pixel with whole links and without colours.
+    pub const PLAIN: Self = Self { pixel: 0, east: 1.0, south: 1.0, hold: 0.0, right: [0.0; 4] };
+
+    fn hold_to(&mut self, color: Texel, strength: f32) {
+        self.hold += strength;
+        self.right = plus(self.right, times(color, strength));
+    }
+}
+
+impl Constraints {
+    /// The equations that are not plain, by pixel in ascending order.
+    pub fn equations(&self) -> Vec<Equation> {
+        let named = self.cuts.iter().map(|cut| cut.pixel).chain(self.faces.iter().map(|face| face.pixel));
+        let named = named.chain(self.pulls.iter().map(|pull| pull.pixel));
+        let named = named.chain(self.last_column()).chain(self.last_row());
+        let mut list = List::new(named, self.width_px as usize * self.height_px as usize);
+        self.last_column().for_each(|pixel| list.at(pixel).east = 0.0);
+        self.last_row().for_each(|pixel| list.at(pixel).south = 0.0);
+        self.faces.iter().for_each(|face| *list.link(face.pixel, face.link) *= face.width);
+        self.cuts.iter().for_each(|cut| list.cut(cut));
+        self.pulls.iter().for_each(|pull| list.at(pull.pixel).hold_to(pull.color, pull.strength));
+        list.equations
+    }
+
+    fn last_column(&self) -> impl Iterator<Item = u32> + use<> {
+        let width = self.width_px;
+        (1..=self.height_px).map(move |row| row * width - 1)
+    }
+
+    fn last_row(&self) -> impl Iterator<Item = u32> + use<> {
+        let count = self.width_px * self.height_px;
+        count - self.width_px..count
+    }
+}
+
+/// Where there is no equation.
+const NONE: u32 = u32::MAX;
+
+/// Equations by pixel, and the place of each pixel's.
+struct List {
+    equations: Vec<Equation>,
+    places: Vec<u32>,
+}
+
+impl List {
+    /// Plain ones for all pixels that are named.
+    fn new(pixels: impl Iterator<Item = u32>, count: usize) -> Self {
+        let (mut equations, mut places) = (Vec::new(), vec![NONE; count]);
+        pixels.for_each(|pixel| places[pixel as usize] = 0);
+        for (place, pixel) in places.iter_mut().zip(0..).filter(|(place, _)| **place != NONE) {
+            *place = equations.len() as u32;
+            equations.push(Equation { pixel, ..Equation::PLAIN });
+        }
+        Self { equations, places }
+    }
+
+    fn at(&mut self, pixel: u32) -> &mut Equation {
+        &mut self.equations[self.places[pixel as usize] as usize]
+    }
+
+    fn cut(&mut self, cut: &Cut) {
+        if matches!(cut.link, Link::East | Link::South) {
+            *self.link(cut.pixel, cut.link) = 0.0;
+        }
+        if let Some(color) = cut.color {
+            self.at(cut.pixel).hold_to(color, 1.0 / cut.fraction);
+        }
+    }
+
+    fn link(&mut self, pixel: u32, link: Link) -> &mut f32 {
+        let equation = self.at(pixel);
+        if link == Link::East { &mut equation.east } else { &mut equation.south }
+    }
+}

@@ -1,0 +1,21 @@
+// What holds the unknowns of the coarser level, and to which colours: what is in first, of those that are parts of them and of
+// those beside these that are parts of none, as far as it reaches them.
+
+fn weighted(weight: f32, place: vec2<i32>) -> vec4<f32> {
+    if weight > 0.0 {
+        let hold = texel(holds, place);
+        if hold.w == 0.0 {
+            return texel(first, place) * (weight / hold.y);
+        }
+    }
+    return vec4(0.0);
+}
+
+fn share(place: vec2<i32>) -> vec4<f32> {
+    let hold = texel(holds, place);
+    return texel(first, place) * ((hold.y - hold.x) / hold.y) + linked(place);
+}
+
+fn kernel(place: vec2<i32>) -> vec4<f32> {
+    return parts(place);
+}
