@@ -6,7 +6,7 @@ mod scene;
 
 use scene::{SHADES, constraints};
 use scumble_gpu::{Gpu, GpuGridSolver, GridKernels, instance, wgpu};
-use scumble_solve::grid::{GridSolver, PAGE_STEPS, TOLERANCE, Texel};
+use scumble_solve::grid::{Constraints, GridSolver, PAGE_STEPS, TOLERANCE, Texel};
 use wasm_bindgen_test::{wasm_bindgen_test, wasm_bindgen_test_configure};
 use web_sys::OffscreenCanvas;
 
@@ -38,6 +38,25 @@ async fn the_grid_solver_finds_what_its_twin_on_the_cpu_finds() {
             assert!(farthest <= TENTH, "{width_px} × {height_px}, {shades:?}: {} levels", 255.0 * farthest);
         }
     }
+}
+
+#[wasm_bindgen_test]
+async fn what_has_changed_is_drawn_over_what_was_there() {
+    let gpu = gpu().await;
+    let kernels = GridKernels::new(&gpu.device);
+    let before = constraints(130, 97, &[]);
+    let mut on_gpu = GpuGridSolver::new(&gpu, &kernels, &before).expect("a solver");
+    on_gpu.step();
+    let mut cuts = before.cuts.clone();
+    cuts.retain(|cut| cut.pixel % 130 > 20);
+    cuts.iter_mut().filter_map(|cut| cut.color.as_mut()).for_each(|color| color.swap(0, 1));
+    let after = Constraints { cuts, ..before };
+    on_gpu.update(&kernels, &after).expect("a solver");
+    (0..PAGE_STEPS).for_each(|_| on_gpu.step());
+    let mut on_cpu = GridSolver::new(&after);
+    on_cpu.solve(0.1 * TOLERANCE);
+    let farthest = farthest(&on_gpu.pixels().await.expect("the pixels come back"), &on_cpu.pixels());
+    assert!(farthest <= TENTH, "{} levels", 255.0 * farthest);
 }
 
 fn farthest(a: &[Texel], b: &[Texel]) -> f32 {

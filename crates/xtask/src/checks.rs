@@ -96,7 +96,10 @@ fn wasm_tests() -> Result<()> {
     let driver = find("chromedriver").unwrap_or_default();
     for flavour in package::FLAVOURS {
         let test = ["test", "--headless", "--chrome", "crates/scumble-web", "--no-default-features"];
-        run(command("wasm-pack").args(test).args(["--features", flavour]).env("CHROMEDRIVER", &driver))?;
+        let mut pack = command("wasm-pack");
+        pack.args(test).args(["--features", flavour]).env("CHROMEDRIVER", &driver);
+        // Where several things are built at once, a solve without a graphics card takes longer than the 20 s of the runner.
+        run(pack.env("WASM_BINDGEN_TEST_TIMEOUT", "120"))?;
     }
     Ok(())
 }

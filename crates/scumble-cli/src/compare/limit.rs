@@ -7,7 +7,7 @@ use scumble_solve::grid::{Constraints, GridSolver, TOLERANCE, Texel};
 /// How many times smaller the pixels of the finer grid are.
 const FINER: u32 = 2;
 
-/// Errors fall with this power of the size of a pixel where they are largest: in regions with tips that have a colour on one
+/// Errors fall with this power of the size of a pixel where they are largest: in regions with a tip that has a colour on one
 /// side alone, where the solution goes as the fourth root of the distance.
 const POWER: f32 = 0.5;
 
@@ -26,8 +26,7 @@ pub(super) fn limit(
         width_px: FINER * view.width_px,
         height_px: FINER * view.height_px,
     };
-    let constraints = Constraints::new(map, boundary, &fine)?.fitted(map, boundary, &fine);
-    let mut solver = GridSolver::new(&constraints);
+    let mut solver = GridSolver::new(&Constraints::new(map, boundary, &fine)?);
     solver.solve(TOLERANCE);
     let finer = at_centres(&solver.pixels(), view);
     Ok(pixels.iter().zip(&finer).map(|(coarse, fine)| extrapolated(*coarse, *fine)).collect())

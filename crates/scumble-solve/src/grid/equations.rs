@@ -44,6 +44,32 @@ impl Constraints {
         list.equations
     }
 
+    /// Whether each pixel hangs together with one that is held to a colour.
+    pub(super) fn reached(&self) -> Vec<bool> {
+        let (width, count) = (self.width_px as usize, self.width_px as usize * self.height_px as usize);
+        let (mut leads_on, mut is_reached, mut open) =
+            (vec![[true; 2]; count], vec![false; count], Vec::new());
+        for Equation { pixel, east, south, hold, .. } in self.equations() {
+            leads_on[pixel as usize] = [east > 0.0, south > 0.0];
+            if hold > 0.0 {
+                is_reached[pixel as usize] = true;
+                open.push(pixel as usize);
+            }
+        }
+        while let Some(i) = open.pop() {
+            let mut visit = |is_linked: bool, next: usize| {
+                if is_linked && !std::mem::replace(&mut is_reached[next], true) {
+                    open.push(next);
+                }
+            };
+            visit(leads_on[i][0], i + 1);
+            visit(leads_on[i][1], i + width);
+            visit(i >= 1 && leads_on[i - 1][0], i.wrapping_sub(1));
+            visit(i >= width && leads_on[i - width][1], i.wrapping_sub(width));
+        }
+        is_reached
+    }
+
     fn last_column(&self) -> impl Iterator<Item = u32> + use<> {
         let width = self.width_px;
         (1..=self.height_px).map(move |row| row * width - 1)

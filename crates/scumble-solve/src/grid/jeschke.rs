@@ -25,10 +25,11 @@ pub struct JeschkeSolver {
 impl JeschkeSolver {
     /// With the nearest given colour at each pixel.
     pub fn new(constraints: &Constraints) -> Self {
-        let (level, right) = Level::finest(&Constraints { pulls: Vec::new(), ..constraints.clone() });
+        let constraints = &Constraints { pulls: Vec::new(), ..constraints.clone() };
+        let (level, right) = Level::finest(constraints);
         let nearest = nearest_of(constraints, |cut| cut.color.is_some() || constraints.leads_within(cut));
         let nearest_given = nearest_of(constraints, |cut| cut.color.is_some());
-        let is_reached = level.reached();
+        let is_reached = constraints.reached();
         let mut values = right.clone();
         values.draw(|x, y| {
             let [column, row, ..] = nearest_given.load(x, y).map(|c| c as i32);

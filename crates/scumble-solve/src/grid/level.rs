@@ -82,23 +82,6 @@ impl Level {
         (level, right)
     }
 
-    /// Whether each pixel of the finest level hangs together with one that is held.
-    pub(super) fn reached(&self) -> Vec<bool> {
-        let mut is_reached: Vec<_> = self.holds.texels.iter().map(|[hold, ..]| *hold > 0.0).collect();
-        let mut open: Vec<_> = (0..is_reached.len()).filter(|&i| is_reached[i]).collect();
-        while let Some(i) = open.pop() {
-            let (x, y) = ((i % self.columns) as i32, (i / self.columns) as i32);
-            self.for_each_link(x, y, |_, nx, ny| {
-                let other = ny as usize * self.columns + nx as usize;
-                if !is_reached[other] {
-                    is_reached[other] = true;
-                    open.push(other);
-                }
-            });
-        }
-        is_reached
-    }
-
     fn empty(Size { columns, rows, slots }: Size) -> Self {
         let texture = Texture::new(columns * slots, rows);
         let [east, south, within] = [(); 3].map(|()| texture.clone());

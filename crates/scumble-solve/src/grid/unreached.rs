@@ -4,13 +4,11 @@
 use scumble_core::BlendColor;
 
 use super::constraints::{Constraints, Pull};
-use super::level::Level;
 use super::regions::PixelRegions;
 
 /// The pulls of these pixels, given all other constraints.
 pub(super) fn pulls(regions: &PixelRegions<'_>, constraints: &Constraints) -> Vec<Pull> {
-    let (level, _) = Level::finest(constraints);
-    let is_reached = level.reached();
+    let is_reached = constraints.reached();
     let mut pulls = Vec::new();
     for triangles in regions.triangles() {
         let Some(color) = mean(regions.colors(&triangles)) else { continue };
