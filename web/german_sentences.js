@@ -13,6 +13,7 @@ export const sentences = {
   "a region of the drawing could not be solved; please report this drawing":
     "ein Bereich der Zeichnung ließ sich nicht berechnen; bitte melde diese Zeichnung",
   "the scribbles are too long in all; erase some of them": "die Kritzel sind zusammen zu lang; radiere einige davon",
+  "what is to be painted is damaged": "was gemalt werden soll, ist beschädigt",
   "what the browser kept of the drawing is damaged; open it from a file":
     "was der Browser von der Zeichnung behalten hat, ist beschädigt; öffne sie aus einer Datei",
 
