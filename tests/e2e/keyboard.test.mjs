@@ -69,7 +69,7 @@ for (const browser of /** @type {const} */ (["chromium", "firefox"])) {
       await editor.tab.press("Enter");
       await editor.tab.waitFor(`document.getElementById("cross")?.hidden === false`);
       const before = await view();
-      await editor.tab.press("Enter");
+      await editor.until("Pen down", () => editor.tab.press("Enter"));
       await press(editor, "ArrowDown", 3);
       assert.equal(await view(), before);
       await editor.until("dropped", () => editor.tab.press("Escape"));
@@ -90,7 +90,7 @@ for (const browser of /** @type {const} */ (["chromium", "firefox"])) {
       await editor.tab.press("Enter");
       await editor.tab.waitFor(`document.getElementById("cross")?.hidden === false`);
       await press(editor, "ArrowLeft", 12);
-      await editor.tab.press("Enter");
+      await editor.until("Pen down", () => editor.tab.press("Enter"));
       await press(editor, "ArrowDown", 3);
       await editor.until("Scribble added, 1", () => editor.tab.press("Tab"));
       const place = await cross(editor);
