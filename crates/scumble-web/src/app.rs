@@ -82,8 +82,8 @@ impl App {
     }
 
     /// Does what a control asks for; see `boundary.rs` for names and arguments. "lost" says that the canvas has lost
-    /// its context. "canvas" (`canvas`, `renderer`: the next ones; `painter`: that of the other build, which has
-    /// the canvas then) takes longer than the call.
+    /// its context. "canvas" (`canvas`, `renderer`: the next ones; `painter`: that of the other build, where
+    /// the renderer is not this one's) takes longer than the call where there is no painter.
     ///
     /// # Errors
     /// For a command that does not exist with these arguments.

@@ -22,6 +22,7 @@ pub fn view_of([a, b, c, d, e, f, width_px, height_px, paper]: [f64; 9]) -> (Vie
 }
 
 #[cfg(all(target_arch = "wasm32", feature = "webgpu"))]
+/// In the module that has the session.
 mod asked {
     use scumble_solve::Shape;
     use wasm_bindgen::JsValue;
@@ -87,6 +88,7 @@ mod asked {
 pub use asked::{Beside, BesideScreen};
 
 #[cfg(all(target_arch = "wasm32", feature = "webgl"))]
+/// In the module that paints for it.
 mod asking {
     use std::cell::RefCell;
 
