@@ -36,7 +36,7 @@ impl Painter for Screen {
 const SQUARE: &[u8] = br#"<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 1024 768">
     <path d="M200 150H680V630H200Z" fill="none" stroke="black" stroke-width="8"/></svg>"#;
 
-/// Zigzags of some 480 pieces each in so many rows, and above them a line.
+/// Zigzags of some 1,100 pieces each in so many rows, and above them a line.
 fn zigzags(rows: u32) -> String {
     let corner = |row: u32, i: u32| format!("L{} {}", 12 + 9 * i, 100 + 12 * row + 6 * (i % 2));
     let corners = |row: u32| (1..110).map(|i| corner(row, i)).collect::<String>();
@@ -161,10 +161,10 @@ fn moved(session: &mut Session, screen: &mut Screen) -> [Vec<(u32, bool)>; 2] {
 
 #[test]
 fn lines_among_5_000_pieces_are_followed_on_a_grid_and_meshed_when_they_rest() {
-    let drawing = import_svg(zigzags(11).as_bytes()).expect("a drawing").drawing;
+    let drawing = import_svg(zigzags(5).as_bytes()).expect("a drawing").drawing;
     let piece_count = PlanarMap::build(&drawing, &Sampling::default()).expect("a map").pieces().len();
     assert!((5000..8000).contains(&piece_count), "{piece_count}");
-    let (mut session, mut screen) = page_with(zigzags(11).as_bytes(), Grids::Fast);
+    let (mut session, mut screen) = page_with(zigzags(5).as_bytes(), Grids::Fast);
     let [in_motion, after] = moved(&mut session, &mut screen);
     assert_eq!(in_motion, [(512, true); 5], "another picture in each frame, by the grid solver");
     assert_eq!(after, [(0, true)]);
