@@ -9,14 +9,20 @@ const PATIENCE_MS = 100;
 /** In this time what has changed is painted, in a page that is seen; one that is not has no frames to wait for. */
 const PAINTED_MS = 32;
 
+/** What goes on, in words, the latest last. @type {Map<string, string>} */
+const going = new Map();
+
 /** @type {ReturnType<typeof setTimeout> | undefined} */
 let timer;
 
-/** @param {string} text what goes on from now on */
-export function begin(text) {
-  end();
-  words.textContent = text;
-  timer = setTimeout(show, PATIENCE_MS);
+/**
+ * @param {string} what goes on from now on
+ * @param {string} text the same, for people
+ */
+export function begin(what, text) {
+  end(what);
+  going.set(what, text);
+  follow();
 }
 
 /** It will take long: it is seen from now on. */
@@ -25,16 +31,23 @@ export async function expectLong() {
   await new Promise((wake) => setTimeout(wake, PAINTED_MS));
 }
 
+/** @param {string} what has come to its end */
+export function end(what) {
+  if (going.delete(what)) follow();
+}
+
+/** Whether it is seen. @param {string} what */
+export function isBusy(what) {
+  return !bar.hidden && going.has(what);
+}
+
+function follow() {
+  clearTimeout(timer);
+  words.textContent = [...going.values()].pop() ?? "";
+  if (going.size === 0) bar.hidden = true;
+  else if (bar.hidden) timer = setTimeout(show, PATIENCE_MS);
+}
+
 function show() {
   bar.hidden = false;
-}
-
-/** Whether it is seen. */
-export function isBusy() {
-  return !bar.hidden;
-}
-
-export function end() {
-  clearTimeout(timer);
-  bar.hidden = true;
 }

@@ -45,12 +45,15 @@ export class Engine {
   /** @type {Record<string, Handler>} */
   #handlers;
   #frameAsked = false;
+  /** Whether another picture of the drawing is on its way. */
+  isMaking = false;
   /** @type {Renderer | undefined} The renderer that it began with. */
   #build;
 
   /** @param {Record<string, Handler>} handlers what to do with each effect; `stopped` is called after a fault, with whether a drawing was being made ready */
   constructor(handlers) {
-    this.#handlers = { ...handlers, lost: (renderer) => this.#recover(renderer) };
+    const making = (/** @type {boolean} */ isMaking) => handlers.making?.((this.isMaking = isMaking));
+    this.#handlers = { ...handlers, making, lost: (renderer) => this.#recover(renderer) };
     for (const kind of ["error", "unhandledrejection"]) {
       window.addEventListener(kind, (event) => {
         const fault = /** @type {any} */ (event).error ?? /** @type {any} */ (event).reason;
@@ -156,6 +159,11 @@ export class Engine {
   /** The exact bytes of the work; nothing once the module has stopped. */
   work() {
     return this.#call((app) => app.work());
+  }
+
+  /** Comes once the picture is that of the drawing as it is. */
+  async made() {
+    while (this.isMaking && this.isRunning) await new Promise((wake) => setTimeout(wake, SLICE_MS));
   }
 
   /** What was done to the drawing, as keys of messages, and how many of these steps are not taken back. */

@@ -138,6 +138,7 @@ export class Export {
     const size_px = input("export-size").valueAsNumber;
     const [lines, transparent] = ["export-lines", "export-transparent"].map((id) => input(id).checked);
     const isPng = kind === "png";
+    await engine.made();
     const raster_px = Math.min(Math.max(size_px, RASTER_PX.least), RASTER_PX.most);
     const picture = engine.export(isPng ? size_px : raster_px, isPng && lines);
     const work = engine.work();

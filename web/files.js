@@ -1,6 +1,7 @@
 // Files in and out: opened, dropped or pasted ones, and those to keep.
 
 import { say } from "./messages.js";
+import { tell } from "./toolbar.js";
 
 /** @typedef {{name: string, bytes: Promise<Uint8Array>, handle?: any}} Coming a file that is being read */
 /** @typedef {{name: string, handle?: any}} Place where a file was kept; of a download only the name is known */
@@ -25,14 +26,18 @@ const input = () => /** @type {HTMLInputElement} */ (document.getElementById("fi
 
 /**
  * Takes files from the file dialog, from drops on the page and from the clipboard, which may also hold text.
- * @param {(coming: Coming) => void} open
+ * @param {(coming: Coming) => Promise<unknown>} open gives what went wrong, if anything did
  * @param {(text: string) => void} openText
  */
 export function receive(open, openText) {
+  const first = async (/** @type {File} */ file, /** @type {number} */ count) => {
+    const fault = await open(reading(file));
+    if (count > 1 && !fault) tell(say("opened-first", { name: file.name }));
+  };
   const take = (/** @type {DataTransfer | null} */ data) => {
     const file = data?.files[0];
     const text = data?.getData("text/plain") ?? "";
-    if (file) open(reading(file));
+    if (file) first(file, data?.files.length ?? 1);
     else if (text.trim() !== "") openText(text);
   };
   input().addEventListener("change", () => {

@@ -27,6 +27,7 @@ const SHOWN = "scumble-shown";
  * @property {() => Uint8Array | undefined} work the exact bytes of the drawing that is shown
  * @property {() => Image | undefined} image the picture under its lines
  * @property {() => Promise<Blob | undefined>} picture a small picture of it
+ * @property {() => boolean} isMaking whether that would have to wait for the picture on the canvas
  * @property {(drawing: Drawing) => void} kept called when a drawing was written
  * @property {(drawing: Drawing, before: string) => void} copied called when a drawing goes on as a copy of another
  * @property {(fails: Failing) => void} failing called when keeping begins to fail, and when it works again
@@ -88,7 +89,7 @@ export class Keeper {
   hurry() {
     this.#unfit = new WeakSet();
     if (this.#fails) for (const [drawing, state] of this.#late) this.#write(drawing, state);
-    this.pictureNow();
+    if (!this.#page.isMaking()) this.pictureNow();
   }
 
   /** Makes the picture of the drawing that is shown, as before another is. */
@@ -120,7 +121,7 @@ export class Keeper {
   #pictureLater(drawing) {
     this.#unpictured = drawing;
     clearTimeout(this.#rest);
-    this.#rest = setTimeout(() => this.pictureNow(), REST_MS);
+    this.#rest = setTimeout(() => (this.#page.isMaking() ? this.#pictureLater(drawing) : this.pictureNow()), REST_MS);
   }
 
   /**

@@ -1,5 +1,6 @@
 // The start of the page, and the wiring of its parts.
 
+import { begin, end, isBusy } from "./busy.js";
 import { followed } from "./cursor.js";
 import { Colors } from "./colors.js";
 import { closeOpen, openDialog } from "./dialogs.js";
@@ -27,13 +28,16 @@ import { connectSwatches, labelSwatches, shownSwatches, swatch } from "./swatche
 import { areLinesShown, connect, done, failed, labelControls, shown, showFingers, showName, showUnkept, showUpdate, tell, toggle, warn } from "./toolbar.js";
 import { connectBar, connectRadios } from "./toolbars.js";
 import { Tracing } from "./tracing.js";
-import { followVersions, takeVersion } from "./versions.js";
+import { followVersions, holdVersion, takeVersion } from "./versions.js";
 
 /** What the address may ask for. */
 const SOLVERS = ["automatic", "mesh", "gpu"];
 
 /** What is said of when it is done. */
 const DOINGS = ["scribbles-erased", "scribbles-rubbed", "scribble-dropped", "eraser-turned", "selected", "edited", "turned"];
+
+/** What the page is seen to be busy with. */
+const MAKING = "making";
 
 /** Where the arrow keys go. @type {Record<string, [number, number]>} */
 const ARROWS = { Left: [-1, 0], Right: [1, 0], Up: [0, -1], Down: [0, 1] };
@@ -91,6 +95,8 @@ const handlers = {
       (values) => doing(key, values),
     ]),
   ),
+  making: (isMaking) => (isMaking ? begin(MAKING, say("making")) : end(MAKING)),
+  "making-stopped": () => tell(say("making-stopped")),
   failed: (values) => warn(say("failed", values)),
   "no-renderer": () => warn(say("error-renderer")),
   stopped: (isPreparing) => {
@@ -127,6 +133,7 @@ const tracing = new Tracing(engine);
 const keeper = new Keeper({
   work: () => engine.work(),
   image: () => tracing.image,
+  isMaking: () => engine.isMaking,
   picture: async () => {
     const picture = engine.thumbnail();
     const { png } = await import("./png.js");
@@ -243,15 +250,16 @@ const actions = {
     canvas().focus();
     keyboardPen.use((pen) => pen.press());
   },
-  "stop-opening": () => {
-    void opening.stop();
+  stop: () => {
+    if (opening.isLong) void opening.stop();
+    else engine.command("stop-making");
     // The button goes with what it stops.
     canvas().focus();
   },
   drop: () => {
     // Escape closes what is open, and does no more.
     if (pointers.cancel() || keyboardPen.now?.drop() || document.querySelector(":popover-open") || skipFirstSteps()) return;
-    if (opening.isLong) act("stop-opening");
+    if (opening.isLong || isBusy(MAKING)) act("stop");
     else engine.command("select-none");
   },
 };
@@ -314,6 +322,7 @@ function labelAll() {
 }
 
 async function start() {
+  holdVersion();
   await connectLanguage(labelAll);
   labelControls();
   connectSwatches((color) => engine.command("color", color));

@@ -308,9 +308,12 @@ export const english = {
     "The browser cannot keep the tracing image, only the rest of the drawing. Save it as a file, or delete others under Recent.",
   "start": "Pick a colour and scribble it into the drawing",
   "opening": ({ name }) => `Opening ${name || "the drawing"} …`,
-  "opening-progress": "Opening",
+  "progress": "Progress",
   "opening-stopped": "Opening cancelled; everything is as it was",
+  "making": "Making the picture anew …",
+  "making-stopped": "Cancelled; the drawing is as it was before. Redo does it again",
   "opened": ({ name }) => `Opened ${name}`,
+  "opened-first": ({ name }) => `Opened ${name} alone; open the other files one by one`,
   "opened-in-part": ({ name, notes }) => `Opened ${name}; ${notes}`,
   "palette-taken": ({ name, notes }) => `The palette has the colours of ${name}${notes && "; "}${notes}`,
   "traced": ({ name }) => `${name} lies under the lines; exported pictures are without it`,
@@ -318,7 +321,7 @@ export const english = {
   "saved": ({ name }) => `Saved ${name}`,
   "scribble-added": ({ count, isFill }) => `${isFill ? "Scribble" : "Shade"} added, ${count} in the drawing`,
   "scribbles-erased": ({ erased, count }) =>
-    `${erased === 1 ? "Scribble" : `${erased} scribbles`} erased, ${count} in the drawing`,
+    erased === 0 ? "No scribble there to erase" : `${erased === 1 ? "Scribble" : `${erased} scribbles`} erased, ${count} in the drawing`,
   "scribbles-rubbed": ({ count }) => `Part of a scribble erased, ${count} in the drawing`,
   "eraser-turned": ({ parts }) => `The eraser takes ${parts ? "parts of scribbles" : "whole scribbles"}`,
   "selected": ({ scribbles, lines, place, total }) =>

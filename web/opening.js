@@ -14,6 +14,9 @@ import { checkImage } from "./tracing.js";
 /** The number by which work from a file knows the picture under its lines, as in `work_file.rs`. */
 const FILE_IMAGE = 1;
 
+/** What the page is seen to be busy with. */
+const OPENING = "opening";
+
 /** Work of more bytes than this takes a while. */
 const LARGE_BYTES = 100_000;
 
@@ -87,13 +90,13 @@ export class Opening {
 
   /** Whether what is on its way is seen to take long. */
   get isLong() {
-    return isBusy();
+    return isBusy(OPENING);
   }
 
   /** Stops what is on its way. Where nothing has been there before, a sample is. */
   async stop() {
     this.#drop();
-    end();
+    end(OPENING);
     if (this.#hasShown) tell(say("opening-stopped"));
     else if (!(await this.sample(FIRST, false))) tell(say("start"));
   }
@@ -179,14 +182,14 @@ export class Opening {
     this.#job = new AbortController();
     // What stops it is not to be covered.
     closeOpen();
-    begin(say("opening", { name }));
+    begin(OPENING, say("opening", { name }));
     try {
       await act(this.#job.signal);
       return undefined;
     } catch (fault) {
       return ticket === this.#asked ? told(fault) : undefined;
     } finally {
-      if (ticket === this.#asked) end();
+      if (ticket === this.#asked) end(OPENING);
     }
   }
 

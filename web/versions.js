@@ -12,7 +12,6 @@ let registration;
  */
 export async function followVersions(ready) {
   if (!navigator.serviceWorker) return;
-  holdVersion();
   try {
     registration = await navigator.serviceWorker.register("worker.js", { updateViaCache: "none" });
   } catch (fault) {
@@ -35,7 +34,7 @@ export function takeVersion() {
 }
 
 /** Says that this version is in use, as long as there is the page. */
-function holdVersion() {
+export function holdVersion() {
   navigator.locks?.request(FOLDER, { mode: "shared" }, () => new Promise(() => {})).catch(console.info);
 }
 

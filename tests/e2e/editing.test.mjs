@@ -75,6 +75,7 @@ describe("editing", () => {
     const colored = await editor.picture();
     await editor.tab.press("e");
     await drag(editor, [[40, 30], [50, 80], [145, 40], [145, 60]], "2 scribbles erased, 0 in the drawing");
+    await drag(editor, [[40, 30], [50, 80]], "No scribble there to erase");
     assert.deepEqual(await colorsAt(editor, PLACES), [WHITE, WHITE]);
     await editor.until("Undone", () => editor.tab.press("Control+z"));
     assert.ok((await editor.picture()).equals(colored));

@@ -237,11 +237,11 @@ export class Editor {
     return this.until(`Opened ${name}`, () => this.#reach("Open", choose));
   }
 
-  /** Drops a file on the page. @param {string} svg @param {string} name */
-  drop(svg, name) {
+  /** Drops files on the page, all of one content. @param {string} svg @param {string[]} names */
+  drop(svg, ...names) {
     return this.tab.evaluate(`{
       const data = new DataTransfer();
-      data.items.add(new File([${JSON.stringify(svg)}], "${name}", { type: "image/svg+xml" }));
+      for (const name of ${JSON.stringify(names)}) data.items.add(new File([${JSON.stringify(svg)}], name, { type: "image/svg+xml" }));
       document.getElementById("canvas").dispatchEvent(new DragEvent("drop", { dataTransfer: data, bubbles: true }));
     }`);
   }

@@ -240,6 +240,13 @@ for (const browser of /** @type {const} */ (["chromium", "firefox"])) {
       await editor.tab.close();
       await openUntil(blank, async () => (await versionOf(blank)) === OTHER);
       assert.equal(await versionOf(blank), OTHER);
+      // As a page that was asked for before and gets its script only now.
+      await blank.evaluate(`{
+        window.isBefore = true;
+        document.head.append(Object.assign(document.createElement("script"), { type: "module", src: "${old}/web/main.js" }));
+      }`);
+      await blank.waitFor(`!window.isBefore && document.getElementById("canvas")?.dataset.renderer`);
+      assert.equal(await versionOf(blank), OTHER);
     });
 
     test("a version of which the host has only a part is not taken", async () => {

@@ -17,6 +17,9 @@ describe("opening a drawing", () => {
   test("a file dropped on the page", () =>
     editor.until("Opened rooms", () => editor.drop(svg, "rooms.svg")));
 
+  test("two files dropped at once, of which one is opened", () =>
+    editor.until("Opened first.svg alone", () => editor.drop(svg, "first.svg", "second.svg")));
+
   test("pasted text", () =>
     editor.until("Opened", () => editor.tab.evaluate(`{
       const data = new DataTransfer();

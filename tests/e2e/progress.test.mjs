@@ -1,4 +1,4 @@
-// What takes long is seen to go on, and can be cancelled: opening, and the writing of files.
+// What takes long is seen to go on, and can be cancelled: opening, other settings and lines, and the writing of files.
 import assert from "node:assert/strict";
 import { describe, test } from "node:test";
 import { useSession } from "./harness.mjs";
@@ -16,6 +16,18 @@ const hold = (ms) => `{
 
 /** Where the page lets others go on, and where it shows that something will take long; the latter as in `busy.js`. */
 const [HOLD_SLICES, HOLD_PAINTED] = [hold(undefined), hold(32)];
+
+/** Frames of the page's own scripts come when `window.go` is called. */
+const HOLD_FRAMES = `{
+  const { requestAnimationFrame } = window;
+  const held = [];
+  window.requestAnimationFrame = (act) => (new Error().stack.includes(location.origin) ? held.push(act) : requestAnimationFrame(act));
+  window.go = () => requestAnimationFrame((now) => held.splice(0).forEach((act) => act(now)));
+  window.goOn = () => {
+    window.requestAnimationFrame = requestAnimationFrame;
+    window.go();
+  };
+}`;
 
 /** So many lines take longer than a slice. */
 const MANY = 3000;
@@ -88,6 +100,27 @@ for (const browser of /** @type {const} */ (["chromium", "firefox"])) {
       await editor.tab.evaluate(`window.held()`);
       await editor.until("2 in the drawing", () => editor.scribble([[120, 30], [140, 60]], 200));
       assert.equal(await editor.name(), "rooms.svg");
+      assert.deepEqual(editor.tab.faults, []);
+    });
+
+    test("a picture with other settings", async () => {
+      const editor = await session.open("cpu");
+      await editor.until("Opened many.svg", () => editor.drop(lines(MANY), "many.svg"));
+      await editor.until("1 in the drawing", () => editor.scribble([[120, 30], [140, 60]], 200));
+      const isChecked = () => editor.tab.evaluate(`document.querySelector("[data-setting=spread]").checked`);
+      await editor.tab.evaluate(HOLD_FRAMES);
+      await editor.toggle("Spread");
+      await editor.tab.evaluate(`window.go()`);
+      await editor.tab.waitFor(IS_SEEN);
+      assert.equal(await isChecked(), true);
+      await editor.until("Cancelled; the drawing is as it was before", () => editor.click("Cancel"));
+      assert.deepEqual([await isChecked(), await editor.tab.evaluate(IS_SEEN)], [false, false]);
+      assert.equal(await editor.tab.evaluate(`document.activeElement.id`), "canvas");
+      await editor.until("Redo", () => editor.click("Redo"));
+      await editor.tab.evaluate(`window.goOn()`);
+      await editor.tab.waitFor(`!(${IS_SEEN})`);
+      await editor.until("2 in the drawing", () => editor.scribble([[120, 130], [140, 160]], 200));
+      assert.equal(await isChecked(), true);
       assert.deepEqual(editor.tab.faults, []);
     });
 

@@ -8,6 +8,9 @@ const worker = /** @type {ServiceWorkerGlobalScope} */ (/** @type {unknown} */ (
 const { scope } = worker.registration;
 const FOLDER = `${scope}${VERSION}/`;
 
+/** The script that pages of any version begin with. */
+const MAIN = /^v-[\da-f]+\/web\/main\.js$/;
+
 worker.addEventListener("install", (event) => event.waitUntil(install()));
 worker.addEventListener("activate", (event) => event.waitUntil(begin()));
 worker.addEventListener("message", ({ data }) => void (data === "take over" && worker.skipWaiting()));
@@ -63,5 +66,14 @@ async function answer(request) {
   const url = scope + (path === "index.html" ? "" : path);
   const options = { ignoreVary: true };
   const own = await (await caches.open(FOLDER)).match(url, options);
-  return own ?? (await caches.match(url, options)) ?? fetch(request);
+  return own ?? (await caches.match(url, options)) ?? (MAIN.test(path) ? begun(request) : fetch(request));
+}
+
+/**
+ * The script that a page begins with. Where its version has gone since the page was asked for, the page is asked for anew.
+ * @param {Request} request
+ */
+async function begun(request) {
+  const response = await fetch(request).catch(() => Response.error());
+  return response.ok ? response : new Response("location.reload();", { headers: { "content-type": "text/javascript" } });
 }

@@ -70,18 +70,27 @@ pub struct Editor {
     undo: Vec<Step>,
     /// What does each gesture again that was taken back.
     redo: Vec<Step>,
-    revision: u32,
-    last_revision: u32,
+    /// Those of the state between gestures.
+    revisions: Revisions,
     lines_revision: u32,
+    /// The last ones that were given.
+    last: Revisions,
 }
 
-/// Changes, to be applied from the last to the first, and the revision that they lead to.
+/// What tells states from each other.
+#[derive(Clone, Copy, Debug, Default)]
+struct Revisions {
+    document: u32,
+    lines: u32,
+}
+
+/// Changes, to be applied from the last to the first, and the revisions that they lead to.
 #[derive(Clone, Debug)]
 struct Step {
     /// What was done, whether this does it again or takes it back.
     deed: Deed,
     changes: Vec<Change>,
-    to: u32,
+    to: Revisions,
 }
 
 impl Editor {
@@ -93,19 +102,19 @@ impl Editor {
             in_hand: None,
             undo: Vec::new(),
             redo: Vec::new(),
-            revision: 0,
-            last_revision: 0,
+            revisions: Revisions::default(),
             lines_revision: 0,
+            last: Revisions::default(),
         }
     }
 
     /// Tells the states of the document between gestures apart: 0 as it was opened, and the same again where undo has
     /// come back to it.
     pub fn revision(&self) -> u32 {
-        self.revision
+        self.revisions.document
     }
 
-    /// Changes whenever the lines do, in a gesture and between gestures.
+    /// Tells the states of the lines apart, also within gestures: the same again where undo has come back to them.
     pub fn lines_revision(&self) -> u32 {
         self.lines_revision
     }
@@ -187,7 +196,7 @@ impl Editor {
     pub fn restart(&mut self) {
         if let Some(Gesture::Changes(_, back)) = &mut self.in_hand {
             let back = std::mem::take(back);
-            self.apply_all(back);
+            self.take_back(back);
         }
     }
 
@@ -215,7 +224,7 @@ impl Editor {
             Some(Gesture::Scribble) => {
                 drop(self.apply(Change::RemoveScribble(self.document.scribbles.len() - 1)));
             }
-            Some(Gesture::Changes(_, back)) => drop(self.apply_all(back)),
+            Some(Gesture::Changes(_, back)) => self.take_back(back),
         }
     }
 
@@ -414,16 +423,24 @@ impl Editor {
     /// Ends a gesture that can be taken back; one that did nothing leaves no trace.
     fn keep(&mut self, deed: Deed, back: Vec<Change>) {
         if !back.is_empty() {
-            self.undo.push(Step { deed, changes: back, to: self.revision });
+            self.undo.push(Step { deed, changes: back, to: self.revisions });
             self.redo.clear();
-            self.last_revision += 1;
-            self.revision = self.last_revision;
+            self.last.document += 1;
+            self.revisions = Revisions { document: self.last.document, lines: self.lines_revision };
         }
+    }
+
+    /// Takes back what the gesture in hand has done.
+    fn take_back(&mut self, back: Vec<Change>) {
+        self.apply_all(back);
+        self.lines_revision = self.revisions.lines;
     }
 
     /// Takes a step; returns the one back.
     fn step(&mut self, Step { deed, changes, to }: Step) -> Step {
-        Step { deed, changes: self.apply_all(changes), to: std::mem::replace(&mut self.revision, to) }
+        let changes = self.apply_all(changes);
+        self.lines_revision = to.lines;
+        Step { deed, changes, to: std::mem::replace(&mut self.revisions, to) }
     }
 
     /// Applies changes from the last to the first; returns those that take them back, to be applied likewise.
@@ -432,7 +449,10 @@ impl Editor {
     }
 
     fn apply(&mut self, change: Change) -> Change {
-        self.lines_revision += u32::from(change.is_of_lines());
+        if change.is_of_lines() {
+            self.last.lines += 1;
+            self.lines_revision = self.last.lines;
+        }
         apply(&mut self.document, &mut self.ids, change)
     }
 }

@@ -300,6 +300,30 @@ fn a_curve_that_is_removed_takes_its_colours_with_it() {
     assert!(!editor.has_other_lines());
 }
 
+#[test]
+fn states_of_the_lines_are_told_apart_and_known_again() {
+    let mut editor = editor_with_lines();
+    let opened = editor.lines_revision();
+    editor.remove_curve(0);
+    let fewer = editor.lines_revision();
+    editor.insert_scribble(0, scribble(0));
+    assert_eq!(editor.lines_revision(), fewer);
+    editor.go_to(0);
+    assert_eq!(editor.lines_revision(), opened);
+    editor.begin(Deed::Moved);
+    editor.replace_curve(0, curve(7));
+    let moved = editor.lines_revision();
+    assert!(![opened, fewer].contains(&moved));
+    editor.restart();
+    assert_eq!(editor.lines_revision(), opened);
+    editor.replace_curve(0, curve(8));
+    assert!(![opened, fewer, moved].contains(&editor.lines_revision()));
+    editor.abort();
+    assert_eq!(editor.lines_revision(), opened);
+    editor.redo();
+    assert_eq!(editor.lines_revision(), fewer);
+}
+
 /// What a person may do, with indices that may be those of no scribble.
 #[derive(Clone, Debug)]
 enum Act {

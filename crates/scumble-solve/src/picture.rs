@@ -33,6 +33,23 @@ impl Picture {
         Ok(Self { map, engine: settings.engine(), settings, solver: None })
     }
 
+    /// The same drawing, of which nothing but the map is known.
+    pub fn again(&self) -> Self {
+        let Self { map, settings, .. } = self;
+        Self { map: map.clone(), engine: settings.engine(), settings: *settings, solver: None }
+    }
+
+    /// The settings of the last labels.
+    pub fn settings(&self) -> &Settings {
+        &self.settings
+    }
+
+    /// Whether labels by other settings take neither another map nor another engine.
+    pub fn suits(&self, settings: &Settings) -> bool {
+        let settings = settings.clamped();
+        self.settings.gap_closing == settings.gap_closing && self.settings.share_engine(&settings)
+    }
+
     /// The planar map of the drawing.
     pub fn map(&self) -> &PlanarMap {
         &self.map

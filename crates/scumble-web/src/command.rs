@@ -127,6 +127,8 @@ pub enum Command {
     },
     /// Leave work that is made ready to be opened.
     StopPreparing,
+    /// Takes back what asks for another picture of the drawing, which is on its way.
+    StopMaking,
     /// What the pen does from here on.
     Tool(Tool),
     /// The colour of the next scribbles, or none, or a step from what they are drawn on.

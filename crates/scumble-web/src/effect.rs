@@ -49,6 +49,8 @@ pub enum Effect {
     Settings(Settings),
     /// The picture under the lines. Told before the sheet whose it is.
     Tracing(TracingState),
+    /// Whether another picture of the drawing is on its way, in steps.
+    Making(bool),
     /// Which solver makes the picture.
     Solver(SolverState),
     /// A drawing was opened.
@@ -67,7 +69,7 @@ pub enum Effect {
     },
     /// Scribbles were taken away.
     ScribblesErased {
-        /// How many; at least one.
+        /// How many; 0 where the eraser came to none.
         erased: usize,
         /// How many are left.
         count: usize,
@@ -108,6 +110,8 @@ pub enum Effect {
     ScribbleDropped,
     /// The page lies otherwise on the canvas.
     Turned(Turn),
+    /// What asked for the picture that was on its way was taken back.
+    MakingStopped,
     /// A gesture was taken back.
     Undone,
     /// A gesture was done again.
@@ -205,6 +209,7 @@ pub(crate) struct State {
     pub(crate) settings: Option<Settings>,
     pub(crate) tracing: Option<TracingState>,
     pub(crate) palette: Option<Vec<Swatch>>,
+    pub(crate) making: Option<bool>,
     pub(crate) solver: Option<SolverState>,
 }
 
@@ -230,6 +235,7 @@ impl State {
             news(self.result, known.result, Effect::Result),
             news(self.regions, known.regions, Effect::Regions),
             news(self.settings, known.settings, Effect::Settings),
+            news(self.making, known.making, Effect::Making),
             news(self.solver, known.solver, Effect::Solver),
         ];
         let palette = self.palette.as_ref().filter(|_| self.palette != known.palette);

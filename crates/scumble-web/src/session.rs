@@ -25,6 +25,7 @@ mod arranging;
 mod coloring;
 mod gestures;
 mod ink;
+mod making;
 mod opening;
 mod picker;
 mod pointing;
@@ -33,6 +34,7 @@ mod sheet;
 mod tools;
 
 use gestures::{Held, Stroke};
+use making::Making;
 use opening::Coming;
 use sheet::{Sheet, Shelf};
 
@@ -49,6 +51,8 @@ pub struct Session {
     shelf: Shelf,
     /// The drawing on its way.
     coming: Option<Coming>,
+    /// Another picture of the drawing in work, on its way.
+    making: Option<Making>,
     /// How many drawings have been opened.
     opened: u32,
     /// The colours of the sides, and of the sheet's shades.
@@ -57,6 +61,8 @@ pub struct Session {
     /// What the grid solver is given, once it is to make the picture.
     problem: Option<GridProblem>,
     layers: Layers,
+    /// The revision of the lines that these show.
+    inked: u32,
     viewport: Viewport,
     tool: Tool,
     /// What the pen is down as, where it draws no scribble.
@@ -121,11 +127,13 @@ impl Session {
             sheet: Sheet::new(0, Work::new(Document::new(drawing)))?,
             shelf: Shelf::default(),
             coming: None,
+            making: None,
             opened: 0,
             boundary: Boundary::default(),
             field: Field::default(),
             problem: None,
             layers: Layers::default(),
+            inked: 0,
             tool: Tool::default(),
             held: None,
             is_finger: false,
@@ -186,6 +194,7 @@ impl Session {
         match command {
             Command::Open { work, notes } => self.open(&work, notes),
             Command::StopPreparing => self.stop_preparing(),
+            Command::StopMaking => self.stop_making(),
             Command::Tool(tool) => self.set_tool(tool),
             Command::Color(ink) => self.take_ink(ink, false),
             Command::ColorSought(ink) => self.take_ink(ink, true),
@@ -233,6 +242,7 @@ impl Session {
 
     /// Derives what is stale and shows it; does nothing where nothing has changed. Tells whether there is more to show.
     pub fn frame(&mut self, painter: &mut dyn Painter) -> bool {
+        self.make_on();
         self.refresh_colors();
         self.refresh_regions();
         self.refresh_ink();
@@ -251,7 +261,7 @@ impl Session {
             self.was_at_once |= is_all;
             self.stale.view = !is_all || self.choice() != self.source;
         }
-        self.stale.view
+        self.stale.view || self.is_making()
     }
 
     /// Everything is to be painted anew, by a painter that has nothing yet.
@@ -273,6 +283,7 @@ impl Session {
 
     /// The picture for a file: the whole page without scribbles, with so many pixels on its longer side.
     pub fn export(&mut self, size_px: f64, lines: bool) -> Export {
+        self.finish_making();
         self.refresh_field();
         let drawing = &self.sheet.editor.document().drawing;
         let px_per_du = size_px / LONGER_SIDE_DU;
@@ -364,11 +375,6 @@ impl Session {
         self.stale.scribbles = true;
     }
 
-    fn things_changed(&mut self) {
-        self.scribbles_changed();
-        self.stale.lines |= self.sheet.has_stale_map();
-    }
-
     fn px_per_du(&self) -> f64 {
         self.viewport.px_per_du()
     }
@@ -397,6 +403,7 @@ impl Session {
                 page: self.document().drawing.size_du(),
             }),
             palette: Some(self.document().palette.clone()),
+            making: Some(self.is_making()),
             solver: Some(SolverState { asked: self.solver, source: self.source }),
         }
     }

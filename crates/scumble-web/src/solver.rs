@@ -66,7 +66,7 @@ const WIDEST_PX: f64 = 2.0;
 const MANY_PIECES: usize = 100_000;
 
 /// Where lines are moved in a drawing of more pieces than this, the mesh solver no longer keeps up with the pen.
-const PIECES_IN_HAND: usize = 4000;
+pub(crate) const PIECES_IN_HAND: usize = 4000;
 
 /// Nor does what comes before any solver, where there are more than this.
 const MOST_PIECES_IN_HAND: usize = 20_000;

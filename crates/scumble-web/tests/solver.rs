@@ -9,6 +9,10 @@ use scumble_web::painting::{Changed, Painter, Painting};
 use scumble_web::session::Session;
 use scumble_web::solver::{Grids, Solver, SolverState, Source};
 
+use zigzags::zigzags;
+
+mod zigzags;
+
 /// A painter that takes three frames for a grid, and notes what it is given.
 #[derive(Default)]
 struct Screen {
@@ -35,19 +39,6 @@ impl Painter for Screen {
 /// A square within a page of 1024 by 768 du.
 const SQUARE: &[u8] = br#"<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 1024 768">
     <path d="M200 150H680V630H200Z" fill="none" stroke="black" stroke-width="8"/></svg>"#;
-
-/// Zigzags of some 1,100 pieces each in so many rows, and above them a line.
-fn zigzags(rows: u32) -> String {
-    let corner = |row: u32, i: u32| format!("L{} {}", 12 + 9 * i, 100 + 12 * row + 6 * (i % 2));
-    let corners = |row: u32| (1..110).map(|i| corner(row, i)).collect::<String>();
-    let row = |row: u32| format!("M12 {}{}", 100 + 12 * row, corners(row));
-    let path = |path: &str| format!(r#"<path d="{path}" fill="none" stroke="black" stroke-width="1"/>"#);
-    let rows: String = (0..rows).map(|i| path(&row(i))).collect();
-    format!(
-        r#"<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 1024 768">{rows}{}</svg>"#,
-        path("M300 40H500")
-    )
-}
 
 /// A page whose painter can do this with grids.
 fn page(grids: Grids) -> (Session, Screen) {

@@ -48,7 +48,7 @@ impl Session {
     pub(super) fn end_placing(&mut self, edit: Edit) {
         let before = self.sheet.editor.revision();
         self.sheet.editor.commit();
-        self.things_changed();
+        self.scribbles_changed();
         if self.sheet.editor.revision() != before {
             self.tell_edited(edit);
         }
@@ -67,7 +67,7 @@ impl Session {
             let Curve { path, line } = self.document().drawing.curves[i].clone();
             self.sheet.editor.replace_curve(i, Curve { path: place * path, line });
         }
-        self.things_changed();
+        self.scribbles_changed();
     }
 
     fn change_scribble(&mut self, index: usize, change: impl FnOnce(&mut Scribble)) {
@@ -85,7 +85,7 @@ impl Session {
                 .for_each(|i| self.sheet.editor.recolor_scribble(i, color)),
             Ink::Tone(tone) => self.tone_selected(tone),
         }
-        self.things_changed();
+        self.scribbles_changed();
     }
 
     /// Gives them a step from their colours or, where they shade, from those under their first points without them.
@@ -118,7 +118,7 @@ impl Session {
                 }
             });
         }
-        self.things_changed();
+        self.scribbles_changed();
     }
 
     /// That of the first of the selected scribbles that shades, or of the next scribble.
@@ -152,7 +152,7 @@ impl Session {
                 self.change_scribble(i, |scribble| scribble.width_du = after_du);
             }
         }
-        self.things_changed();
+        self.scribbles_changed();
     }
 
     fn reorder(&mut self, is_forward: bool) {
@@ -171,7 +171,7 @@ impl Session {
             }
         }
         self.sheet.editor.commit();
-        self.things_changed();
+        self.scribbles_changed();
         self.tell_edited(match (self.sheet.editor.revision() != before, is_forward) {
             (true, true) => Edit::Forward,
             (true, false) => Edit::Backward,
@@ -209,7 +209,7 @@ impl Session {
         }
         let erased = self.sheet.editor.erase_scribbles(&scribbles);
         self.sheet.editor.commit();
-        self.things_changed();
+        self.scribbles_changed();
         self.tell(if erased > 0 {
             Effect::ScribblesErased { erased, count: self.document().scribbles.len() }
         } else {
@@ -234,7 +234,7 @@ impl Session {
             self.sheet.editor.replace_curve(i, curve);
         }
         self.sheet.editor.commit();
-        self.things_changed();
+        self.scribbles_changed();
         self.tell_edited(if opacity == 0 { Edit::Hidden } else { Edit::Shown });
     }
 

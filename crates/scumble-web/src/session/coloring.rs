@@ -66,9 +66,10 @@ impl Session {
 
     fn refresh_boundary(&mut self) {
         self.refresh_map();
-        if take(&mut self.stale.boundary) {
-            let Document { scribbles, color_points, settings, .. } = self.sheet.editor.document();
-            self.boundary = self.sheet.picture.color(scribbles, color_points, settings);
+        if !self.lacks_map() && take(&mut self.stale.boundary) {
+            let settings = self.settings_shown();
+            let Document { scribbles, color_points, .. } = self.sheet.editor.document();
+            self.boundary = self.sheet.picture.color(scribbles, color_points, &settings);
             self.was_at_once = false;
         }
     }

@@ -244,7 +244,7 @@ impl Session {
         let count = self.document().scribbles.len();
         if has_rubbed {
             self.tell(Effect::ScribblesRubbed { count });
-        } else if erased > 0 {
+        } else {
             self.tell(Effect::ScribblesErased { erased, count });
         }
     }

@@ -1,6 +1,6 @@
 //! The lines and scribbles over the colours, and the desk around the page.
 
-use std::mem::take;
+use std::mem::{replace, take};
 
 use kurbo::Stroke;
 use scumble_core::{Curve, Drawing, Line, Rgba8, Scribble, Srgb8};
@@ -43,6 +43,8 @@ impl Session {
             (self.stale.lines, self.stale.scribbles) = (true, true);
         }
         self.refresh_map();
+        let lines = self.sheet.editor.lines_revision();
+        self.stale.lines |= replace(&mut self.inked, lines) != lines;
         if take(&mut self.stale.lines) {
             self.draw_ink();
         }

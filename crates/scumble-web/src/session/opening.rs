@@ -1,8 +1,9 @@
 //! A drawing on its way: made ready step by step, so that the page can show that it takes long, and stop it.
 
-use scumble_core::{Document, MapError, Work, exact};
+use scumble_core::{MapError, Work, exact};
 
 use super::Session;
+use super::making::STEPS;
 use super::sheet::Sheet;
 use crate::effect::Effect;
 use crate::solver::{Moment, Source};
@@ -21,26 +22,11 @@ pub(super) struct Coming {
 #[derive(Debug)]
 enum Step {
     Read(Box<Work>),
-    /// So many of [`MAKING`] are done.
+    /// So many of [`STEPS`] are done.
     Mapped(Box<Sheet>, usize),
     /// What it is, or why it is none.
     Ready(Result<Box<Sheet>, MapError>),
 }
-
-/// What is made of a map, each from what is before it: the labels say which gaps are closed in the mesh.
-const MAKING: [fn(&mut Sheet); 3] = [
-    |Sheet { picture, editor, .. }| {
-        let Document { scribbles, settings, .. } = editor.document();
-        picture.label(scribbles, settings);
-    },
-    |sheet| {
-        sheet.picture.mesh();
-    },
-    |sheet| {
-        // What fails is told of when the picture is shown, with the lines.
-        let _ = sheet.picture.update(sheet.editor.document());
-    },
-];
 
 impl Session {
     /// Begins to make work ready to be opened, by its exact bytes, in the place of other work that is on its way.
@@ -66,24 +52,27 @@ impl Session {
     fn after(&self, step: Step) -> Step {
         match step {
             Step::Read(work) => match Sheet::new(self.opened + 1, *work) {
-                Ok(sheet) if self.is_meshed_first(&sheet) => Step::Mapped(Box::new(sheet), 0),
-                sheet => Step::Ready(sheet.map(Box::new)),
+                Ok(sheet) => Step::Mapped(Box::new(sheet), 0),
+                Err(error) => Step::Ready(Err(error)),
             },
-            Step::Mapped(mut sheet, done) => match MAKING.get(done) {
-                Some(make) => {
-                    make(&mut sheet);
-                    Step::Mapped(sheet, done + 1)
-                }
-                None => Step::Ready(Ok(sheet)),
-            },
+            Step::Mapped(mut sheet, done) if done < self.first_step_count(&sheet) => {
+                let Sheet { picture, editor, .. } = &mut *sheet;
+                let document = editor.document();
+                STEPS[done](picture, document, &document.settings);
+                Step::Mapped(sheet, done + 1)
+            }
+            Step::Mapped(sheet, _) => Step::Ready(Ok(sheet)),
             Step::Ready(sheet) => Step::Ready(sheet),
         }
     }
 
-    /// Whether its first picture comes from the mesh solver.
-    fn is_meshed_first(&self, sheet: &Sheet) -> bool {
+    /// How many of [`STEPS`] the first picture of a drawing takes: where the grid solver makes it, the first alone.
+    pub(super) fn first_step_count(&self, sheet: &Sheet) -> usize {
         let pieces = sheet.picture.map().pieces().len();
-        self.solver.source(&Moment { pieces, is_mesh_due: false, ..self.moment() }) != Source::Grid
+        match self.solver.source(&Moment { pieces, is_mesh_due: false, ..self.moment() }) {
+            Source::Grid => 1,
+            _ => STEPS.len(),
+        }
     }
 
     /// Opens work, which may be ready.

@@ -37,6 +37,7 @@ impl Session {
         if scribbles.is_empty() {
             return Vec::new();
         }
+        self.finish_making();
         self.refresh_map();
         self.stale.colors();
         let Document { scribbles: all, color_points, settings, .. } = self.sheet.editor.document();

@@ -39,6 +39,7 @@ impl Session {
     pub(super) fn begin_selecting(&mut self, points: &[Point], adds: bool) {
         let Some(&from) = points.first() else { return };
         self.sheet.editor.commit();
+        self.finish_making();
         self.refresh_map();
         let before = self.selection.clone();
         let hold = self.hold_at(from, adds);
@@ -118,7 +119,7 @@ impl Session {
     pub(super) fn drop_grip(&mut self, grip: Grip) {
         self.sheet.editor.abort();
         self.select(grip.before);
-        self.things_changed();
+        self.scribbles_changed();
     }
 
     pub(super) fn choose(&mut self, selecting: Selecting) {

@@ -53,8 +53,18 @@ impl Sheet {
         self.mapped != self.editor.lines_revision()
     }
 
+    /// Whether the picture serves the document as it is.
+    pub(super) fn is_suited(&self) -> bool {
+        !self.has_stale_map() && self.picture.suits(&self.editor.document().settings)
+    }
+
+    /// Another picture, for a revision of the lines.
+    pub(super) fn take_picture(&mut self, picture: Picture, lines: u32) {
+        (self.picture, self.mapped) = (picture, lines);
+    }
+
     pub(super) fn map_key(&self) -> MapKey {
-        (self.number, self.mapped, self.editor.document().settings.gap_closing)
+        (self.number, self.mapped, self.picture.settings().gap_closing)
     }
 
     pub(super) fn state(&self) -> SheetState {
@@ -125,7 +135,7 @@ impl Session {
     }
 
     fn show(&mut self, sheet: Sheet) -> Sheet {
-        self.held = None;
+        (self.held, self.making) = (None, None);
         self.select(Selection::default());
         self.viewport.show_page(sheet.editor.document().drawing.frame());
         self.stale = Stale::ALL;
@@ -133,31 +143,36 @@ impl Session {
     }
 
     /// Makes the picture anew where the lines are other ones; where that takes too long for a frame, once they have come to
-    /// rest. What makes too much of them is taken back.
+    /// rest, step by step.
     pub(super) fn refresh_map(&mut self) {
         let is_live = self.moment().is_live(self.solver);
-        let Sheet { editor, picture, mapped, .. } = &mut self.sheet;
-        let is_slow = editor.is_changing() && !is_live;
-        if *mapped == editor.lines_revision() || is_slow {
+        let is_slow = self.sheet.editor.is_changing() && !is_live;
+        if !self.sheet.has_stale_map() || is_slow || self.lacks_map() {
             return;
         }
-        *mapped = editor.lines_revision();
+        let Sheet { editor, .. } = &self.sheet;
         match Picture::new(&editor.document().drawing) {
-            Ok(of_these) => *picture = of_these,
-            Err(error) => {
-                editor.undo();
-                self.held = None;
-                self.tell(Effect::Failed(error.to_string()));
-            }
+            Ok(picture) => self.sheet.take_picture(picture, editor.lines_revision()),
+            Err(error) => self.take_back_lines(&error),
         }
         self.scribbles_changed();
         self.stale.lines = true;
     }
 
+    /// Takes back what makes too much of the lines.
+    pub(super) fn take_back_lines(&mut self, error: &MapError) {
+        let Sheet { editor, mapped, .. } = &mut self.sheet;
+        *mapped = editor.lines_revision();
+        editor.undo();
+        self.held = None;
+        self.scribbles_changed();
+        self.tell(Effect::Failed(error.to_string()));
+    }
+
     pub(super) fn undo(&mut self) {
         self.held = None;
         if self.sheet.editor.undo() {
-            self.things_changed();
+            self.scribbles_changed();
             self.forget_missing();
         } else if let Some(sheet) = self.shelf.under.pop() {
             let over = self.show(sheet);
@@ -172,7 +187,7 @@ impl Session {
     pub(super) fn go_to(&mut self, place: usize) {
         self.held = None;
         if self.sheet.editor.go_to(place) {
-            self.things_changed();
+            self.scribbles_changed();
             self.forget_missing();
         }
     }
@@ -186,7 +201,7 @@ impl Session {
             let under = self.show(sheet);
             self.shelf.under.push(under);
         } else if self.sheet.editor.redo() {
-            self.things_changed();
+            self.scribbles_changed();
             self.forget_missing();
         } else {
             return;
