@@ -86,7 +86,7 @@ impl Page {
     /// Whether the page was told last that a picture is on its way, if it was told anything of that.
     fn told(&mut self) -> Option<bool> {
         let told = |effect| if let Effect::Making(making) = effect { Some(making) } else { None };
-        self.session.take_effects().into_iter().filter_map(told).last()
+        self.session.take_effects().into_iter().filter_map(told).next_back()
     }
 
     fn set_spread(&mut self, spread: bool) {
