@@ -33,7 +33,7 @@ impl Elements {
     }
 
     /// Factors the system if that is not done yet.
-    pub(super) fn factor(&mut self, mesh: &Triangulation, memory: &mut Vec<f64>) -> Result<(), SolveError> {
+    pub(super) fn factor(&mut self, mesh: &Triangulation, memory: &mut Vec<f32>) -> Result<(), SolveError> {
         let Some((_, system)) = &mut self.system else { return Ok(()) };
         system.factor(&matrices(mesh, &self.dofs), memory)
     }
