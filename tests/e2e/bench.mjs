@@ -2,7 +2,7 @@
  * What `cargo xtask bench --web` prints: the tables of `scumble bench`, compiled to wasm, in Chromium; how long the page
  * takes to come up; and, for the drawings of a set, how long the pen waits in it.
  *
- *     node tests/e2e/bench.mjs PROGRAM.wasm SET|--made
+ *     node tests/e2e/bench.mjs PROGRAM.wasm SET|--made|--memory
  */
 import { mkdtemp, readFile, readdir, rm, symlink, writeFile } from "node:fs/promises";
 import { tmpdir } from "node:os";
@@ -78,9 +78,10 @@ async function treeOf(folder, at) {
 /**
  * The tables of `scumble bench`.
  * @param {string} program
+ * @param {string} what of them
  * @param {string | undefined} set
  */
-async function tables(program, set) {
+async function tables(program, what, set) {
   const folder = await mkdtemp(join(tmpdir(), "scumble-"));
   const links = [["program.wasm", program], ["wasi", WASI], ...(set ? [["set", set]] : [])];
   await Promise.all(links.map(([name, target]) => symlink(target, join(folder, name))));
@@ -90,7 +91,7 @@ async function tables(program, set) {
   try {
     const tab = await browser.open();
     await tab.goto(url);
-    const args = ["bench", set ? "set" : "--made"];
+    const args = ["bench", set ? "set" : what];
     const tree = set ? { set: await treeOf(set, "set") } : {};
     return await tab.evaluate(`(${runInPage})(${JSON.stringify(args)}, ${JSON.stringify(tree)})`);
   } finally {
@@ -233,7 +234,7 @@ async function printPen(set) {
 }
 
 const [program, what] = process.argv.slice(2);
-const set = what === "--made" ? undefined : resolve(what);
-console.log(await tables(resolve(program), set));
-await printStart();
+const set = what.startsWith("--") ? undefined : resolve(what);
+console.log(await tables(resolve(program), what, set));
+if (what !== "--memory") await printStart();
 if (set) await printPen(set);

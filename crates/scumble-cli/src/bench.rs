@@ -1,9 +1,11 @@
 //! `scumble bench`: how long each stage takes on the drawings of a quality set, and labelling by each engine, on one
-//! thread; or how labels and pictures grow on made drawings, or how long a frame takes while a curve is moved.
+//! thread; or how labels and pictures grow on made drawings, or how long a frame
+//! takes while a curve is moved, or how much memory pictures take.
 
 mod drag;
 mod growth;
 mod labels;
+mod memory;
 mod passes;
 mod pictures;
 mod shades;
@@ -23,6 +25,7 @@ use shades::{ShadeTimes, WIDTHS_DU};
 
 pub(crate) use drag::run as run_drag;
 pub(crate) use growth::run as run_made;
+pub(crate) use memory::run as run_memory;
 pub(crate) use passes::run as run_passes;
 
 /// Size of the pictures.

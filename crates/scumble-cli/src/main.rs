@@ -104,6 +104,9 @@ scumble compare SETDIR [--every 1] [--half] [--referee]
 scumble bench --made
     times labelling on made drawings of about 1,000 to 100,000 pieces
 
+scumble bench --memory
+    how much memory pictures of made drawings of 1,000 to 300,000 pieces take
+
 scumble bench --drag
     times the frames while the end of a curve is moved in a made drawing of 5,000 pieces, on the graphics card
 
@@ -143,6 +146,7 @@ fn run() -> anyhow::Result<ExitCode> {
         Command::Corpus { folder, take } => return corpus::run(&folder, take),
         Command::Bench { set } => bench::run(&set)?,
         Command::BenchMade => bench::run_made()?,
+        Command::BenchMemory => bench::run_memory()?,
         Command::BenchDrag => bench::run_drag()?,
         Command::BenchPasses => bench::run_passes()?,
         Command::Compare { set, every, options } => compare::run(&set, every, options)?,

@@ -23,6 +23,7 @@ pub(crate) enum Command {
     Corpus { folder: PathBuf, take: Option<usize> },
     Bench { set: PathBuf },
     BenchMade,
+    BenchMemory,
     BenchDrag,
     BenchPasses,
     Compare { set: PathBuf, every: usize, options: CompareOptions },
@@ -134,6 +135,7 @@ pub(crate) fn parse(mut arguments: Arguments) -> anyhow::Result<Command> {
         Some("bench") if arguments.contains("--drag") => rest(arguments, []).map(|[]| Command::BenchDrag),
         Some("bench") if arguments.contains("--passes") => rest(arguments, []).map(|[]| Command::BenchPasses),
         Some("bench") if arguments.contains("--made") => rest(arguments, []).map(|[]| Command::BenchMade),
+        Some("bench") if arguments.contains("--memory") => rest(arguments, []).map(|[]| Command::BenchMemory),
         Some("bench") => {
             let [set] = rest(arguments, ["SETDIR"])?;
             Ok(Command::Bench { set: set.into() })

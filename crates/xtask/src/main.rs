@@ -23,7 +23,7 @@ cargo xtask picture       make docs/editor.png, the picture of the editor, anew
 cargo xtask golden        take the golden pictures of the page, tests/e2e/golden/, anew
 cargo xtask corpus [N]    take OpenMoji's black drawings, all or N of them, through the whole chain
 cargo xtask bench [ARGS]  time each stage of the chain: scumble bench, in release form
-cargo xtask bench --web SET|--made
+cargo xtask bench --web SET|--made|--memory
                           the same in Chromium, how long the page takes to come up, and how long the pen waits in it";
 
 fn main() -> ExitCode {
