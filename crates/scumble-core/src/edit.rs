@@ -94,8 +94,9 @@ struct Step {
 }
 
 impl Editor {
-    /// Opens a document, with nothing to undo.
+    /// Opens a document, with nothing to undo. Here as in all gestures, numbers become those that files hold.
     pub fn new(document: Document) -> Self {
+        let document = document.kept();
         Self {
             ids: Ids::of(&document),
             document,
@@ -149,7 +150,7 @@ impl Editor {
         self.in_hand = Some(Gesture::Scribble);
         let id = self.ids.fresh();
         self.ids.scribbles.push(id);
-        self.document.scribbles.push(scribble);
+        self.document.scribbles.push(scribble.kept());
     }
 
     /// Gives the scribble in hand another way, through points in du, and a kind, as a pen does by how hard it presses.
@@ -159,7 +160,7 @@ impl Editor {
         if let (true, true, Some(scribble)) =
             (is_way, self.is_scribbling(), self.document.scribbles.last_mut())
         {
-            (scribble.points, scribble.kind) = (points, kind);
+            *scribble = Scribble { points, kind, ..*scribble }.kept();
         }
     }
 
@@ -296,7 +297,7 @@ impl Editor {
     pub fn insert_scribble(&mut self, index: usize, scribble: Scribble) {
         self.commit_scribble();
         let id = self.ids.fresh();
-        let index = index.min(self.document.scribbles.len());
+        let (index, scribble) = (index.min(self.document.scribbles.len()), scribble.kept());
         self.change(Deed::of_scribble(&scribble), Change::InsertScribble(index, id, scribble));
     }
 
@@ -304,6 +305,7 @@ impl Editor {
     /// index, or it is the same.
     pub fn replace_scribble(&mut self, index: usize, scribble: Scribble) {
         self.commit_scribble();
+        let scribble = scribble.kept();
         if self.document.scribbles.get(index).is_some_and(|before| *before != scribble) {
             self.change(Deed::Moved, Change::ReplaceScribble(index, scribble));
         }
@@ -313,6 +315,7 @@ impl Editor {
     /// are along it.
     pub fn replace_curve(&mut self, index: usize, curve: Curve) {
         self.commit_scribble();
+        let curve = curve.kept();
         if self.document.drawing.curves.get(index).is_some_and(|before| *before != curve) {
             self.change(Deed::Moved, Change::ReplaceCurve(index, curve));
         }

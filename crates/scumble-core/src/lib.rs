@@ -28,6 +28,7 @@
 //! | colours along the sides of curves | [`color_points`] |
 //! | what is kept of somebody's work | [`work`] |
 //! | … as bytes that lose nothing | [`exact`] |
+//! | numbers as files hold them | `kept` |
 //! | sorting, small maps and disjoint sets, with little code | [`sort`], `small_map`, `sets` |
 
 mod clearance;
@@ -42,6 +43,7 @@ pub mod exact;
 mod gaps;
 pub mod global;
 mod grading;
+mod kept;
 pub mod measured_path;
 pub mod palette;
 pub mod planar_map;

@@ -109,7 +109,7 @@ pub fn read_scribbles(json: &[u8], drawing: &Drawing) -> Result<ReadScribbles, S
     if scribbles.iter().map(length_du).sum::<f64>() > f64::from(MAX_PAGES) * LONGER_SIDE_DU {
         return Err(ScribblesError::TooLong { limit_pages: MAX_PAGES });
     }
-    Ok(ReadScribbles { scribbles, notes: reader.notes })
+    Ok(ReadScribbles { scribbles: scribbles.into_iter().map(Scribble::kept).collect(), notes: reader.notes })
 }
 
 fn length_du(scribble: &Scribble) -> f64 {

@@ -145,7 +145,7 @@ impl Importer {
         if drawing.curves.is_empty() {
             Err(ImportError::NoCurves(notes))
         } else {
-            Ok(Import { drawing, notes })
+            Ok(Import { drawing: drawing.kept(), notes })
         }
     }
 }

@@ -4,8 +4,9 @@ mod page;
 
 use kurbo::{Point, Rect, Vec2};
 use scumble_core::{Blend, ColorPoint, EngineKind, Paint, Settings, Srgb8, Swatch, Tracing, exact};
-use scumble_web::brush::Ink;
-use scumble_web::command::{Command, Phase, Setting, Tool, ViewChange};
+use scumble_io::{read_file, write_file};
+use scumble_web::brush::{Ink, ModeChange};
+use scumble_web::command::{Command, Phase, Selecting, Setting, Tool, ViewChange};
 use scumble_web::effect::{Effect, SheetState, TracingState};
 use scumble_web::painting::{Changed, PAPER};
 
@@ -274,6 +275,22 @@ fn lines_and_scribbles_can_be_hidden() {
     page.session.command(Command::Scribbles(true));
     assert_eq!(page.color_at(ON_THE_LINE), Srgb8([0; 3]));
     assert_eq!(at_scribbles(&mut page), [RED, BLUE]);
+}
+
+#[test]
+fn a_file_holds_every_number_of_the_work() {
+    let odd = br#"<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 333 777">
+        <path d="M31.4159 27.1828C99 17.7 123.456 77 300.1 66.6V570.7H30.3Z" fill="none" stroke="black" stroke-width="1.7"/></svg>"#;
+    let mut page = Page::open(odd);
+    page.view(ViewChange::Fit);
+    page.stroke(RED, &[(100.123, 200.456), (180.7, 260.9), (222.2, 333.3)]);
+    page.session.command(Command::Mode(ModeChange::OtherKind));
+    page.stroke(BLUE, &[(120.3, 400.4), (140.7, 460.1)]);
+    page.session.command(Command::Select(Selecting::All));
+    page.session.command(Command::Arrow(Vec2::new(0.7, 0.3), false));
+    let work = page.session.work();
+    let file = write_file(&exact::read(&work).expect("its own bytes")).expect("a file");
+    assert_eq!(exact::write(&read_file(&file).expect("its own file")), work);
 }
 
 #[test]
@@ -649,7 +666,7 @@ fn an_eraser_that_touches_nothing_or_is_dropped_leaves_all_as_it_was() {
     page.pen(Phase::Down, (450.0, 350.0));
     page.pen(Phase::Move, (450.0, 500.0));
     page.session.pointer(Phase::Up, &[]);
-    assert_eq!(page.session.take_effects(), []);
+    assert_eq!(page.session.take_effects(), [Effect::ScribblesErased { erased: 0, count: 3 }]);
     page.pen(Phase::Down, (300.0, 350.0));
     assert_eq!(colors(&page), [BLUE, WHITE].map(Paint::Color));
     page.session.pointer(Phase::Cancel, &[]);

@@ -39,7 +39,7 @@ pub(crate) fn import(bytes: &[u8]) -> Result<(Document, CurveNotes), ImportError
     if document.drawing.curves.is_empty() {
         Err(ImportError::NoDiffusionCurves)
     } else {
-        Ok((document, notes))
+        Ok((document.kept(), notes))
     }
 }
 

@@ -29,6 +29,7 @@ pub(super) struct Sheet {
 
 impl Sheet {
     pub(super) fn new(number: u32, mut work: Work) -> Result<Self, MapError> {
+        work.document = work.document.kept();
         let picture = Picture::new(&work.document.drawing)?;
         let blank = Drawing::new(work.document.drawing.page);
         let drawing = replace(&mut work.document.drawing, blank);
