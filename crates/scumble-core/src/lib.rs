@@ -29,8 +29,10 @@
 //! | what is kept of somebody's work | [`work`] |
 //! | … as bytes that lose nothing | [`exact`] |
 //! | numbers as files hold them | `kept` |
+//! | angles that are the same on every machine | `angle` |
 //! | sorting, small maps and disjoint sets, with little code | [`sort`], `small_map`, `sets` |
 
+mod angle;
 mod clearance;
 pub mod color;
 pub mod color_model;
@@ -65,6 +67,7 @@ pub mod triangulation;
 mod visibility;
 pub mod work;
 
+pub use angle::angle_part;
 pub use color::{Blend, BlendColor, ColorError, Paint, Rgba8, Srgb8};
 pub use color_model::ColorModel;
 pub use color_points::{Boundary, ColorPoint, SideColors, boundary};

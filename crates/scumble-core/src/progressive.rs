@@ -32,7 +32,6 @@
 //! A gap of the map is closed where the circuits of a scribble that colours anything go between the rooms that it
 //! parts, unless another such scribble clearly has both rooms within its own: to that one they are one place.
 
-mod angle;
 mod circuit;
 mod costs;
 mod index;

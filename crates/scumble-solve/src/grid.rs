@@ -4,6 +4,7 @@
 //! |---|---|
 //! | all that is given | `constraints` |
 //! | where curves cut the links between pixels | `cut_links`, `wall` |
+//! | corners where the solution is steep without end | `corners` |
 //! | what that makes of the equations of pixels | `equations` |
 //! | the layer that shading scribbles lay over pixels | `covers` |
 //! | the regions of a map among pixels | `regions` |
@@ -25,6 +26,7 @@
 //! Everything is computed texel by texel in `f32`, as it is on the GPU.
 
 mod constraints;
+mod corners;
 mod covers;
 mod curve_cells;
 mod cut_links;

@@ -4,7 +4,7 @@
 //! solver for free-form vector gradients*, 2012). There is one unknown for each sector of a node, one for each
 //! edge inside a region and one for each side of a curve, so no colour leaks from one side to the other. Coloured
 //! sides are fixed; the others, the frame, and closed gaps are no-flux barriers. A region without a coloured side stays
-//! paper.
+//! paper. At tips, and wherever else the solution is singular, elements have other functions.
 //!
 //! Every region is a linear system of its own. Its geometry is looked at when one of its gaps is closed or opened, its
 //! matrix is factored when the set of its coloured sides changes, and a change of colours costs two triangular
@@ -22,6 +22,7 @@ mod limit;
 mod order;
 mod refine;
 mod region;
+mod singular;
 mod stroke;
 mod substitution;
 mod system;

@@ -22,9 +22,10 @@ const JESCHKE_STEPS: usize = 8;
 pub(super) fn paint(opened: &Opened, boundary: &Boundary, options: &ColorOptions) -> anyhow::Result<Pixmap> {
     let (drawing, look) = (&opened.document.drawing, &options.look);
     let view = stages::page_view(drawing, look.size_px);
-    let constraints = Constraints::new(opened.picture.map(), boundary, &view)?;
+    let map = opened.picture.map();
+    let constraints = Constraints::new(map, boundary, &view)?.fitted(map, boundary, &view);
     let pixels = solve(&constraints, options.solver)?;
-    let picture = GridPicture::new(opened.picture.map(), &view, options.settings.blend, pixels);
+    let picture = GridPicture::new(map, &view, options.settings.blend, pixels);
     let shapes = render::shapes(drawing, &opened.picture, look);
     Ok(paint_grid(&picture, &shapes, &view, (!look.transparent).then_some(PAPER)))
 }

@@ -29,7 +29,7 @@ pub(super) fn changes(
 }
 
 /// The colours of the halves of sides: those of both halves of a piece follow one another.
-fn halved(sides: &SideColors) -> SideColors {
+pub(super) fn halved(sides: &SideColors) -> SideColors {
     let halves = |both: &[Option<[BlendColor; 3]>]| {
         let [left, right] = [both[0], both[1]].map(|side| side.map(halves));
         [

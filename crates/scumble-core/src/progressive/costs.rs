@@ -2,11 +2,11 @@
 
 use kurbo::{Point, Vec2};
 
-use super::angle::angle_part;
 use super::outline::Outline;
 use super::survey::Part;
 use super::view::{Glimpse, JumpKind, Sample, View};
 use super::{CUT, ETA, MU, SKIP};
+use crate::angle::angle_part;
 use crate::planar_map::PlanarMap;
 use crate::sort;
 

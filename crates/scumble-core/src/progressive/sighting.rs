@@ -2,8 +2,8 @@
 
 use kurbo::Point;
 
-use super::angle::angle_part;
 use super::view::Glimpse;
+use crate::angle::angle_part;
 use crate::stroke::SAMPLE_SPACING_DU;
 use crate::triangulation::SideId;
 

@@ -6,6 +6,7 @@
 
 use std::iter;
 
+use kurbo::Vec2;
 use scumble_core::{HalfEdge, SideId, Triangulation, sort};
 
 use super::order::{corner_rank, elimination_rank, kept_corner_rank};
@@ -22,6 +23,8 @@ pub(super) struct Dofs {
     pub(super) unknowns: Unknowns,
     /// The sides of curves that bound the region.
     pub(super) sides: Vec<Side>,
+    /// The sectors between two walls.
+    pub(super) corners: Vec<Corner>,
     /// The gaps that it has a part in, open or closed, in ascending order.
     pub(super) gaps: Vec<u32>,
 }
@@ -44,6 +47,15 @@ pub(super) struct Side {
     pub(super) dofs: [u32; 3],
 }
 
+/// A sector of a node that walls bound: sides of curves, the frame, or closed gaps.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Corner {
+    /// Its unknown.
+    pub(super) dof: u32,
+    /// Where these walls lead from the node; from the first to the second it is a turn to the left.
+    pub(super) ways: [Vec2; 2],
+}
+
 /// Numbers the unknowns of all regions of a set of triangles, which is made of whole regions and ascends.
 pub(super) fn number(barriers: Barriers<'_>, triangles: &[u32]) -> Vec<Dofs> {
     let mesh = barriers.mesh;
@@ -58,6 +70,7 @@ impl Dofs {
         let rank = self.unknowns.order_by(&kept_corner_rank(self, mesh_ranks));
         let of_sides = self.sides.iter_mut().flat_map(|side| &mut side.dofs);
         of_sides.for_each(|dof| *dof = rank[*dof as usize]);
+        self.corners.iter_mut().for_each(|corner| corner.dof = rank[corner.dof as usize]);
     }
 }
 
@@ -109,6 +122,7 @@ impl Numbers<'_> {
         Dofs {
             unknowns: Unknowns { of_element, group_ends: Vec::new(), count: self.next as usize },
             sides: self.sides(&triangles),
+            corners: self.corners(&triangles),
             gaps: gaps(self.barriers.mesh, &triangles),
             triangles,
         }
@@ -139,6 +153,20 @@ impl Numbers<'_> {
         sides
             .map(|(id, h)| Side { id, dofs: [*self.corner(h), *self.middle(h), *self.corner(h.next())] })
             .collect()
+    }
+
+    fn corners(&mut self, triangles: &[u32]) -> Vec<Corner> {
+        let walls: Vec<_> = half_edges(triangles).filter(|&h| self.barriers.passage(h).is_none()).collect();
+        let mut ends = vec![None; self.next as usize];
+        for &h in &walls {
+            let [from, to] = self.barriers.mesh.segment(h);
+            ends[*self.corner(h.next()) as usize] = Some(from - to);
+        }
+        let corner = |h: HalfEdge| {
+            let ([from, to], dof) = (self.barriers.mesh.segment(h), *self.corner(h));
+            ends[dof as usize].map(|last| Corner { dof, ways: [to - from, last] })
+        };
+        walls.into_iter().filter_map(corner).collect()
     }
 
     fn corner(&mut self, h: HalfEdge) -> &mut u32 {

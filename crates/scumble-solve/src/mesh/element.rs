@@ -10,7 +10,7 @@ use crate::quadratic;
 
 /// Twice the area of a triangle is taken to be at least this times the square of its longest edge, so that
 /// triangles without area neither overflow nor drown the others in rounding.
-const LEAST_FLATNESS: f64 = 1e-6;
+pub(super) const LEAST_FLATNESS: f64 = 1e-6;
 
 /// Half the cotangents of the angles opposite edges 01, 12, 20.
 fn weights(corners: [Point; 3]) -> [f64; 3] {

@@ -5,49 +5,67 @@ use scumble_core::Triangulation;
 use super::SolveError;
 use super::dofs::Dofs;
 use super::element::{self, Matrix};
+use super::singular::{self, Powers};
 use super::system::System;
 
 /// Elements, and their system once one is needed.
 #[derive(Debug)]
 pub(super) struct Elements {
     pub(super) dofs: Dofs,
-    /// The last system, and which sides were coloured then.
-    system: Option<(Vec<bool>, System)>,
+    analysis: Option<Analysis>,
+}
+
+/// What there is for one set of coloured sides.
+#[derive(Debug)]
+struct Analysis {
+    is_colored: Vec<bool>,
+    powers: Powers,
+    system: System,
 }
 
 impl Elements {
     pub(super) fn new(dofs: Dofs) -> Self {
-        Self { dofs, system: None }
+        Self { dofs, analysis: None }
     }
 
     /// Sets the system up if the coloured sides are others than those of the last one.
     pub(super) fn analyse(&mut self, mesh: &Triangulation, is_colored: &[bool]) {
-        if self.system.as_ref().is_none_or(|(sides, _)| sides != is_colored) {
-            self.system = Some((is_colored.to_vec(), self.new_system(mesh, is_colored)));
+        if self.analysis.as_ref().is_none_or(|last| last.is_colored != is_colored) {
+            self.analysis = Some(Analysis::new(mesh, &self.dofs, is_colored));
         }
     }
 
     /// The system as of the last analysis.
     pub(super) fn system(&self) -> Option<&System> {
-        self.system.as_ref().map(|(_, system)| system)
+        self.analysis.as_ref().map(|analysis| &analysis.system)
     }
 
     /// Factors the system if that is not done yet.
     pub(super) fn factor(&mut self, mesh: &Triangulation, memory: &mut Vec<f32>) -> Result<(), SolveError> {
-        let Some((_, system)) = &mut self.system else { return Ok(()) };
-        system.factor(&matrices(mesh, &self.dofs), memory)
+        let Some(Analysis { powers, system, .. }) = &mut self.analysis else { return Ok(()) };
+        system.factor(&matrices(mesh, &self.dofs, powers), memory)
     }
+}
 
-    fn new_system(&self, mesh: &Triangulation, is_colored: &[bool]) -> System {
-        let mut fixed = vec![false; self.dofs.unknowns.count];
-        for (side, _) in self.dofs.sides.iter().zip(is_colored).filter(|(_, is_colored)| **is_colored) {
+impl Analysis {
+    fn new(mesh: &Triangulation, dofs: &Dofs, is_colored: &[bool]) -> Self {
+        let mut fixed = vec![false; dofs.unknowns.count];
+        for (side, _) in dofs.sides.iter().zip(is_colored).filter(|(_, is_colored)| **is_colored) {
             side.dofs.iter().for_each(|&dof| fixed[dof as usize] = true);
         }
-        System::new(&self.dofs.unknowns, &matrices(mesh, &self.dofs), &fixed)
+        let powers = Powers::new(dofs, is_colored);
+        let system = System::new(&dofs.unknowns, &matrices(mesh, dofs, &powers), &fixed);
+        Self { is_colored: is_colored.to_vec(), powers, system }
     }
 }
 
 /// What each element adds to the matrix.
-fn matrices(mesh: &Triangulation, dofs: &Dofs) -> impl Fn(usize) -> Matrix {
-    |i| element::stiffness(mesh.corners(dofs.triangles[i] as usize))
+fn matrices(mesh: &Triangulation, dofs: &Dofs, powers: &Powers) -> impl Fn(usize) -> Matrix {
+    |i| {
+        let corners = mesh.corners(dofs.triangles[i] as usize);
+        match powers.of(&dofs.unknowns.of_element[i]) {
+            Some((k, power)) => singular::stiffness(corners, k, power),
+            None => element::stiffness(corners),
+        }
+    }
 }

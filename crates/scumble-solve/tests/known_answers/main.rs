@@ -143,7 +143,7 @@ fn wedge(angle: f64, check: impl Fn(&Problem<'_>)) {
 
 #[test]
 fn wedge_is_a_power_of_the_radius() {
-    for (angle, levels) in [(FRAC_PI_2, 0.05), (2.0 * FRAC_PI_2 / 1.5, 0.1), (1.5 * PI, 1.5)] {
+    for (angle, levels) in [(FRAC_PI_2, 0.05), (2.0 * FRAC_PI_2 / 1.5, 0.1), (1.5 * PI, 0.4)] {
         wedge(angle, |problem| assert_level(problem.largest_error(DEFAULT_DU), levels));
     }
 }
@@ -153,7 +153,8 @@ fn angle_beside(p: Point, beside: Point) -> f64 {
     polar(p).1.abs().copysign(if p.y == CENTRE.y { beside.y - CENTRE.y } else { p.y - CENTRE.y })
 }
 
-/// A disk cut from its centre to the left. The slope at the tip of the cut is infinite: the error falls slowly.
+/// A disk cut from its centre to the left. The slope at the tip of the cut is infinite: between the nodes of the triangles there the
+/// error falls slowly.
 fn slit(exact: impl Fn(f64, f64) -> f64, is_colored: impl Fn(f64) -> bool, check: impl Fn(&Problem<'_>)) {
     let radius = 400.0;
     let exact = |p: Point, beside: Point| exact((polar(p).0 / radius).sqrt(), angle_beside(p, beside));
@@ -187,17 +188,17 @@ fn half_coloured_slit(check: impl Fn(&Problem<'_>)) {
 
 #[test]
 fn tip_of_a_coloured_slit_is_the_real_part_of_a_root() {
-    coloured_slit(|problem| assert_levels_at_tip(problem, CENTRE, 8.0, 1.0));
+    coloured_slit(|problem| assert_levels_at_tip(problem, CENTRE, 2.5, 0.1));
 }
 
 #[test]
 fn tip_of_a_barrier_is_the_imaginary_part_of_a_root() {
-    barrier_slit(|problem| assert_levels_at_tip(problem, CENTRE, 4.0, 0.5));
+    barrier_slit(|problem| assert_levels_at_tip(problem, CENTRE, 1.0, 0.05));
 }
 
 #[test]
 fn tip_of_a_slit_with_one_coloured_side_is_the_imaginary_part_of_a_fourth_root() {
-    half_coloured_slit(|problem| assert_levels_at_tip(problem, CENTRE, 36.0, 8.5));
+    half_coloured_slit(|problem| assert_levels_at_tip(problem, CENTRE, 15.0, 0.5));
 }
 
 /// Flow along a wall, over a barrier of height h that stands on it: the real part of √(z² + h²).
@@ -224,7 +225,7 @@ fn half_plane_with_a_barrier(check: impl Fn(&Problem<'_>, Point)) {
 
 #[test]
 fn half_plane_with_a_barrier_is_a_root() {
-    half_plane_with_a_barrier(|problem, tip| assert_levels_at_tip(problem, tip, 2.0, 0.25));
+    half_plane_with_a_barrier(|problem, tip| assert_levels_at_tip(problem, tip, 0.5, 0.03));
 }
 
 /// The colours of a diagonal's sides at a place: its lower left and its upper right one.

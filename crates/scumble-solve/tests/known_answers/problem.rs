@@ -83,8 +83,9 @@ impl Problem<'_> {
         let map = self.map(GRID_DU);
         let px_from_du = Affine::scale(f64::from(size_px) / PAGE_DU);
         let view = View { px_from_du, width_px: size_px, height_px: size_px };
-        let mut solver =
-            GridSolver::new(&Constraints::new(&map, &self.boundary(&map), &view).expect("solved"));
+        let boundary = self.boundary(&map);
+        let constraints = Constraints::new(&map, &boundary, &view).expect("solved");
+        let mut solver = GridSolver::new(&constraints.fitted(&map, &boundary, &view));
         solver.solve(1e-5);
         let center = |i: u32| Point::new(f64::from(i % size_px) + 0.5, f64::from(i / size_px) + 0.5);
         let pixels = (0..).zip(solver.pixels()).filter(|(_, pixel)| pixel[3] > 0.5);
@@ -93,10 +94,15 @@ impl Problem<'_> {
 
     /// The largest error of the grid solver at places.
     pub(crate) fn largest_grid_error(&self, size_px: u32, place: impl Fn(Point) -> bool) -> f64 {
+        self.grid_errors(size_px, place).into_iter().fold(0.0, f64::max)
+    }
+
+    /// The errors of the grid solver at places.
+    pub(crate) fn grid_errors(&self, size_px: u32, place: impl Fn(Point) -> bool) -> Vec<f64> {
         let pixels = self.solve_grid(size_px);
         assert!(!pixels.is_empty());
         let there = pixels.into_iter().filter(|(p, _)| place(*p));
-        there.map(|(p, value)| 255.0 * (value - (self.exact)(p, p)).abs()).fold(0.0, f64::max)
+        there.map(|(p, value)| 255.0 * (value - (self.exact)(p, p)).abs()).collect()
     }
 }
 

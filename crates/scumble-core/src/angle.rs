@@ -5,7 +5,7 @@ use kurbo::Vec2;
 /// The angle between two vectors as a part of π, in `0..=1`; 0 where one of them is zero.
 ///
 /// Good to 1e-5 (Abramowitz & Stegun 1964, 4.4.47).
-pub(super) fn angle_part(u: Vec2, v: Vec2) -> f64 {
+pub fn angle_part(u: Vec2, v: Vec2) -> f64 {
     let (sin, cos) = (u.cross(v).abs(), u.dot(v));
     let (small, large) = (sin.min(cos.abs()), sin.max(cos.abs()));
     if large == 0.0 {
