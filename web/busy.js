@@ -9,6 +9,12 @@ const PATIENCE_MS = 100;
 /** In this time what has changed is painted, in a page that is seen; one that is not has no frames to wait for. */
 const PAINTED_MS = 32;
 
+/** Who presses where the bar was until so long ago means the bar. */
+const GRACE_MS = 400;
+
+/** Until when that holds, and where. */
+let grace = { until_ms: 0, place: new DOMRect() };
+
 /** What goes on, in words, the latest last. @type {Map<string, string>} */
 const going = new Map();
 
@@ -43,11 +49,25 @@ export function isBusy(what) {
 
 function follow() {
   clearTimeout(timer);
+  if (going.size === 0) return hide();
   words.textContent = [...going.values()].pop() ?? "";
-  if (going.size === 0) bar.hidden = true;
-  else if (bar.hidden) timer = setTimeout(show, PATIENCE_MS);
+  if (bar.hidden) timer = setTimeout(show, PATIENCE_MS);
 }
 
 function show() {
   bar.hidden = false;
 }
+
+function hide() {
+  if (bar.hidden) return;
+  grace = { until_ms: performance.now() + GRACE_MS, place: bar.getBoundingClientRect() };
+  bar.hidden = true;
+}
+
+// A page that is busy hears of a press late: one on Cancel is none on what lies under it.
+window.addEventListener("pointerdown", (event) => {
+  const { left, right, top, bottom } = grace.place;
+  const { timeStamp, clientX, clientY } = event;
+  const isThere = clientX >= left && clientX <= right && clientY >= top && clientY <= bottom;
+  if (isThere && timeStamp < grace.until_ms) event.stopImmediatePropagation();
+}, true);

@@ -108,6 +108,9 @@ impl Session {
 
     /// Goes back to where the picture that is shown is the right one.
     pub(super) fn stop_making(&mut self) {
+        if !self.is_making() {
+            return;
+        }
         while self.lacks_picture() && self.sheet.editor.undo() {}
         (self.held, self.making) = (None, None);
         self.scribbles_changed();
