@@ -41,7 +41,7 @@ impl Elements {
     }
 
     /// Factors the system if that is not done yet.
-    pub(super) fn factor(&mut self, mesh: &Triangulation, memory: &mut Vec<f32>) -> Result<(), SolveError> {
+    pub(super) fn factor(&mut self, mesh: &Triangulation, memory: &mut Vec<f64>) -> Result<(), SolveError> {
         let Some(Analysis { powers, system, .. }) = &mut self.analysis else { return Ok(()) };
         system.factor(&matrices(mesh, &self.dofs, powers), memory)
     }

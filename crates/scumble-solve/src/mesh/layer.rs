@@ -77,7 +77,7 @@ impl Layer {
     }
 
     /// Finds how much the strokes cover that are new, in some memory for a factor.
-    pub(super) fn factor(&mut self, memory: &mut Vec<f32>) -> Result<(), SolveError> {
+    pub(super) fn factor(&mut self, memory: &mut Vec<f64>) -> Result<(), SolveError> {
         self.strokes.iter_mut().try_for_each(|stroke| stroke.solve(memory))
     }
 

@@ -110,7 +110,7 @@ impl Region {
     }
 
     /// Factors the systems that are needed and not factored yet, and takes the memory for it.
-    pub(super) fn factor(&mut self, mesh: &Triangulation, memory: &mut Vec<f32>) -> Result<(), SolveError> {
+    pub(super) fn factor(&mut self, mesh: &Triangulation, memory: &mut Vec<f64>) -> Result<(), SolveError> {
         if self.coloring == Coloring::Blended {
             self.base.factor(mesh, memory)?;
         }
@@ -123,7 +123,7 @@ impl Region {
         if let (true, Coloring::Blended, Some(system)) = (is_new, self.coloring, self.base.system()) {
             let range = range(self.given.iter().flatten().flatten().copied());
             let values = system.solve(self.conditions(), iter::empty()).unwrap_or_default();
-            let value = |&place: &u32| clamped(values[place as usize].map(f64::from), range);
+            let value = |&place: &u32| clamped(values[place as usize], range);
             self.values =
                 if values.is_empty() { Vec::new() } else { system.places().iter().map(value).collect() };
         }

@@ -93,7 +93,7 @@ impl Stroke {
 
     /// Solves what is not solved yet, in some memory for a factor. What fails is there to fail again: a stroke that could not be
     /// solved is never taken for one that covers nothing.
-    pub(super) fn solve(&mut self, memory: &mut Vec<f32>) -> Result<(), SolveError> {
+    pub(super) fn solve(&mut self, memory: &mut Vec<f64>) -> Result<(), SolveError> {
         if let Some(problem) = &mut self.problem {
             problem.factor(&self.corners, memory)?;
         }
@@ -158,20 +158,18 @@ impl Problem {
         Self { system, masses, places, loads }
     }
 
-    fn factor(&mut self, corners: &[[Point; 3]], memory: &mut Vec<f32>) -> Result<(), SolveError> {
+    fn factor(&mut self, corners: &[[Point; 3]], memory: &mut Vec<f64>) -> Result<(), SolveError> {
         let masses = &self.masses;
         self.system.factor(&|i| matrix(corners, masses, i), memory)
     }
 
     /// How much is covered at the unknowns; gives the memory of the factor back. It is factored.
-    fn solve(self, memory: &mut Vec<f32>) -> Vec<f64> {
+    fn solve(self, memory: &mut Vec<f64>) -> Vec<f64> {
         let loads = self.loads.iter().map(|&(dofs, values)| (dofs, values, [1.0, 0.0, 0.0, 0.0]));
         let values = self.system.solve(iter::empty(), loads).unwrap_or_default();
         let places = self.system.places();
         let cover = |&place: &u32| {
-            values
-                .get(places[place as usize] as usize)
-                .map_or(0.0, |value| f64::from(value[0]).clamp(0.0, 1.0))
+            values.get(places[place as usize] as usize).map_or(0.0, |value| value[0].clamp(0.0, 1.0))
         };
         let covers = self.places.iter().map(cover).collect();
         *memory = self.system.into_memory().unwrap_or_default();

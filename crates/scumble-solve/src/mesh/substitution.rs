@@ -5,17 +5,16 @@
 
 use std::array;
 
+use scumble_core::BlendColor;
+
 use super::cholesky::start;
 use super::fronts::{Front, Fronts};
-
-/// What a row has of the four systems that are solved at once.
-pub(super) type Values = [f32; 4];
 
 /// So many columns go together; what is left over goes one by one.
 const BLOCK: usize = 4;
 
 /// Replaces right-hand sides by the solutions; the entries are those of the columns of all fronts.
-pub(super) fn solve(entries: &[f32], fronts: &Fronts, values: &mut [Values]) {
+pub(super) fn solve(entries: &[f64], fronts: &Fronts, values: &mut [BlendColor]) {
     let mut local = Vec::new();
     let mut end = 0;
     for front in &fronts.list {
@@ -34,16 +33,22 @@ pub(super) fn solve(entries: &[f32], fronts: &Fronts, values: &mut [Values]) {
 struct Columns<'a> {
     size: usize,
     pivot_count: usize,
-    entries: &'a [f32],
+    entries: &'a [f64],
 }
 
 impl<'a> Columns<'a> {
-    fn of(front: &Front, entries: &'a [f32]) -> Self {
+    fn of(front: &Front, entries: &'a [f64]) -> Self {
         Self { size: front.size(), pivot_count: front.pivots.len(), entries }
     }
 
     /// Solves for the pivots from the first on, and takes what they add to the boundary from there.
-    fn forwards(self, front: &Front, boundary: &[u32], values: &mut [Values], local: &mut Vec<Values>) {
+    fn forwards(
+        self,
+        front: &Front,
+        boundary: &[u32],
+        values: &mut [BlendColor],
+        local: &mut Vec<BlendColor>,
+    ) {
         let pivots = front.pivots.start as usize..front.pivots.end as usize;
         // Of regions that are coloured at their sides alone, that is half of the factor.
         if values[pivots.clone()].as_flattened().iter().all(|&value| value == 0.0) {
@@ -62,7 +67,13 @@ impl<'a> Columns<'a> {
     }
 
     /// Solves for the pivots from the last on; the values on the boundary are known.
-    fn backwards(self, front: &Front, boundary: &[u32], values: &mut [Values], local: &mut Vec<Values>) {
+    fn backwards(
+        self,
+        front: &Front,
+        boundary: &[u32],
+        values: &mut [BlendColor],
+        local: &mut Vec<BlendColor>,
+    ) {
         let pivots = front.pivots.start as usize..front.pivots.end as usize;
         local.clear();
         local.extend_from_slice(&values[pivots.clone()]);
@@ -81,10 +92,10 @@ impl<'a> Columns<'a> {
 }
 
 /// Successive columns, each from its diagonal on. The values are those of the rows of the first.
-struct Block<'a, const N: usize>([&'a [f32]; N]);
+struct Block<'a, const N: usize>([&'a [f64]; N]);
 
 impl<const N: usize> Block<'_, N> {
-    fn forwards(&self, values: &mut [Values]) {
+    fn forwards(&self, values: &mut [BlendColor]) {
         let Some((own, below)) = values.split_first_chunk_mut::<N>() else { return };
         let mut solved = *own;
         for (k, column) in self.0.iter().enumerate() {
@@ -100,7 +111,7 @@ impl<const N: usize> Block<'_, N> {
         }
     }
 
-    fn backwards(&self, values: &mut [Values]) {
+    fn backwards(&self, values: &mut [BlendColor]) {
         let Some((own, below)) = values.split_first_chunk_mut::<N>() else { return };
         let mut sums = *own;
         let columns = self.below(below.len());
@@ -115,11 +126,11 @@ impl<const N: usize> Block<'_, N> {
     }
 
     /// The columns below the block.
-    fn below(&self, count: usize) -> [&[f32]; N] {
+    fn below(&self, count: usize) -> [&[f64]; N] {
         array::from_fn(|k| &self.0[k][N - k..][..count])
     }
 }
 
-fn minus(sum: Values, factor: f32, value: Values) -> Values {
+fn minus(sum: BlendColor, factor: f64, value: BlendColor) -> BlendColor {
     [0, 1, 2, 3].map(|i| sum[i] - factor * value[i])
 }

@@ -10,7 +10,6 @@ use super::cholesky::Factor;
 use super::dofs::Unknowns;
 use super::element::{self, Matrix};
 use super::fronts::{Fronts, NONE};
-use super::substitution::Values;
 
 /// A system, analysed; and factored once its factor is asked for.
 #[derive(Debug)]
@@ -44,7 +43,7 @@ impl System {
     }
 
     /// The memory of its factor.
-    pub(super) fn into_memory(self) -> Option<Vec<f32>> {
+    pub(super) fn into_memory(self) -> Option<Vec<f64>> {
         self.factor.map(Factor::into_memory)
     }
 
@@ -57,7 +56,7 @@ impl System {
     pub(super) fn factor(
         &mut self,
         matrix: &dyn Fn(usize) -> Matrix,
-        memory: &mut Vec<f32>,
+        memory: &mut Vec<f64>,
     ) -> Result<(), SolveError> {
         if self.factor.is_none() {
             self.factor = Some(Factor::new(&self.fronts, &self.rows, matrix, memory)?);
@@ -77,10 +76,19 @@ impl System {
         &self,
         fixed: impl Iterator<Item = ([u32; 3], &'a [BlendColor; 3])>,
         loads: impl Iterator<Item = ([u32; 6], [f64; 6], BlendColor)>,
-    ) -> Option<Vec<Values>> {
+    ) -> Option<Vec<BlendColor>> {
         let factor = self.factor.as_ref()?;
-        let fixed_values = self.fixed_values(fixed);
-        let mut sums: Vec<_> = self.couplings.sums(&fixed_values).collect();
+        let mut values = vec![[0.0; 4]; self.place_of.len()];
+        let (sums, fixed_values) = values.split_at_mut(self.fronts.row_count());
+        let mut is_known = vec![false; fixed_values.len()];
+        for (dofs, colors) in fixed {
+            for (dof, &value) in dofs.into_iter().zip(colors) {
+                let i = self.place_of[dof as usize] as usize - sums.len();
+                fixed_values[i] = if is_known[i] { mean(fixed_values[i], value) } else { value };
+                is_known[i] = true;
+            }
+        }
+        self.couplings.subtract(fixed_values, sums);
         for (dofs, parts, color) in loads {
             for (dof, part) in dofs.into_iter().zip(parts) {
                 if let Some(sum) = sums.get_mut(self.place_of[dof as usize] as usize) {
@@ -88,26 +96,8 @@ impl System {
                 }
             }
         }
-        let single = |value: &BlendColor| value.map(|value| value as f32);
-        let mut values: Vec<_> = sums.iter().chain(&fixed_values).map(single).collect();
-        factor.solve(&self.fronts, &mut values[..sums.len()]);
+        factor.solve(&self.fronts, sums);
         Some(values)
-    }
-
-    /// The values of the fixed unknowns, in the order of their places.
-    fn fixed_values<'a>(
-        &self,
-        fixed: impl Iterator<Item = ([u32; 3], &'a [BlendColor; 3])>,
-    ) -> Vec<BlendColor> {
-        let row_count = self.fronts.row_count();
-        let mut values = vec![None; self.place_of.len() - row_count];
-        for (dofs, colors) in fixed {
-            for (dof, &color) in dofs.into_iter().zip(colors) {
-                let value = &mut values[self.place_of[dof as usize] as usize - row_count];
-                *value = Some(value.map_or(color, |before| mean(before, color)));
-            }
-        }
-        values.into_iter().map(Option::unwrap_or_default).collect()
     }
 }
 
@@ -171,15 +161,12 @@ impl Couplings {
         Self { starts, list }
     }
 
-    /// What the fixed unknowns add to the right-hand side, row by row.
-    fn sums(&self, fixed_values: &[BlendColor]) -> impl Iterator<Item = BlendColor> {
-        self.starts.windows(2).map(|ends| {
-            let mut sum = [0.0; 4];
+    fn subtract(&self, fixed_values: &[BlendColor], sums: &mut [BlendColor]) {
+        for (sum, ends) in sums.iter_mut().zip(self.starts.windows(2)) {
             for &(fixed, entry) in &self.list[ends[0] as usize..ends[1] as usize] {
-                add(&mut sum, -entry, fixed_values[fixed as usize]);
+                add(sum, -entry, fixed_values[fixed as usize]);
             }
-            sum
-        })
+        }
     }
 }
 
