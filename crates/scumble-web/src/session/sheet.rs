@@ -29,11 +29,10 @@ pub(super) struct Sheet {
 
 impl Sheet {
     pub(super) fn new(number: u32, mut work: Work) -> Result<Self, MapError> {
-        work.document = work.document.kept();
-        let picture = Picture::new(&work.document.drawing)?;
         let blank = Drawing::new(work.document.drawing.page);
         let drawing = replace(&mut work.document.drawing, blank);
         let editor = Editor::new(Document { drawing, ..work.document.clone() });
+        let picture = Picture::new(&editor.document().drawing)?;
         Ok(Self { number, kept: work, editor, picture, mapped: 0 })
     }
 
