@@ -99,7 +99,7 @@ scumble bench SETDIR
 scumble compare SETDIR [--every 1] [--half] [--referee]
     how far pictures by the grid solver and by Jeschke's, and those on a mesh of half the width, are from those of the mesh
     solver, on every so many-th drawing of a set, with all colours or with those of half the sides; and how far both solvers
-    are from what finer grids tend to
+    are from the picture on a mesh that is graded towards tips and junctions
 
 scumble bench --made
     times labelling on made drawings of about 1,000 to 100,000 pieces
