@@ -38,6 +38,11 @@ export class Drawings {
     return this.#shown;
   }
 
+  /** Whether it is the page that is there before any is opened. */
+  get isBlank() {
+    return [undefined, this.#shown].includes(this.#all.get(0));
+  }
+
   /** Whether any of them that is still wanted has been changed since it was saved, and is not kept by the browser either. */
   get areAtRisk() {
     return [...this.#all.values()].some((drawing) => isUnsaved(drawing) && !isKept(drawing) && !drawing.isDeleted);
@@ -66,6 +71,17 @@ export class Drawings {
   /** Lets go of what neither undo nor redo comes back to. @param {number} sheet */
   close(sheet) {
     this.#all.get(sheet)?.images.clear();
+  }
+
+  /**
+   * Gives up one that cannot be shown.
+   * @param {number} sheet
+   * @returns {Drawing | undefined}
+   */
+  leave(sheet) {
+    const drawing = this.#all.get(sheet);
+    if (drawing) drawing.isDeleted = true;
+    return drawing;
   }
 
   /**

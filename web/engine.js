@@ -9,12 +9,13 @@
  * @property {(name: string, args?: unknown) => unknown[]} command
  * @property {(work: Uint8Array) => void} prepare
  * @property {() => boolean} prepareOn
+ * @property {() => boolean} makeOn
  * @property {() => unknown[]} frame
  * @property {() => Uint8Array} work
  * @property {() => {steps: string[], place: number}} history
  * @property {(model: string, numbers: Float64Array) => Uint32Array} colors
  * @property {(model: string, rgb: number) => Float64Array} colorNumbers
- * @property {() => {width: number, height: number, rgba: Uint8Array}} thumbnail
+ * @property {() => Export} thumbnail
  * @property {(size_px: number, lines: boolean) => Export} export
  *
  * @typedef {object} Export a picture of the drawing as it was; `free` gives back what it takes
@@ -29,8 +30,8 @@
  * @typedef {"webgpu" | "webgl" | "cpu"} Renderer
  */
 
-/** Work that takes longer than this lets the page go on in between. */
-const SLICE_MS = 30;
+/** Work that takes longer than this lets the page go on in between; it comes in slices that take less. */
+const SLICE_MS = 16;
 
 /** Another build is waited for so long, with nothing painted. */
 const PATIENCE_MS = 8_000;
@@ -52,7 +53,10 @@ export class Engine {
 
   /** @param {Record<string, Handler>} handlers what to do with each effect; `stopped` is called after a fault, with whether a drawing was being made ready */
   constructor(handlers) {
-    const making = (/** @type {boolean} */ isMaking) => handlers.making?.((this.isMaking = isMaking));
+    const making = (/** @type {"" | "picture" | "mesh"} */ wanted) => {
+      this.isMaking = wanted !== "";
+      handlers.making?.(wanted);
+    };
     this.#handlers = { ...handlers, making, lost: (renderer) => this.#recover(renderer) };
     for (const kind of ["error", "unhandledrejection"]) {
       window.addEventListener(kind, (event) => {
@@ -113,15 +117,20 @@ export class Engine {
    */
   async #prepare(work, signal) {
     this.#call((app) => app.prepare(work));
-    let since_ms = performance.now();
-    for (let isMore = true; isMore; ) {
-      isMore = this.#call((app) => app.prepareOn()) === true;
-      if (performance.now() - since_ms < SLICE_MS) continue;
-      // Also after the last step: a click on what stops it may have waited.
+    while (this.#goOn((app) => app.prepareOn())) {
       await new Promise((wake) => setTimeout(wake));
       signal.throwIfAborted();
-      since_ms = performance.now();
     }
+  }
+
+  /**
+   * Goes on with long work for a while, and tells whether there is more of it.
+   * @param {(app: App) => boolean} next its next slice
+   * @param {number} start_ms since when that has been
+   */
+  #goOn(next, start_ms = performance.now()) {
+    while (this.#call(next) === true) if (performance.now() > start_ms + SLICE_MS) return true;
+    return false;
   }
 
   /**
@@ -212,7 +221,9 @@ export class Engine {
     this.#frameAsked = true;
     requestAnimationFrame(() => {
       this.#frameAsked = false;
+      const start_ms = performance.now();
       this.#enter((app) => app.frame());
+      this.#goOn((app) => app.makeOn(), start_ms);
     });
   }
 

@@ -176,9 +176,8 @@ function tell(text) {
  * @param {AbortSignal | undefined} signal
  */
 function painted(picture, transparent, signal) {
-  const { width, height } = picture;
   const start = performance.now();
-  return pngOf({ width, height, rows: (y, count) => picture.rows(y, count, transparent) }, async (share) => {
+  return pngOf(picture, transparent, async (share) => {
     part("export-progress").hidden = performance.now() - start < PATIENCE_MS;
     /** @type {HTMLProgressElement} */ (part("export-share")).value = share;
     // Clicks come in between.

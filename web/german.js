@@ -318,7 +318,7 @@ export const german = {
   "opening": ({ name }) => `${name || "Die Zeichnung"} wird geöffnet …`,
   "progress": "Fortschritt",
   "opening-stopped": "Öffnen abgebrochen; alles ist, wie es war",
-  "making": "Das Bild wird neu gemacht …",
+  "making": "Das Bild wird gemacht …",
   "making-stopped": "Abgebrochen; die Zeichnung ist wie zuvor. „Wiederholen“ macht es noch einmal",
   "opened": ({ name }) => `${name} geöffnet`,
   "opened-first": ({ name }) => `Nur ${name} geöffnet; die anderen Dateien bitte einzeln öffnen`,

@@ -61,7 +61,8 @@ export class Keeper {
    */
   follow(drawing) {
     if (isKept(drawing) && !this.#late.has(drawing)) this.#see(drawing);
-    else if (isWork(drawing)) this.keep(drawing);
+    // What may yet be cancelled is no work.
+    else if (isWork(drawing) && (drawing.revision > 0 || !this.#page.isMaking())) this.keep(drawing);
   }
 
   /**
@@ -92,12 +93,12 @@ export class Keeper {
     if (!this.#page.isMaking()) this.pictureNow();
   }
 
-  /** Makes the picture of the drawing that is shown, as before another is. */
+  /** Makes the picture of the drawing that is shown, as before another is; but where that is still made, it is done without. */
   async pictureNow() {
     clearTimeout(this.#rest);
     const drawing = this.#unpictured;
     this.#unpictured = undefined;
-    if (!drawing) return;
+    if (!drawing || this.#page.isMaking()) return;
     try {
       const picture = await this.#page.picture();
       if (picture && drawing.id) await storage.writePicture(drawing.id, new Uint8Array(await picture.arrayBuffer()));

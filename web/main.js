@@ -95,9 +95,16 @@ const handlers = {
       (values) => doing(key, values),
     ]),
   ),
-  making: (isMaking) => (isMaking ? begin(MAKING, say("making")) : end(MAKING)),
-  "making-stopped": () => tell(say("making-stopped")),
+  making: (wanted) => {
+    // A mesh takes the place of pixels, which look like it.
+    if (wanted === "picture") return begin(MAKING, say("making"));
+    end(MAKING);
+    // Once it is known which drawing is shown now.
+    return queueMicrotask(() => keeper.follow(drawings.shown));
+  },
+  "making-stopped": () => opening.stopped("making-stopped"),
   failed: (values) => warn(say("failed", values)),
+  unopened: ({ sheet, sentence }) => opening.unopened(drawings.leave(sheet), sentence),
   "no-renderer": () => warn(say("error-renderer")),
   stopped: (isPreparing) => {
     warn(say("error-stopped"));
@@ -136,8 +143,16 @@ const keeper = new Keeper({
   isMaking: () => engine.isMaking,
   picture: async () => {
     const picture = engine.thumbnail();
-    const { png } = await import("./png.js");
-    return picture && png(picture.width, picture.height, picture.rgba);
+    if (!picture) return undefined;
+    try {
+      const { pngOf } = await import("./png.js");
+      return await pngOf(picture, false, async () => {
+        // A page that goes away waits for nothing.
+        if (!document.hidden) await new Promise((wake) => setTimeout(wake));
+      });
+    } finally {
+      picture.free();
+    }
   },
   kept: nameShown,
   copied: (copy, before) => {

@@ -310,7 +310,7 @@ export const english = {
   "opening": ({ name }) => `Opening ${name || "the drawing"} …`,
   "progress": "Progress",
   "opening-stopped": "Opening cancelled; everything is as it was",
-  "making": "Making the picture anew …",
+  "making": "Making the picture …",
   "making-stopped": "Cancelled; the drawing is as it was before. Redo does it again",
   "opened": ({ name }) => `Opened ${name}`,
   "opened-first": ({ name }) => `Opened ${name} alone; open the other files one by one`,

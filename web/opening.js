@@ -32,8 +32,6 @@ export class Opening {
   #asked = 0;
   /** Ends what is on its way. */
   #job = new AbortController();
-  /** Whether any drawing has been shown. */
-  #hasShown = false;
 
   /**
    * @param {import("./engine.js").Engine} engine
@@ -93,12 +91,32 @@ export class Opening {
     return isBusy(OPENING);
   }
 
-  /** Stops what is on its way. Where nothing has been there before, a sample is. */
-  async stop() {
+  /** Stops what is on its way. */
+  stop() {
     this.#drop();
     end(OPENING);
-    if (this.#hasShown) tell(say("opening-stopped"));
+    return this.stopped("opening-stopped");
+  }
+
+  /**
+   * What was on its way is not any more. Where nothing has been there before, a sample is.
+   * @param {string} message
+   */
+  async stopped(message) {
+    if (!this.#drawings.isBlank) tell(say(message));
     else if (!(await this.sample(FIRST, false))) tell(say("start"));
+  }
+
+  /**
+   * What was opened turned out to have no picture: it stays out of the way of the page's start.
+   * @param {import("./drawings.js").Drawing | undefined} drawing
+   * @param {string} sentence why
+   */
+  async unopened(drawing, sentence) {
+    if (drawing) this.#keeper.drop([drawing]);
+    if (drawing?.id) putAside(drawing.id).catch(console.warn);
+    if (this.#drawings.isBlank) await this.sample(FIRST, false);
+    failed(new Error(sentence));
   }
 
   /** Drops what is on its way; gives the number of what is asked for now. */
@@ -229,9 +247,7 @@ export class Opening {
     this.#keeper.pictureNow();
     const expected = this.#drawings.expect(drawing);
     this.#engine.command("open", { work, notes });
-    const isShown = this.#drawings.shown === expected;
-    this.#hasShown ||= isShown;
-    return isShown;
+    return this.#drawings.shown === expected;
   }
 }
 

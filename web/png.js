@@ -9,33 +9,18 @@ const FORMAT = [8, 6, 0, 0, 0];
 const FILTER_SUB = 1;
 const SRGB_PERCEPTUAL = 0;
 
-/** Pixels that are painted and packed at a time. */
+/** Pictures are painted and packed in at least so many strips, of at most so many pixels. */
+const STRIPS = 4;
 const STRIP_PIXELS = 1 << 20;
 
 /**
- * @typedef {object} Source a picture that is painted while it is written
- * @property {number} width
- * @property {number} height
- * @property {(first: number, count: number) => Uint8Array} rows straight alpha, row by row from the top
+ * A picture of any size, painted while it is written: no more than a strip of it is there at a time.
+ * @param {import("./engine.js").Export} picture
+ * @param {boolean} transparent
+ * @param {(part: number) => Promise<void>} done after each strip, with the part of the picture that is written; what it throws ends the work
  */
-
-/**
- * @param {number} width
- * @param {number} height
- * @param {Uint8Array} rgba straight alpha, row by row from the top
- */
-export function png(width, height, rgba) {
-  const stride = width * BYTES_PER_PIXEL;
-  const rows = (/** @type {number} */ y, /** @type {number} */ count) => rgba.subarray(y * stride, (y + count) * stride);
-  return pngOf({ width, height, rows }, () => {});
-}
-
-/**
- * A picture of any size, of which no more than a strip is there at a time.
- * @param {Source} source
- * @param {(part: number) => Promise<void> | void} done after each strip, with the part of the picture that is written; what it throws ends the work
- */
-export async function pngOf({ width, height, rows }, done) {
+export async function pngOf(picture, transparent, done) {
+  const { width, height } = picture;
   const header = new Uint8Array(13);
   const view = new DataView(header.buffer);
   view.setUint32(0, width);
@@ -45,10 +30,10 @@ export async function pngOf({ width, height, rows }, done) {
   const packed = new Response(deflate.readable).arrayBuffer();
   const writer = deflate.writable.getWriter();
   try {
-    const count = Math.max(1, Math.floor(STRIP_PIXELS / width));
+    const count = Math.max(1, Math.floor(Math.min(height / STRIPS, STRIP_PIXELS / width)));
     for (let y = 0; y < height; y += count) {
       const strip = Math.min(count, height - y);
-      await writer.write(filtered(width, strip, rows(y, strip)));
+      await writer.write(filtered(width, strip, picture.rows(y, strip, transparent)));
       await done((y + strip) / height);
     }
     await writer.close();

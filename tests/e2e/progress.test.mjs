@@ -21,7 +21,7 @@ const [HOLD_SLICES, HOLD_PAINTED] = [hold(undefined), hold(32)];
 const HOLD_FRAMES = `{
   const { requestAnimationFrame } = window;
   const held = [];
-  window.requestAnimationFrame = (act) => (new Error().stack.includes(location.origin) ? held.push(act) : requestAnimationFrame(act));
+  window.requestAnimationFrame = (act) => (new Error().stack.includes("/web/main.js") ? held.push(act) : requestAnimationFrame(act));
   window.go = () => requestAnimationFrame((now) => held.splice(0).forEach((act) => act(now)));
   window.goOn = () => {
     window.requestAnimationFrame = requestAnimationFrame;
@@ -114,6 +114,38 @@ for (const browser of /** @type {const} */ (["chromium", "firefox"])) {
       await editor.tab.evaluate(`window.held()`);
       await editor.until("2 in the drawing", () => editor.scribble([[120, 30], [140, 60]], 200));
       assert.equal(await editor.name(), "rooms.svg");
+      assert.deepEqual(editor.tab.faults, []);
+    });
+
+    test("the picture of a large drawing, whose lines are there already", async () => {
+      const editor = await scribbled();
+      await editor.tab.evaluate(HOLD_FRAMES);
+      await editor.until("Opened many.svg", () => editor.drop(lines(2 * MANY), "many.svg"));
+      await editor.tab.waitFor(`${IS_SEEN} && document.querySelector("#busy p").textContent === "Making the picture …"`);
+      await editor.until("1 in the drawing", () => editor.scribble([[120, 30], [140, 60]], 1000));
+      await editor.until("Cancelled; the drawing is as it was before", () => editor.click("Cancel"));
+      assert.equal(await editor.name(), "rooms.svg");
+      assert.equal(await editor.tab.evaluate(`document.activeElement.id`), "canvas");
+      await editor.until("Redo", () => editor.click("Redo"));
+      assert.equal(await editor.name(), "many.svg");
+      await editor.kept();
+      await editor.tab.evaluate(`window.goOn()`);
+      await editor.tab.waitFor(`!(${IS_SEEN})`);
+      await editor.until("2 in the drawing", () => editor.scribble([[120, 130], [140, 160]], 1000));
+      assert.deepEqual(editor.tab.faults, []);
+    });
+
+    test("the picture of the drawing that the page starts with", async () => {
+      const editor = await session.open("cpu");
+      await editor.until("Opened many.svg", () => editor.drop(lines(2 * MANY), "many.svg"));
+      await editor.kept();
+      await editor.tab.prepare(HOLD_FRAMES);
+      await editor.tab.goto(`${session.url}?renderer=cpu`);
+      await editor.tab.waitFor(`${IS_SEEN} && document.querySelector("#busy p").textContent === "Making the picture …"`);
+      assert.equal(await editor.name(), "many.svg");
+      await editor.until("Pick a colour", () => editor.click("Cancel"));
+      assert.equal(await editor.name(), "Goldfish");
+      assert.equal(await editor.tab.evaluate(IS_SEEN), false);
       assert.deepEqual(editor.tab.faults, []);
     });
 

@@ -71,5 +71,5 @@ pub(crate) fn paint(
 /// What is painted over the colours.
 pub(crate) fn shapes(drawing: &Drawing, picture: &Picture, look: &Look) -> Vec<Shape> {
     let tolerance_du = LINE_TOLERANCE_PX * LONGER_SIDE_DU / f64::from(look.size_px);
-    if look.lines { line_shapes(drawing, picture.map(), tolerance_du) } else { Vec::new() }
+    if look.lines { line_shapes(drawing, Some(picture.map()), tolerance_du) } else { Vec::new() }
 }

@@ -11,6 +11,7 @@
 
 use kurbo::{Line, ParamCurveNearest, Point, Vec2};
 
+use crate::pace;
 use crate::planar_map::PlanarMap;
 use crate::triangulation::{HalfEdge, SideId, Triangulation};
 use crate::visibility::turn;
@@ -42,21 +43,25 @@ pub(crate) struct Clearance {
 }
 
 impl Clearance {
-    pub(crate) fn new(map: &PlanarMap) -> Self {
+    /// Measures all passages, in slices.
+    pub(crate) async fn measuring(map: &PlanarMap) -> Self {
         let mesh = map.triangulation();
+        let triangles = 0..mesh.triangle_count();
         let tips = tip_directions(map);
-        let circle_widths_du: Vec<_> = (0..mesh.triangle_count()).map(|t| circle_width_du(map, t)).collect();
+        let circle_widths_du: Vec<_> = triangles.clone().map(|t| circle_width_du(map, t)).collect();
+        pace::pause().await;
         let width_du = |h| match mesh.passage(h) {
             Some(_) if is_gabriel(mesh, h) => edge_width_du(map, &tips, h),
             Some(twin) => circle_widths_du[h.triangle()].min(circle_widths_du[twin.triangle()]),
             None => f64::NEG_INFINITY,
         };
         let widths_du: Vec<_> = mesh.half_edges().map(width_du).collect();
+        pace::pause().await;
         let place_width_du = |t| {
             let circle_du = circle_widths_du[t] * circle_factor(map, &tips, t);
             (0..3).map(|i| widths_du[HalfEdge::of(t, i).index()]).fold(circle_du, f64::max)
         };
-        let place_widths_du = (0..mesh.triangle_count()).map(place_width_du).collect();
+        let place_widths_du = triangles.map(place_width_du).collect();
         Self { widths_du, tips, place_widths_du }
     }
 

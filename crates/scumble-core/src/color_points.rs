@@ -6,6 +6,7 @@
 
 use crate::color::{Blend, BlendColor, Paint};
 use crate::engine::Labels;
+use crate::pace::{Slices, now, pause};
 use crate::planar_map::{PlanarMap, Step};
 use crate::scribble::Scribble;
 use crate::sort;
@@ -56,9 +57,25 @@ pub fn boundary(
     by_hand: &[ColorPoint],
     blend: Blend,
 ) -> Boundary {
-    let sides = side_colors(map, &curve_colors(map, labels, scribbles, by_hand), blend);
-    let sources = soft_sources(scribbles, blend);
-    Boundary { sides, closed_gaps: labels.closed_gaps.clone(), sources }
+    now(bounding(map, labels, scribbles, by_hand, blend))
+}
+
+/// [`boundary`] in slices.
+pub fn bounding<'a>(
+    map: &'a PlanarMap,
+    labels: &'a Labels,
+    scribbles: &'a [Scribble],
+    by_hand: &'a [ColorPoint],
+    blend: Blend,
+) -> Slices<'a, Boundary> {
+    Slices::new(async move {
+        let spans = curve_colors(map, labels, scribbles, by_hand);
+        pause().await;
+        let sides = side_colors(map, &spans, blend);
+        pause().await;
+        let sources = soft_sources(scribbles, blend);
+        Boundary { sides, closed_gaps: labels.closed_gaps.clone(), sources }
+    })
 }
 
 /// The coloured stretches of all curves. A side with a colour that was set by hand is one stretch from end to end.

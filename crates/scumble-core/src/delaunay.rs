@@ -1,13 +1,13 @@
-//! The constrained Delaunay triangulation of a planar map, and its refinement: all that is left to `spade`.
+//! The constrained Delaunay triangulation of a planar map: what is left to `spade`.
 
-use kurbo::Rect;
 use spade::handles::FixedVertexHandle;
-use spade::{ConstrainedDelaunayTriangulation, Point2, RefinementParameters, Triangulation as _};
+use spade::{ConstrainedDelaunayTriangulation, Point2, Triangulation as _};
 
 use crate::grading::graded;
+use crate::pace;
 use crate::planar_map::{MapError, Piece, Sampling};
 use crate::sample::LatticePoint;
-use crate::triangulation::{Edge, SideId, Triangulation};
+use crate::triangulation::{Edge, HalfEdge, SideId, Triangulation};
 
 pub(crate) type Cdt = ConstrainedDelaunayTriangulation<Point2<f64>, (), EdgeTag>;
 
@@ -20,16 +20,6 @@ pub(crate) enum EdgeTag {
     Gap(u32),
 }
 
-/// Smallest angles, in degrees, that refinement aims at, each for triangles from so many squares of the spacing of nodes along
-/// curves on. The larger one lets triangles grow more slowly with their distance from the curves, where colours still change;
-/// small triangles are too many for it.
-const REFINED_ANGLES_DEG: [(f64, f64); 2] = [(20.0, 0.0), (29.0, 1.0)];
-
-/// Largest triangle of the refined mesh, in squares of the spacing of nodes along curves: 30 du from corner to corner
-/// at the default spacing. Angles alone let triangles grow with their distance from the curves, whatever the
-/// spacing, and the solver's error with them.
-const REFINED_AREA: f64 = 25.0;
-
 /// The edges along a gap are this many times as long as the spacing of nodes along curves, at most: as one long edge
 /// it would spoil the triangles beside it.
 const GAP_COARSENING: f64 = 4.0;
@@ -37,20 +27,34 @@ const GAP_COARSENING: f64 = 4.0;
 /// `spade` refuses coordinates within 1e-43 of zero: it works on du + 1024, which is exact on the lattice.
 const SHIFT_DU: f64 = 1024.0;
 
-/// Triangulates pieces that meet only at nodes.
-pub(crate) fn triangulate(nodes: &[LatticePoint], pieces: &[Piece]) -> Result<Cdt, MapError> {
-    let vertices =
-        nodes.iter().map(|node| node.to_point()).map(|p| Point2::new(p.x + SHIFT_DU, p.y + SHIFT_DU));
-    let edges = pieces.iter().map(|piece| piece.nodes.map(|node| node as usize)).collect();
-    let mut conflicts = 0;
-    let mut cdt = Cdt::try_bulk_load_cdt(vertices.collect(), edges, |_| conflicts += 1)
-        .map_err(|_| MapError::Triangulation)?;
-    for (i, piece) in (0..).zip(pieces) {
-        tag(&mut cdt, piece.nodes.map(vertex), EdgeTag::Piece(i)).ok_or(MapError::Triangulation)?;
+/// Triangulates pieces that meet only at nodes, which are added one by one: each should lie near the one before it.
+pub(crate) async fn triangulate(nodes: &[LatticePoint], pieces: &[Piece]) -> Result<Cdt, MapError> {
+    let mut cdt = Cdt::with_capacity(nodes.len(), 3 * nodes.len(), 2 * nodes.len());
+    let mut is_complete = true;
+    pace::for_each((0..).zip(nodes), |(node, place)| is_complete &= add(&mut cdt, node, *place).is_some())
+        .await;
+    if !is_complete {
+        return Err(MapError::Triangulation);
     }
-    let complete =
-        conflicts == 0 && cdt.num_constraints() == pieces.len() && cdt.num_vertices() == nodes.len();
-    complete.then_some(cdt).ok_or(MapError::Triangulation)
+    pace::for_each((0..).zip(pieces), |(i, piece)| is_complete &= constrain(&mut cdt, i, piece).is_some())
+        .await;
+    is_complete &= cdt.num_constraints() == pieces.len();
+    is_complete.then_some(cdt).ok_or(MapError::Triangulation)
+}
+
+/// Adds a node at the end; `None` if there is one already where it is.
+fn add(cdt: &mut Cdt, node: u32, place: LatticePoint) -> Option<()> {
+    let p = place.to_point();
+    let hint = vertex(node.saturating_sub(1));
+    let added = cdt.insert_with_hint(Point2::new(p.x + SHIFT_DU, p.y + SHIFT_DU), hint).ok()?;
+    (added == vertex(node)).then_some(())
+}
+
+/// Makes a piece an edge that stays; `None` if others are in its way.
+fn constrain(cdt: &mut Cdt, i: u32, piece: &Piece) -> Option<()> {
+    let ends = piece.nodes.map(vertex);
+    cdt.try_add_constraint(ends[0], ends[1]);
+    tag(cdt, ends, EdgeTag::Piece(i))
 }
 
 fn vertex(node: u32) -> FixedVertexHandle {
@@ -65,12 +69,10 @@ fn tag(cdt: &mut Cdt, [a, b]: [FixedVertexHandle; 2], tag: EdgeTag) -> Option<()
 }
 
 /// Turns the gaps of the flat form of a triangulation into chains of edges that refinement keeps.
-pub(crate) fn keep_gaps(cdt: &mut Cdt, mesh: &Triangulation, sampling: &Sampling) {
-    for h in mesh.half_edges().filter(|&h| mesh.twin(h).is_some_and(|twin| h < twin)) {
-        if let Some(gap) = mesh.gap(h) {
-            keep_gap(cdt, mesh.ends(h).map(vertex), gap, sampling);
-        }
-    }
+pub(crate) async fn keep_gaps(cdt: &mut Cdt, mesh: &Triangulation, sampling: &Sampling) {
+    let gap = |h: HalfEdge| mesh.gap(h).filter(|_| mesh.twin(h).is_some_and(|twin| h < twin));
+    let mut keep = |h| gap(h).map(|gap| keep_gap(cdt, mesh.ends(h).map(vertex), gap, sampling));
+    pace::for_each(mesh.half_edges(), |h| keep(h).unwrap_or_default()).await;
 }
 
 /// Gaps are edges of the triangulation, so that no constraint crosses them. Nodes on them lie in an empty circle:
@@ -98,43 +100,22 @@ fn shortest_piece_du(cdt: &Cdt, v: FixedVertexHandle) -> f64 {
     pieces.map(|edge| edge.length_2().sqrt()).fold(f64::INFINITY, f64::min)
 }
 
-/// Adds nodes until angles and areas are as wanted.
-///
-/// Ruppert's refinement would split the pieces at acute corners without end; it is told to keep them.
-pub(crate) fn refine(cdt: &mut Cdt, frame: Rect, spacing_du: f64) {
-    let square_du2 = spacing_du * spacing_du;
-    let largest_du2 = REFINED_AREA * square_du2;
-    let empty_page = 4.0 * frame.area() / largest_du2;
-    for (angle_deg, least_area) in REFINED_ANGLES_DEG {
-        let parameters = RefinementParameters::new()
-            .keep_constraint_edges()
-            .with_max_additional_vertices(10 * cdt.num_vertices() + empty_page as usize)
-            .with_min_required_area(least_area * square_du2)
-            .with_max_allowed_area(largest_du2)
-            .with_angle_limit(spade::AngleLimit::from_deg(angle_deg));
-        cdt.refine(parameters);
-    }
-}
-
 /// The triangles of `spade`'s structure as flat arrays, in its order.
-pub(crate) fn flatten(cdt: &Cdt, pieces: &[Piece]) -> Triangulation {
+pub(crate) async fn flatten(cdt: &Cdt, pieces: &[Piece]) -> Triangulation {
     let points = cdt.vertices().map(|v| v.position());
     let points = points.map(|p| kurbo::Point::new(p.x - SHIFT_DU, p.y - SHIFT_DU)).collect();
     let mut half_edge_of = vec![u32::MAX; cdt.num_directed_edges()];
     let edges = || cdt.inner_faces().flat_map(|face| face.adjacent_edges());
-    for (h, edge) in edges().enumerate() {
-        half_edge_of[edge.fix().index()] = h as u32;
-    }
-    Triangulation::from_half_edges(
-        points,
-        edges().map(|edge| {
-            let from = edge.from().fix().index() as u32;
-            let kind = match *edge.as_undirected().data().data() {
-                EdgeTag::Plain => Edge::Plain,
-                EdgeTag::Gap(gap) => Edge::Gap(gap),
-                EdgeTag::Piece(i) => Edge::Side(SideId::of(i as usize, pieces[i as usize].nodes[0] != from)),
-            };
-            (from, half_edge_of[edge.rev().fix().index()], kind)
-        }),
-    )
+    (0..).zip(edges()).for_each(|(h, edge)| half_edge_of[edge.fix().index()] = h);
+    pace::pause().await;
+    let half_edges = edges().map(|edge| {
+        let from = edge.from().fix().index() as u32;
+        let kind = match *edge.as_undirected().data().data() {
+            EdgeTag::Plain => Edge::Plain,
+            EdgeTag::Gap(gap) => Edge::Gap(gap),
+            EdgeTag::Piece(i) => Edge::Side(SideId::of(i as usize, pieces[i as usize].nodes[0] != from)),
+        };
+        (from, half_edge_of[edge.rev().fix().index()], kind)
+    });
+    Triangulation::from_half_edges(points, 3 * cdt.num_inner_faces(), half_edges).await
 }

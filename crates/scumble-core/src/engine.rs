@@ -2,6 +2,7 @@
 
 use std::fmt::Debug;
 
+use crate::pace::{Slices, now};
 use crate::planar_map::PlanarMap;
 use crate::scribble::Scribble;
 
@@ -28,5 +29,10 @@ impl Labels {
 /// only what differs.
 pub trait Engine: Debug {
     /// Labels for all sides and gaps of the map. An engine serves one map all its life.
-    fn label(&mut self, map: &PlanarMap, scribbles: &[Scribble]) -> Labels;
+    fn label(&mut self, map: &PlanarMap, scribbles: &[Scribble]) -> Labels {
+        now(self.labelling(map, scribbles))
+    }
+
+    /// The same in slices. What is left of an engine that was not let finish is of no use.
+    fn labelling<'a>(&'a mut self, map: &'a PlanarMap, scribbles: &'a [Scribble]) -> Slices<'a, Labels>;
 }

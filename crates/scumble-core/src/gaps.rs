@@ -7,6 +7,7 @@
 use kurbo::Vec2;
 
 use crate::clearance::{Clearance, clear_width_du, is_gabriel};
+use crate::pace::{self, Slices, now};
 use crate::planar_map::{Gap, PlanarMap};
 use crate::sets::Sets;
 use crate::sort;
@@ -44,9 +45,21 @@ impl PlanarMap {
     /// Finds the gaps of this map anew, as [`PlanarMap::with_gaps_closed`] does, and says whether they changed. Then
     /// what was derived from the map does not fit it any more.
     pub fn close_gaps(&mut self, closing: f64) -> bool {
-        let gaps = find(self, self.clearance(), closed_below(closing));
+        now(self.closing_gaps(closing))
+    }
+
+    /// The same in slices.
+    pub fn closing_gaps(&mut self, closing: f64) -> Slices<'_, bool> {
+        Slices::new(self.closed(closing))
+    }
+
+    async fn closed(&mut self, closing: f64) -> bool {
+        self.measuring().await;
+        pace::pause().await;
+        let gaps = find(self, self.clearance(), closed_below(closing)).await;
         let changed = gaps != self.gaps();
         if changed {
+            pace::pause().await;
             self.set_gaps(gaps);
         }
         changed
@@ -55,12 +68,14 @@ impl PlanarMap {
 
 /// The passages that stay closed when those with a clear width of at least `ratio` times that of the narrower of the
 /// places they join are open.
-fn find(map: &PlanarMap, clearance: &Clearance, ratio: f64) -> Vec<Gap> {
+async fn find(map: &PlanarMap, clearance: &Clearance, ratio: f64) -> Vec<Gap> {
     let mesh = map.triangulation();
     let mut basins = Basins::new(clearance.place_widths_du.clone());
     let mut gaps = Vec::new();
     let lengths_du = line_lengths_du(map);
-    for (width_du, h, twin) in passages(mesh, clearance) {
+    let passages = passages(mesh, clearance);
+    pace::pause().await;
+    pace::for_each(passages, |(width_du, h, twin)| {
         let [a, b] = [h, twin].map(|h| basins.sets.find(h.triangle() as u32));
         let narrower_du = basins.width_du(a).min(basins.width_du(b)).max(0.0);
         let is_at_tip = mesh.ends(h).iter().any(|&node| clearance.tips[node as usize].is_some());
@@ -72,7 +87,8 @@ fn find(map: &PlanarMap, clearance: &Clearance, ratio: f64) -> Vec<Gap> {
         } else {
             basins.join(a, b);
         }
-    }
+    })
+    .await;
     gaps
 }
 

@@ -38,6 +38,7 @@ use flood::{Cost, Flood, NONE, Ways};
 use shown::Shown;
 
 use crate::engine::{Engine, Labels};
+use crate::pace::{self, Pace, Slices};
 use crate::planar_map::PlanarMap;
 use crate::scribble::Scribble;
 use crate::sort;
@@ -73,8 +74,14 @@ struct Ground {
 }
 
 impl Ground {
-    fn new(map: &PlanarMap, spread: bool) -> Self {
-        Self { ways: Ways::new(map, spread), crossing: spread.then(|| Crossing::new(map)) }
+    async fn new(map: &PlanarMap, spread: bool) -> Self {
+        map.measuring().await;
+        map.refining().await;
+        let ways = Ways::new(map, spread).await;
+        pace::pause().await;
+        let crossing = spread.then(|| Crossing::new(map));
+        pace::pause().await;
+        Self { ways, crossing }
     }
 }
 
@@ -86,26 +93,34 @@ impl Global {
 }
 
 impl Engine for Global {
-    fn label(&mut self, map: &PlanarMap, scribbles: &[Scribble]) -> Labels {
+    fn labelling<'a>(&'a mut self, map: &'a PlanarMap, scribbles: &'a [Scribble]) -> Slices<'a, Labels> {
+        Slices::new(self.labels(map, scribbles))
+    }
+}
+
+impl Global {
+    async fn labels(&mut self, map: &PlanarMap, scribbles: &[Scribble]) -> Labels {
         let [ranks, kinds] = [ranks(scribbles), kinds(scribbles)];
         if let Some(shown) = self.shown.as_ref().filter(|_| self.is_known(scribbles, &ranks, &kinds)) {
             return shown.labels().clone();
         }
-        let mut ground = self.ground.take().unwrap_or_else(|| Ground::new(map, self.spread));
-        self.go_on(map, &ground.ways, scribbles, ranks);
+        let mut ground = match self.ground.take() {
+            Some(ground) => ground,
+            None => Ground::new(map, self.spread).await,
+        };
+        self.go_on(map, &ground.ways, scribbles, ranks).await;
         self.kinds = kinds;
         if !self.spread {
-            self.open_pockets(map, &mut ground.ways);
+            self.open_pockets(map, &mut ground.ways).await;
         }
-        let labels = self.spread_out(map, &ground);
+        pace::pause().await;
+        let labels = self.spread_out(map, &ground).await;
         let shown = self.shown.get_or_insert_with(|| Shown::new(map));
         let labels = shown.show(map, &ground.ways.gaps, &labels).clone();
         self.ground = Some(ground);
         labels
     }
-}
 
-impl Global {
     /// Whether only colours differ from the last call, and the same scribbles share one: labels name scribbles, so they are the
     /// same then.
     fn is_known(&self, scribbles: &[Scribble], ranks: &[u32], kinds: &[u32]) -> bool {
@@ -114,22 +129,25 @@ impl Global {
     }
 
     /// Floods the map from what these scribbles are more than those of the last call, or from all.
-    fn go_on(&mut self, map: &PlanarMap, ways: &Ways, scribbles: &[Scribble], ranks: Vec<u32>) {
+    async fn go_on(&mut self, map: &PlanarMap, ways: &Ways, scribbles: &[Scribble], ranks: Vec<u32>) {
         if !self.goes_on(scribbles, &ranks) {
             self.keep_claims(scribbles);
             self.dry(map);
         }
+        let mut pace = Pace::default();
         self.claims.resize_with(scribbles.len(), Claim::default);
         for (claim, scribble) in self.claims.iter_mut().zip(scribbles) {
             claim.follow(map, ways, &scribble.points);
+            pace.work(scribble.points.len()).await;
         }
         if self.claims.iter().any(Claim::gives_up) {
             self.dry(map);
         }
         self.let_in(&ranks);
-        self.flood.run(map, &ways.costs, &ranks);
-        self.at_hand.run(map, &ways.lengths, &ranks);
-        self.nearest.run(map, &ways.lengths, &ranks);
+        let Self { flood, at_hand, nearest, .. } = self;
+        for (flood, costs) in [(flood, &ways.costs), (at_hand, &ways.lengths), (nearest, &ways.lengths)] {
+            flood.run(map, costs, &ranks).await;
+        }
         self.ranks = ranks;
     }
 
@@ -145,9 +163,10 @@ impl Global {
     }
 
     /// The label of each triangle, once colours have gone on from where they were flooded to.
-    fn spread_out(&mut self, map: &PlanarMap, Ground { ways, crossing }: &Ground) -> Vec<u32> {
+    async fn spread_out(&mut self, map: &PlanarMap, Ground { ways, crossing }: &Ground) -> Vec<u32> {
         let mut labels = self.flood.labels.clone();
-        self.beyond.follow(map, ways, &self.ranks, &self.flood, &mut labels);
+        self.beyond.follow(map, ways, &self.ranks, &self.flood, &mut labels).await;
+        pace::pause().await;
         for flood in [&self.at_hand, &self.nearest] {
             for (label, &near) in labels.iter_mut().zip(&flood.labels).filter(|(_, near)| **near != NONE) {
                 *label = near;
@@ -160,7 +179,7 @@ impl Global {
     }
 
     /// Opens the gaps that the scribbles of this call go through.
-    fn open_pockets(&mut self, map: &PlanarMap, ways: &mut Ways) {
+    async fn open_pockets(&mut self, map: &PlanarMap, ways: &mut Ways) {
         let mut drawn = Vec::new();
         for (claim, &kind) in self.claims.iter().zip(&self.kinds) {
             drawn.extend(claim.rooms().map(|room| [kind, room]));
@@ -168,7 +187,7 @@ impl Global {
         sort::sort_copies_by_key(&mut drawn, |&pair| sort::pair(pair));
         drawn.dedup();
         if drawn != self.drawn {
-            if ways.open_to(map, &drawn) {
+            if ways.open_to(map, &drawn).await {
                 self.beyond.reset(map);
             }
             self.drawn = drawn;

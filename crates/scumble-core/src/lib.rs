@@ -12,11 +12,12 @@
 //! | colours for highlights and shadows | [`tone`] |
 //! | the document, gestures, undo | [`edit`] |
 //! | triangles, half-edges, sides | [`triangulation`] |
-//! | Delaunay triangulation and refinement | `delaunay` |
+//! | Delaunay triangulation, and its refinement | `delaunay`, `refinement` |
 //! | distances along a path | [`measured_path`] |
 //! | lengths that grow from the ends of a line | `grading` |
 //! | curves sampled on a lattice | `sample` |
 //! | crossings found and rounded | `snap` |
+//! | an order of nodes in the plane | `nearness` |
 //! | curves as pieces that meet only at nodes | [`planar_map`] |
 //! | samples along a stroke | `stroke` |
 //! | what a point sees | `visibility` |
@@ -28,6 +29,7 @@
 //! | colours along the sides of curves | [`color_points`] |
 //! | what is kept of somebody's work | [`work`] |
 //! | … as bytes that lose nothing | [`exact`] |
+//! | long work in slices | [`pace`] |
 //! | numbers as files hold them | `kept` |
 //! | angles that are the same on every machine | `angle` |
 //! | sorting, small maps and disjoint sets, with little code | [`sort`], `small_map`, `sets` |
@@ -47,9 +49,12 @@ pub mod global;
 mod grading;
 mod kept;
 pub mod measured_path;
+mod nearness;
+pub mod pace;
 pub mod palette;
 pub mod planar_map;
 pub mod progressive;
+mod refinement;
 mod rub;
 mod sample;
 pub mod scribble;
@@ -70,7 +75,7 @@ pub mod work;
 pub use angle::angle_part;
 pub use color::{Blend, BlendColor, ColorError, Paint, Rgba8, Srgb8};
 pub use color_model::ColorModel;
-pub use color_points::{Boundary, ColorPoint, SideColors, boundary};
+pub use color_points::{Boundary, ColorPoint, SideColors, boundary, bounding};
 pub use drawing::{Curve, Drawing, Fill, Line};
 pub use edit::{Deed, Document, Editor};
 pub use engine::{Engine, Labels};

@@ -11,6 +11,8 @@ use thiserror::Error;
 use crate::clearance::Clearance;
 use crate::delaunay::{self, Cdt};
 use crate::drawing::Drawing;
+use crate::pace::{self, Slices, now};
+use crate::refinement;
 use crate::sample::{self, LatticePoint, Stretch};
 use crate::snap::{self, Snapped};
 use crate::sort;
@@ -107,15 +109,29 @@ impl PlanarMap {
     /// # Errors
     /// When the drawing has too many pieces (see [`MapError`]).
     pub fn build(drawing: &Drawing, sampling: &Sampling) -> Result<Self, MapError> {
+        now(Self::building(drawing, sampling))
+    }
+
+    /// The same in slices.
+    ///
+    /// # Errors
+    /// See [`PlanarMap::build`].
+    pub fn building<'a>(drawing: &'a Drawing, sampling: &'a Sampling) -> Slices<'a, Result<Self, MapError>> {
+        Slices::new(Self::built(drawing, sampling))
+    }
+
+    async fn built(drawing: &Drawing, sampling: &Sampling) -> Result<Self, MapError> {
         let too_many = MapError::TooManyPieces { limit: MAX_PIECES };
         let frame = sample::lattice_frame(drawing.size_du());
         let polylines = polylines(drawing, frame, sampling).ok_or(too_many.clone())?;
         let segments: Vec<_> = polylines.iter().flatten().map(|stretch| stretch.ends).collect();
-        let snapped = snap::snap(&segments, frame, MAX_PIECES).ok_or(too_many)?;
+        pace::pause().await;
+        let snapped = snap::snap(&segments, frame, MAX_PIECES).await.ok_or(too_many)?;
+        pace::pause().await;
         let (pieces, steps) = pieces_and_steps(&polylines, &snapped);
         let half_widths_du = half_widths_du(drawing, &steps, &pieces, snapped.nodes.len());
-        let cdt = delaunay::triangulate(&snapped.nodes, &pieces)?;
-        let triangulation = delaunay::flatten(&cdt, &pieces);
+        let cdt = delaunay::triangulate(&snapped.nodes, &pieces).await?;
+        let triangulation = Slices::new(delaunay::flatten(&cdt, &pieces)).await;
         Ok(Self {
             frame: sample::frame_rect(frame),
             cdt,
@@ -170,9 +186,9 @@ impl PlanarMap {
         self.steps.len()
     }
 
-    /// The way of one curve along the map, in its direction; empty where it is a point or off the page.
+    /// The way of one curve along the map, in its direction; empty where it is a point, off the page or none of the map's.
     pub fn steps(&self, curve: usize) -> &[Step] {
-        &self.steps[curve]
+        self.steps.get(curve).map_or(&[], Vec::as_slice)
     }
 
     /// The passages that may be closed to colours, in a fixed order.
@@ -222,21 +238,38 @@ impl PlanarMap {
 
     /// How wide all passages are, whichever gaps there are. Worked out at the first call.
     pub(crate) fn clearance(&self) -> &Clearance {
-        self.clearance.get_or_init(|| Clearance::new(self))
+        self.clearance.get_or_init(|| now(Slices::new(Clearance::measuring(self))))
+    }
+
+    /// Works [`PlanarMap::clearance`] out, in slices.
+    pub(crate) async fn measuring(&self) {
+        if self.clearance.get().is_none() {
+            let _ = self.clearance.set(Slices::new(Clearance::measuring(self)).await);
+        }
     }
 
     /// The same pieces with further nodes between them, so that angles are at least 20° where the pieces allow it, and 29°
     /// in larger triangles, and no triangle is larger than the sampling asks for: the mesh of the solver. Pieces are never
     /// split; gaps are chains of edges. Worked out at the first call, and anew with other gaps.
     pub fn refined(&self) -> &Arc<Triangulation> {
-        self.refined.get_or_init(|| Arc::new(self.refine()))
+        self.refined.get_or_init(|| Arc::new(now(Slices::new(self.finer()))))
     }
 
-    fn refine(&self) -> Triangulation {
+    /// Works [`PlanarMap::refined`] out, in slices.
+    pub fn refining(&self) -> Slices<'_, ()> {
+        Slices::new(async {
+            if self.refined.get().is_none() {
+                let _ = self.refined.set(Arc::new(Slices::new(self.finer()).await));
+            }
+        })
+    }
+
+    async fn finer(&self) -> Triangulation {
         let mut cdt = self.cdt.clone();
-        delaunay::keep_gaps(&mut cdt, &self.triangulation, &self.sampling);
-        delaunay::refine(&mut cdt, self.frame, self.sampling.spacing_du);
-        delaunay::flatten(&cdt, &self.pieces)
+        pace::pause().await;
+        delaunay::keep_gaps(&mut cdt, &self.triangulation, &self.sampling).await;
+        refinement::refine(&mut cdt, self.frame, self.sampling.spacing_du).await;
+        Slices::new(delaunay::flatten(&cdt, &self.pieces)).await
     }
 }
 
@@ -249,15 +282,14 @@ fn polylines(drawing: &Drawing, frame: LatticePoint, sampling: &Sampling) -> Opt
     let mut left = MAX_PIECES;
     let frame_path = sample::frame_path(frame);
     let frame_sampling = Sampling { spacing_du: FRAME_COARSENING * sampling.spacing_du, ..*sampling };
+    let mut polylines = Vec::with_capacity(drawing.curves.len() + 1);
     let curves = drawing.curves.iter().map(|curve| (&curve.path, sampling));
-    curves
-        .chain([(&frame_path, &frame_sampling)])
-        .map(|(path, sampling)| {
-            let polyline = sample::sample(path, frame, sampling, left)?;
-            left = left.checked_sub(polyline.len())?;
-            Some(polyline)
-        })
-        .collect()
+    for (path, sampling) in curves.chain([(&frame_path, &frame_sampling)]) {
+        let polyline = sample::sample(path, frame, sampling, left)?;
+        left = left.checked_sub(polyline.len())?;
+        polylines.push(polyline);
+    }
+    Some(polylines)
 }
 
 /// Pieces without repeats, and each curve's steps along them. The last polyline is the frame.

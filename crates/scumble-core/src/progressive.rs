@@ -46,6 +46,7 @@ mod view;
 mod walk;
 
 use crate::engine::{Engine, Labels};
+use crate::pace::Slices;
 use crate::planar_map::PlanarMap;
 use crate::scribble::Scribble;
 use crate::triangulation::SideId;
@@ -110,7 +111,14 @@ impl Surroundings {
 }
 
 impl Engine for Progressive {
-    fn label(&mut self, map: &PlanarMap, scribbles: &[Scribble]) -> Labels {
+    /// All in one.
+    fn labelling<'a>(&'a mut self, map: &'a PlanarMap, scribbles: &'a [Scribble]) -> Slices<'a, Labels> {
+        Slices::new(async { self.labels(map, scribbles) })
+    }
+}
+
+impl Progressive {
+    fn labels(&mut self, map: &PlanarMap, scribbles: &[Scribble]) -> Labels {
         self.labels.resize(map.side_count(), None);
         let mut around = self.surroundings.take().unwrap_or_else(|| Surroundings::new(map));
         let unchanged = self.follow(map, &mut around, scribbles);
@@ -121,9 +129,7 @@ impl Engine for Progressive {
         self.surroundings = Some(around);
         Labels { sides: self.labels.clone(), closed_gaps: self.closed_gaps(map) }
     }
-}
 
-impl Progressive {
     /// Brings the reaches up to date; gives the number of scribbles before the first that changed.
     fn follow(&mut self, map: &PlanarMap, around: &mut Surroundings, scribbles: &[Scribble]) -> usize {
         let same = self.reaches.iter().zip(scribbles).take_while(|(reach, s)| reach.points() == s.points);

@@ -6,6 +6,7 @@
 use kurbo::Point;
 
 use crate::engine::{Engine, Labels};
+use crate::pace::Slices;
 use crate::planar_map::PlanarMap;
 use crate::scribble::Scribble;
 use crate::sort;
@@ -20,7 +21,14 @@ pub struct Sight {
 }
 
 impl Engine for Sight {
-    fn label(&mut self, map: &PlanarMap, scribbles: &[Scribble]) -> Labels {
+    /// All in one.
+    fn labelling<'a>(&'a mut self, map: &'a PlanarMap, scribbles: &'a [Scribble]) -> Slices<'a, Labels> {
+        Slices::new(async { self.labels(map, scribbles) })
+    }
+}
+
+impl Sight {
+    fn labels(&mut self, map: &PlanarMap, scribbles: &[Scribble]) -> Labels {
         self.reaches.resize_with(scribbles.len(), Reach::default);
         let mut labels = Labels::none(map);
         for (i, (scribble, reach)) in scribbles.iter().zip(&mut self.reaches).enumerate() {

@@ -7,6 +7,8 @@
 
 use std::ops::RangeInclusive;
 
+use crate::nearness;
+use crate::pace::{self, Pace};
 use crate::sample::LatticePoint;
 use crate::sort;
 
@@ -16,7 +18,7 @@ pub(crate) type Segment = [LatticePoint; 2];
 /// The pieces that replace the input segments.
 #[derive(Debug, Default)]
 pub(crate) struct Snapped {
-    /// All nodes, sorted.
+    /// All nodes, each once, in the order that [`nearness::sort`] gives them.
     pub(crate) nodes: Vec<LatticePoint>,
     /// For each input segment the nodes that it passes, first end to last; two at least, neighbours differ.
     pub(crate) chains: Vec<Vec<u32>>,
@@ -27,15 +29,17 @@ const MAX_TESTS: u64 = 400_000_000;
 
 /// Rounds segments with coordinates in `0..=frame`; gives up (`None`) above `limit` nodes, or where so much lies
 /// on one spot that it would take longer than about a second.
-pub(crate) fn snap(segments: &[Segment], frame: LatticePoint, limit: usize) -> Option<Snapped> {
+pub(crate) async fn snap(segments: &[Segment], frame: LatticePoint, limit: usize) -> Option<Snapped> {
     let grid = segment_grid(segments, frame);
     let pairs = |square: &[u32]| (square.len() as u64).pow(2) / 2;
     if grid.squares().map(pairs).sum::<u64>() > MAX_TESTS {
         return None;
     }
     let mut nodes: Vec<_> = segments.iter().flatten().copied().collect();
+    let mut pace = Pace::default();
     for square in grid.squares() {
         crossings(segments, square, &mut nodes);
+        pace.work(1 + pairs(square) as usize).await;
         if nodes.len() > limit {
             sort_unique(&mut nodes);
         }
@@ -44,13 +48,17 @@ pub(crate) fn snap(segments: &[Segment], frame: LatticePoint, limit: usize) -> O
         }
     }
     sort_unique(&mut nodes);
+    pace::pause().await;
+    nearness::sort(&mut nodes, frame);
     let node_grid = node_grid(&nodes, frame);
+    pace::pause().await;
     let tests = |(segments, nodes): (&[u32], &[u32])| segments.len() as u64 * nodes.len() as u64;
     let tests = grid.squares().zip(node_grid.squares()).map(tests);
     if nodes.len() > limit || tests.sum::<u64>() > MAX_TESTS {
         return None;
     }
-    let chains = segments.iter().map(|s| chain(s, &nodes, &node_grid)).collect();
+    let mut chains = Vec::with_capacity(segments.len());
+    pace::for_each(segments, |segment| chains.push(chain(segment, &nodes, &node_grid))).await;
     Some(Snapped { nodes, chains })
 }
 
@@ -257,6 +265,7 @@ impl Buckets {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::pace::{Slices, now};
     use proptest::prelude::*;
 
     const FRAME: LatticePoint = LatticePoint { x: 512, y: 512 };
@@ -292,7 +301,7 @@ mod tests {
     }
 
     fn assert_planar(segments: &[Segment]) -> Snapped {
-        let snapped = snap(segments, FRAME, 100_000).expect("below the limits");
+        let snapped = now(Slices::new(snap(segments, FRAME, 100_000))).expect("below the limits");
         for (segment, chain) in segments.iter().zip(&snapped.chains) {
             let ends = [chain[0], chain[chain.len() - 1]].map(|node| snapped.nodes[node as usize]);
             assert_eq!(ends, *segment);
@@ -337,7 +346,7 @@ mod tests {
     #[test]
     fn too_much_on_one_spot_is_refused() {
         let crowd: Vec<Segment> = (0..40_000).map(|i| [at(i % 200, 0), at(200 - i % 173, 200)]).collect();
-        assert!(snap(&crowd, FRAME, 1_000_000).is_none());
+        assert!(now(Slices::new(snap(&crowd, FRAME, 1_000_000))).is_none());
     }
 
     fn segments(range: i32, count: usize) -> impl Strategy<Value = Vec<Segment>> {

@@ -7,6 +7,7 @@ mod halved;
 
 use kurbo::Point;
 
+use crate::pace;
 use crate::sort;
 
 /// One edge of one triangle, in the triangle's direction of turn.
@@ -122,18 +123,21 @@ impl Triangulation {
         mesh
     }
 
-    /// Takes half-edges in order, three to a triangle: origin, index of the twin (`u32::MAX` for none), edge.
-    pub(crate) fn from_half_edges(
+    /// Takes so many half-edges in order, three to a triangle: origin, index of the twin (`u32::MAX` for none), edge.
+    pub(crate) async fn from_half_edges(
         points: Vec<Point>,
+        count: usize,
         half_edges: impl Iterator<Item = (u32, u32, Edge)>,
     ) -> Self {
-        let mut mesh = Self { points, ..Self::default() };
-        for (origin, twin, edge) in half_edges {
-            mesh.origins.push(origin);
-            mesh.twins.push(twin);
-            mesh.edges.push(edge);
-        }
-        mesh
+        let [mut origins, mut twins] = [(); 2].map(|()| Vec::with_capacity(count));
+        let mut edges = Vec::with_capacity(count);
+        pace::for_each(half_edges, |(origin, twin, edge)| {
+            origins.push(origin);
+            twins.push(twin);
+            edges.push(edge);
+        })
+        .await;
+        Self { points, origins, twins, edges }
     }
 
     /// Makes the edges between the given pairs of nodes gaps, in the order of the pairs, and no other edges; sides of

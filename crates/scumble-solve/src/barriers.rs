@@ -1,6 +1,6 @@
 //! What no colour passes in a mesh: the sides of curves, the frame, and gaps that are closed.
 
-use scumble_core::{HalfEdge, Triangulation};
+use scumble_core::{HalfEdge, Triangulation, pace};
 
 /// A triangle that is in no region yet.
 const NONE: u32 = u32::MAX;
@@ -28,7 +28,7 @@ impl Barriers<'_> {
     }
 
     /// The regions of a set of triangles that ascends, by the first triangle of each; their triangles ascend.
-    pub(crate) fn regions(self, triangles: &[u32]) -> Vec<Vec<u32>> {
+    pub(crate) async fn regions(self, triangles: &[u32]) -> Vec<Vec<u32>> {
         let mut region_of = vec![NONE; self.mesh.triangle_count()];
         let mut regions = Vec::new();
         for &t in triangles {
@@ -36,8 +36,9 @@ impl Barriers<'_> {
                 self.flood(t, regions.len() as u32, &mut region_of);
                 regions.push(Vec::new());
             }
-            regions[region_of[t as usize] as usize].push(t);
         }
+        pace::pause_after(triangles.len()).await;
+        triangles.iter().for_each(|&t| regions[region_of[t as usize] as usize].push(t));
         regions
     }
 

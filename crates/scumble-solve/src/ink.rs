@@ -21,12 +21,12 @@ const MAX_DASHES: f64 = 10_000.0;
 /// The ink of a drawing, in painting order: its fills, then the lines of its curves.
 ///
 /// Curves and round parts lie within `tolerance_du` of their true place. Fills and lines of which nothing would be
-/// seen have no shape.
-pub fn line_shapes(drawing: &Drawing, map: &PlanarMap, tolerance_du: f64) -> Vec<Shape> {
+/// seen have no shape, nor have fills where there is no map yet.
+pub fn line_shapes(drawing: &Drawing, map: Option<&PlanarMap>, tolerance_du: f64) -> Vec<Shape> {
     let lines = drawing.curves.iter().filter_map(|curve| {
         curve.line.as_ref().map(|line| line_shape(&curve.path, line, tolerance_du.max(LEAST_TOLERANCE_DU)))
     });
-    let mut shapes = areas::shapes(drawing, map);
+    let mut shapes = map.map_or_else(Vec::new, |map| areas::shapes(drawing, map));
     shapes.extend(lines.filter(|shape| !shape.triangles.is_empty()));
     shapes
 }
@@ -143,7 +143,7 @@ mod tests {
     fn shapes(curves: Vec<Curve>, fills: Vec<Fill>) -> Vec<Shape> {
         let drawing = Drawing { page: Rect::new(0.0, 0.0, 1024.0, 1024.0), curves, fills };
         let map = PlanarMap::build(&drawing, &Sampling::default()).expect("a map");
-        line_shapes(&drawing, &map, 0.1)
+        line_shapes(&drawing, Some(&map), 0.1)
     }
 
     fn line(svg_path: &str, stroke: Stroke) -> Soup {

@@ -13,6 +13,7 @@
 
 mod cells;
 mod cholesky;
+mod dissection;
 mod dofs;
 mod element;
 mod elements;
@@ -30,6 +31,7 @@ mod system;
 use std::mem;
 use std::sync::Arc;
 
+use scumble_core::pace::{self, Pace, Slices, now};
 use scumble_core::{Blend, Boundary, SoftSource, Triangulation, sort};
 use thiserror::Error;
 
@@ -55,7 +57,7 @@ pub enum SolveError {
 /// Spreads the colours of sides over a mesh, and remembers what it can for the next time.
 ///
 /// [`MeshSolver::solve`] does it all; its three stages can be called one by one, to time them. Each looks only at the
-/// regions whose boundary changed.
+/// regions whose boundary changed. What is called an *-ing* does the same in slices.
 #[derive(Debug)]
 pub struct MeshSolver {
     mesh: Arc<Triangulation>,
@@ -75,11 +77,19 @@ pub struct MeshSolver {
 impl MeshSolver {
     /// Numbers the unknowns of a mesh, all gaps being open, and finds an order of elimination.
     pub fn new(mesh: impl Into<Arc<Triangulation>>) -> Self {
-        let mesh = mesh.into();
+        now(Self::meshing(mesh.into()))
+    }
+
+    /// The same in slices.
+    pub fn meshing(mesh: Arc<Triangulation>) -> Slices<'static, Self> {
+        Slices::new(Self::meshed(mesh))
+    }
+
+    async fn meshed(mesh: Arc<Triangulation>) -> Self {
         let triangles: Vec<_> = (0..mesh.triangle_count() as u32).collect();
-        let regions = dofs::number(Barriers { mesh: &mesh, closed_gaps: &[] }, &triangles);
-        let ranks = order::mesh_ranks(&regions, triangles.len());
-        let regions = ordered(regions, &ranks);
+        let regions = dofs::number(Barriers { mesh: &mesh, closed_gaps: &[] }, &triangles).await;
+        let ranks = order::mesh_ranks(&mesh, &regions).await;
+        let regions = ordered(regions, &ranks).await;
         Self {
             mesh,
             ranks,
@@ -103,13 +113,19 @@ impl MeshSolver {
 
     /// Sets up the systems of the regions whose gaps or set of coloured sides changed.
     pub fn analyse(&mut self, boundary: &Boundary) {
-        self.close_gaps(&boundary.closed_gaps);
+        now(Slices::new(self.analysing(boundary)));
+    }
+
+    async fn analysing(&mut self, boundary: &Boundary) {
+        self.close_gaps(&boundary.closed_gaps).await;
         let reaches = self.reaches(&boundary.sources);
+        let mut pace = Pace::default();
         for (i, region) in (0..).zip(&mut self.regions) {
             let shading = boundary.sources.iter().zip(&reaches);
             let shading = shading.filter(|(_, reach)| reach.meets(&self.mesh, i, region.triangles()));
             let sources: Vec<_> = shading.map(|(source, _)| source.clone()).collect();
-            region.analyse(&self.mesh, &boundary.sides, &sources);
+            region.analyse(&self.mesh, &boundary.sides, &sources).await;
+            pace.work(region.triangles().len()).await;
         }
     }
 
@@ -122,7 +138,7 @@ impl MeshSolver {
     }
 
     /// Numbers the regions anew that have a part in a gap which was closed or opened.
-    fn close_gaps(&mut self, closed_gaps: &[bool]) {
+    async fn close_gaps(&mut self, closed_gaps: &[bool]) {
         let is_changed = differences(&self.closed_gaps, closed_gaps);
         if !is_changed.contains(&true) {
             return;
@@ -133,16 +149,17 @@ impl MeshSolver {
         let (touched, kept): (Vec<_>, Vec<_>) = regions.partition(|region| region.touches(&is_changed));
         let mut triangles: Vec<_> = touched.iter().flat_map(Region::triangles).copied().collect();
         sort::sort_unique(&mut triangles);
+        pace::pause().await;
         self.regions = kept;
-        self.regions.extend(self.numbered(&triangles));
+        self.regions.extend(self.numbered(&triangles).await);
         sort::sort_by_key(&mut self.regions, |region| {
             region.triangles().first().copied().unwrap_or_default().into()
         });
     }
 
-    fn numbered(&self, triangles: &[u32]) -> Vec<Region> {
+    async fn numbered(&self, triangles: &[u32]) -> Vec<Region> {
         let barriers = Barriers { mesh: &self.mesh, closed_gaps: &self.closed_gaps };
-        ordered(dofs::number(barriers, triangles), &self.ranks)
+        ordered(dofs::number(barriers, triangles).await, &self.ranks).await
     }
 
     /// Factors the systems of the last analysis that are not factored yet.
@@ -150,8 +167,16 @@ impl MeshSolver {
     /// # Errors
     /// See [`SolveError`].
     pub fn factor(&mut self) -> Result<(), SolveError> {
-        let (mesh, memory) = (&self.mesh, &mut self.memory);
-        self.regions.iter_mut().try_for_each(|region| region.factor(mesh, memory))
+        now(Slices::new(self.factoring()))
+    }
+
+    async fn factoring(&mut self) -> Result<(), SolveError> {
+        let mut pace = Pace::default();
+        for region in &mut self.regions {
+            region.factor(&self.mesh, &mut self.memory).await?;
+            pace.work(region.triangles().len()).await;
+        }
+        Ok(())
     }
 
     /// The colour field of the last analysis, factored if it is not yet; see [`MeshSolver::solve`].
@@ -159,10 +184,26 @@ impl MeshSolver {
     /// # Errors
     /// See [`SolveError`].
     pub fn spread(&mut self, blend: Blend) -> Result<&Field, SolveError> {
-        self.factor()?;
-        let is_changed: Vec<_> = self.regions.iter_mut().map(Region::solve).collect();
+        now(self.spreading(blend))
+    }
+
+    /// The same in slices.
+    ///
+    /// # Errors
+    /// See [`SolveError`].
+    pub fn spreading(&mut self, blend: Blend) -> Slices<'_, Result<&Field, SolveError>> {
+        Slices::new(self.spread_out(blend))
+    }
+
+    async fn spread_out(&mut self, blend: Blend) -> Result<&Field, SolveError> {
+        Slices::new(self.factoring()).await?;
+        let (mut is_changed, mut pace) = (Vec::with_capacity(self.regions.len()), Pace::default());
+        for region in &mut self.regions {
+            is_changed.push(region.solve().await);
+            pace.work(region.triangles().len()).await;
+        }
         if is_changed.contains(&true) {
-            self.emit(&is_changed);
+            self.emit(&is_changed).await;
         }
         self.field.blend = blend;
         Ok(&self.field)
@@ -175,16 +216,32 @@ impl MeshSolver {
     /// # Errors
     /// See [`SolveError`].
     pub fn solve(&mut self, boundary: &Boundary, blend: Blend) -> Result<&Field, SolveError> {
-        self.analyse(boundary);
-        self.spread(blend)
+        now(self.solving(boundary, blend))
+    }
+
+    /// The same in slices. What is left of a solver that was not let finish is of no use.
+    ///
+    /// # Errors
+    /// See [`SolveError`].
+    pub fn solving<'a: 'b, 'b>(
+        &'a mut self,
+        boundary: &'b Boundary,
+        blend: Blend,
+    ) -> Slices<'b, Result<&'a Field, SolveError>> {
+        Slices::new(async move {
+            Slices::new(self.analysing(boundary)).await;
+            self.spreading(blend).await
+        })
     }
 
     /// Puts the triangles of the regions that changed into the field; those of the others go along to where they are now.
-    fn emit(&mut self, is_changed: &[bool]) {
+    async fn emit(&mut self, is_changed: &[bool]) {
         let counts: Vec<_> = self.regions.iter().map(Region::emitted_count).collect();
         let mut before = mem::replace(&mut self.emitted, counts);
         before.resize(self.emitted.len(), 0);
         move_parts(&mut self.field.triangles, &before, &self.emitted);
+        pace::pause_after(self.field.triangles.len()).await;
+        let mut pace = Pace::default();
         let mut rest = &mut self.field.triangles[..];
         let barriers = Barriers { mesh: &self.mesh, closed_gaps: &self.closed_gaps };
         for (i, region) in self.regions.iter_mut().enumerate() {
@@ -193,14 +250,20 @@ impl MeshSolver {
             if is_changed[i] || is_new {
                 region.emit(barriers, is_new, own);
             }
+            pace.work(own.len()).await;
             rest = others;
         }
     }
 }
 
 /// Regions whose unknowns are in the order of elimination of the mesh.
-fn ordered(mut regions: Vec<Dofs>, ranks: &[[u32; 3]]) -> Vec<Region> {
-    regions.iter_mut().for_each(|region| region.order(ranks));
+async fn ordered(mut regions: Vec<Dofs>, ranks: &[[u32; 3]]) -> Vec<Region> {
+    pace::pause().await;
+    let mut pace = Pace::default();
+    for region in &mut regions {
+        region.order(ranks).await;
+        pace.work(region.triangles.len()).await;
+    }
     regions.into_iter().map(Region::new).collect()
 }
 
@@ -277,7 +340,7 @@ mod tests {
         let mut solver = MeshSolver::new(map.refined().clone());
         let mut factored_after = |closed: bool| {
             let boundary = Boundary { closed_gaps: vec![closed], ..sides.clone().into() };
-            solver.close_gaps(&boundary.closed_gaps);
+            now(Slices::new(solver.close_gaps(&boundary.closed_gaps)));
             let kept = solver.regions.iter().filter(|region| region.is_factored()).count();
             solver.analyse(&boundary);
             solver.factor().expect("factors");

@@ -1,9 +1,10 @@
 //! All that is derived from a document: map, labels, colour points, field. Kept, and redone where the source
 //! changed.
 
+use scumble_core::pace::{Slices, now};
 use scumble_core::{
     Boundary, ColorPoint, Document, Drawing, Engine, Labels, MapError, PlanarMap, Sampling, Scribble,
-    Settings, boundary,
+    Settings, bounding,
 };
 
 use crate::field::Field;
@@ -12,7 +13,8 @@ use crate::mesh::{MeshSolver, SolveError};
 /// The picture of one drawing under changing scribbles.
 ///
 /// The stages are [`Picture::new`] (map), [`Picture::mesh`], [`Picture::color`] and the solver's own; a caller
-/// that does not care calls [`Picture::update`].
+/// that does not care calls [`Picture::update`]. What is called an *-ing* does the same in slices; a picture that was not
+/// let finish it is of no use.
 #[derive(Debug)]
 pub struct Picture {
     map: PlanarMap,
@@ -28,9 +30,20 @@ impl Picture {
     /// # Errors
     /// When the drawing has too many pieces.
     pub fn new(drawing: &Drawing) -> Result<Self, MapError> {
-        let settings = Settings::default();
-        let map = PlanarMap::build(drawing, &Sampling::default())?.with_gaps_closed(settings.gap_closing);
-        Ok(Self { map, engine: settings.engine(), settings, solver: None })
+        now(Self::mapping(drawing))
+    }
+
+    /// [`Picture::new`] in slices.
+    ///
+    /// # Errors
+    /// When the drawing has too many pieces.
+    pub fn mapping(drawing: &Drawing) -> Slices<'_, Result<Self, MapError>> {
+        Slices::new(async {
+            let settings = Settings::default();
+            let mut map = PlanarMap::building(drawing, &Sampling::default()).await?;
+            map.closing_gaps(settings.gap_closing).await;
+            Ok(Self { map, engine: settings.engine(), settings, solver: None })
+        })
     }
 
     /// The same drawing, of which nothing but the map is known.
@@ -57,8 +70,21 @@ impl Picture {
 
     /// The solver on the refined map; meshes at the first call.
     pub fn mesh(&mut self) -> &mut MeshSolver {
-        let map = &self.map;
-        self.solver.get_or_insert_with(|| MeshSolver::new(map.refined().clone()))
+        now(self.meshing())
+    }
+
+    /// [`Picture::mesh`] in slices.
+    pub fn meshing(&mut self) -> Slices<'_, &mut MeshSolver> {
+        Slices::new(async {
+            let solver = match self.solver.take() {
+                Some(solver) => solver,
+                None => {
+                    self.map.refining().await;
+                    MeshSolver::meshing(self.map.refined().clone()).await
+                }
+            };
+            self.solver.insert(solver)
+        })
     }
 
     /// Whether [`Picture::mesh`] has been called since the map is what it is.
@@ -68,29 +94,33 @@ impl Picture {
 
     /// The labels of the sides and gaps, by the scribbles that fill; they name scribbles by their indices among all.
     pub fn label(&mut self, scribbles: &[Scribble], settings: &Settings) -> Labels {
+        now(Slices::new(self.labelling(scribbles, settings)))
+    }
+
+    async fn labelling(&mut self, scribbles: &[Scribble], settings: &Settings) -> Labels {
         let settings = settings.clamped();
         let before = std::mem::replace(&mut self.settings, settings);
         let is_other_map =
-            before.gap_closing != settings.gap_closing && self.map.close_gaps(settings.gap_closing);
+            before.gap_closing != settings.gap_closing && self.map.closing_gaps(settings.gap_closing).await;
         if is_other_map {
             self.solver = None;
         }
         if is_other_map || !before.share_engine(&settings) {
             self.engine = settings.engine();
         }
-        self.label_fills(scribbles)
+        self.label_fills(scribbles).await
     }
 
-    fn label_fills(&mut self, scribbles: &[Scribble]) -> Labels {
+    async fn label_fills(&mut self, scribbles: &[Scribble]) -> Labels {
         if scribbles.iter().all(Scribble::is_fill) {
-            return self.engine.label(&self.map, scribbles);
+            return self.engine.labelling(&self.map, scribbles).await;
         }
         let (places, fills): (Vec<_>, Vec<_>) = (0..)
             .zip(scribbles)
             .filter(|(_, scribble)| scribble.is_fill())
             .map(|(i, s)| (i, s.clone()))
             .unzip();
-        let mut labels = self.engine.label(&self.map, &fills);
+        let mut labels = self.engine.labelling(&self.map, &fills).await;
         for label in labels.sides.iter_mut().flatten() {
             *label = places[*label as usize];
         }
@@ -99,8 +129,20 @@ impl Picture {
 
     /// The colours that scribbles and points set by hand give the sides, and the gaps that the scribbles leave closed.
     pub fn color(&mut self, scribbles: &[Scribble], by_hand: &[ColorPoint], settings: &Settings) -> Boundary {
-        let labels = self.label(scribbles, settings);
-        boundary(&self.map, &labels, scribbles, by_hand, settings.blend)
+        now(self.coloring(scribbles, by_hand, settings))
+    }
+
+    /// [`Picture::color`] in slices.
+    pub fn coloring<'a>(
+        &'a mut self,
+        scribbles: &'a [Scribble],
+        by_hand: &'a [ColorPoint],
+        settings: &'a Settings,
+    ) -> Slices<'a, Boundary> {
+        Slices::new(async {
+            let labels = self.labelling(scribbles, settings).await;
+            bounding(&self.map, &labels, scribbles, by_hand, settings.blend).await
+        })
     }
 
     /// The colour field of a document with the drawing that this picture was made for.
@@ -108,8 +150,21 @@ impl Picture {
     /// # Errors
     /// When the solver fails.
     pub fn update(&mut self, document: &Document) -> Result<&Field, SolveError> {
-        let Document { scribbles, color_points, settings, .. } = document;
-        let boundary = self.color(scribbles, color_points, settings);
-        self.mesh().solve(&boundary, document.settings.blend)
+        now(self.updating(document))
+    }
+
+    /// [`Picture::update`] in slices.
+    ///
+    /// # Errors
+    /// When the solver fails.
+    pub fn updating<'a: 'b, 'b>(
+        &'a mut self,
+        document: &'b Document,
+    ) -> Slices<'b, Result<&'a Field, SolveError>> {
+        Slices::new(async {
+            let Document { scribbles, color_points, settings, .. } = document;
+            let boundary = self.coloring(scribbles, color_points, settings).await;
+            self.meshing().await.solving(&boundary, settings.blend).await
+        })
     }
 }

@@ -28,7 +28,7 @@ fn painted(scene: &Coloring) -> Pixmap {
     let document = Document { scribbles, settings: scene.settings, ..Document::new(scene.drawing()) };
     let mut picture = Picture::new(&document.drawing).expect("a map");
     let field = picture.update(&document).expect("a field").clone();
-    let mut shapes = line_shapes(&document.drawing, picture.map(), 0.1);
+    let mut shapes = line_shapes(&document.drawing, Some(picture.map()), 0.1);
     shapes.extend(document.scribbles.iter().flat_map(rimmed));
     let px_from_du = Affine::scale(f64::from(SIZE_PX) / 1024.0);
     let view = View { px_from_du, width_px: SIZE_PX, height_px: SIZE_PX };

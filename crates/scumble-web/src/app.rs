@@ -15,7 +15,7 @@ use web_sys::{HtmlCanvasElement, console};
 #[cfg(feature = "webgpu")]
 use crate::beside::BesideScreen;
 use crate::boundary::{
-    color, color_model_from_name, command_from_js, field, js_from_effects, js_from_history, js_from_picture,
+    color, color_model_from_name, command_from_js, field, js_from_effects, js_from_history,
 };
 use crate::command::Phase;
 use crate::effect::Effect;
@@ -104,10 +104,16 @@ impl App {
         self.shared.borrow_mut().session.prepare(work);
     }
 
-    /// Goes on with that by one step, and tells whether there are more.
+    /// Goes on with that by one slice, and tells whether there are more.
     #[wasm_bindgen(js_name = prepareOn)]
     pub fn prepare_on(&self) -> bool {
         self.shared.borrow_mut().session.prepare_on()
+    }
+
+    /// Goes on by one slice with another picture of the drawing, if one is wanted, and tells whether there are more.
+    #[wasm_bindgen(js_name = makeOn)]
+    pub fn make_on(&self) -> bool {
+        self.shared.borrow_mut().session.make_on()
     }
 
     /// Paints, if anything has changed since the last frame.
@@ -128,9 +134,9 @@ impl App {
         self.shared.borrow().session.work()
     }
 
-    /// A small picture of the drawing: `width`, `height` and `rgba`.
-    pub fn thumbnail(&self) -> JsValue {
-        js_from_picture(&self.shared.borrow_mut().session.thumbnail())
+    /// A small picture of the drawing as it is.
+    pub fn thumbnail(&self) -> Export {
+        Export(self.shared.borrow_mut().session.thumbnail())
     }
 
     /// The picture of the drawing as it is, with so many pixels on its longer side.

@@ -5,7 +5,6 @@
 use js_sys::{Array, Float64Array, Object, Reflect, Uint8Array};
 use kurbo::{Point, Rect, Vec2};
 use scumble_core::{Deed, Paint, Settings, Srgb8, Swatch};
-use scumble_solve::Pixmap;
 use wasm_bindgen::{JsCast, JsValue};
 
 use crate::brush::{Ink, Mode, ModeChange};
@@ -20,7 +19,7 @@ pub(crate) use names::color_model_from_name;
 use names::{
     blend_from_name, blend_name, deed_key, edit_name, engine_from_name, engine_name, erasing_name,
     ink_from_name, kind_from_name, kind_name, pressure_from_name, pressure_name, solver_from_name,
-    solver_name, source_name, tone_name, tool_from_name, tool_name,
+    solver_name, source_name, tone_name, tool_from_name, tool_name, wanted_name,
 };
 
 /// The command of a name, or `None` where there is none of it that takes these arguments.
@@ -222,11 +221,14 @@ fn js_from_effect(effect: Effect) -> (&'static str, JsValue) {
         ),
         Effect::Picked(color) => ("picked", object(&[("color", color.to_string().into())])),
         Effect::ScribbleDropped => ("scribble-dropped", object(&[])),
-        Effect::Making(on_its_way) => ("making", on_its_way.into()),
+        Effect::Making(wanted) => ("making", wanted_name(wanted).into()),
         Effect::MakingStopped => ("making-stopped", object(&[])),
         Effect::Undone => ("undone", object(&[])),
         Effect::Redone => ("redone", object(&[])),
         Effect::Failed(sentence) => ("failed", object(&[("sentence", sentence.into())])),
+        Effect::Unopened(sheet, sentence) => {
+            ("unopened", object(&[("sheet", sheet.into()), ("sentence", sentence.into())]))
+        }
         Effect::Renderer(name) => ("renderer", name.into()),
         Effect::Lost(next) => ("lost", next.map_or(JsValue::NULL, JsValue::from)),
     }
@@ -294,15 +296,6 @@ fn js_from_settings(settings: Settings) -> JsValue {
         ("engine", engine_name(settings.engine).into()),
         ("gapClosing", settings.gap_closing.into()),
         ("spread", settings.spread.into()),
-    ])
-}
-
-/// Size in pixels, and the pixels.
-pub(crate) fn js_from_picture(picture: &Pixmap) -> JsValue {
-    object(&[
-        ("width", picture.width_px.into()),
-        ("height", picture.height_px.into()),
-        ("rgba", Uint8Array::from(&picture.rgba[..]).into()),
     ])
 }
 

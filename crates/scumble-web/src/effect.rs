@@ -49,8 +49,8 @@ pub enum Effect {
     Settings(Settings),
     /// The picture under the lines. Told before the sheet whose it is.
     Tracing(TracingState),
-    /// Whether another picture of the drawing is on its way, in steps.
-    Making(bool),
+    /// What of its picture is on its way, in steps. Told before the sheet whose it is.
+    Making(Wanted),
     /// Which solver makes the picture.
     Solver(SolverState),
     /// A drawing was opened.
@@ -118,6 +118,8 @@ pub enum Effect {
     Redone,
     /// Something could not be done: a sentence for people.
     Failed(String),
+    /// The drawing of this number, which was shown, has no picture: a sentence that says why. It is closed.
+    Unopened(u32, String),
     /// The canvas is served by the renderer of this name.
     Renderer(&'static str),
     /// The canvas is served no more. On a new one, the renderer of this name is to be asked for; `None` where all
@@ -178,6 +180,18 @@ pub enum Edit {
     Shown,
 }
 
+/// What is on its way beside what is shown.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Wanted {
+    /// Nothing: what is shown is the picture of the drawing.
+    #[default]
+    Nothing,
+    /// Another picture.
+    Picture,
+    /// The mesh of a picture on pixels.
+    Mesh,
+}
+
 /// The picture under the lines of the drawing that is shown, and the page into which it is fitted.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TracingState {
@@ -209,7 +223,7 @@ pub(crate) struct State {
     pub(crate) settings: Option<Settings>,
     pub(crate) tracing: Option<TracingState>,
     pub(crate) palette: Option<Vec<Swatch>>,
-    pub(crate) making: Option<bool>,
+    pub(crate) making: Option<Wanted>,
     pub(crate) solver: Option<SolverState>,
 }
 
@@ -218,6 +232,7 @@ impl State {
     pub(crate) fn news_since(&self, known: &Self) -> Vec<Effect> {
         let each = [
             news(self.tracing, known.tracing, Effect::Tracing),
+            news(self.making, known.making, Effect::Making),
             news(self.sheet, known.sheet, Effect::Sheet),
             news(self.undo, known.undo, Effect::Undo),
             news(self.redo, known.redo, Effect::Redo),
@@ -235,7 +250,6 @@ impl State {
             news(self.result, known.result, Effect::Result),
             news(self.regions, known.regions, Effect::Regions),
             news(self.settings, known.settings, Effect::Settings),
-            news(self.making, known.making, Effect::Making),
             news(self.solver, known.solver, Effect::Solver),
         ];
         let palette = self.palette.as_ref().filter(|_| self.palette != known.palette);

@@ -87,7 +87,7 @@ impl Layers {
         self.shapes.truncate(EACH * self.scribbles.len());
     }
 
-    pub(crate) fn add_lines(&mut self, drawing: &Drawing, map: &PlanarMap) {
+    pub(crate) fn add_lines(&mut self, drawing: &Drawing, map: Option<&PlanarMap>) {
         self.shapes.extend(line_shapes(drawing, map, self.tolerance_du));
     }
 

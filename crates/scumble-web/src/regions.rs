@@ -20,7 +20,7 @@ const GAP_PX: f64 = 2.5;
 const GAP_COLORS: [Rgba8; 2] = [Rgba8([0xc8, 0x10, 0x2e, 0xff]), Rgba8([0xc8, 0x10, 0x2e, 0x50])];
 
 /// Of which drawing a map is, which lines that has, and how readily gaps count as closed.
-pub(crate) type MapKey = (u32, u32, f64);
+pub(crate) type MapKey = (u32, Option<u32>, f64);
 
 /// What is shown of a map.
 #[derive(Clone, Debug, Default)]

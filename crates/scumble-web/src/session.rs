@@ -9,11 +9,11 @@ use kurbo::{Affine, Rect};
 use scumble_core::drawing::LONGER_SIDE_DU;
 use scumble_core::{Boundary, Deed, Document, Drawing, MapError, Paint, Srgb8, Swatch, Tracing, Work, exact};
 use scumble_solve::grid::GridProblem;
-use scumble_solve::{Field, Pixmap, View};
+use scumble_solve::{Field, Picture, View};
 
 use crate::brush::{Brush, Ink};
 use crate::command::{Command, Setting, Tool};
-use crate::effect::{Effect, State, TracingState};
+use crate::effect::{Effect, State, TracingState, Wanted};
 use crate::layers::Layers;
 use crate::painting::{Changed, Export, PAPER, Painter, Painting};
 use crate::regions::Regions;
@@ -86,8 +86,6 @@ pub struct Session {
     solver: Solver,
     grids: Grids,
     source: Source,
-    /// Whether a picture of a grid, shown before that of the mesh, has been there.
-    was_at_once: bool,
     stale: Stale,
     changed: Changed,
     known: State,
@@ -122,9 +120,10 @@ impl Session {
     /// Where even a blank page has no map.
     pub fn new(desk: Srgb8) -> Result<Self, MapError> {
         let drawing = Drawing::new(BLANK);
+        let picture = Picture::new(&drawing)?;
         Ok(Self {
             viewport: Viewport::new(drawing.frame()),
-            sheet: Sheet::new(0, Work::new(Document::new(drawing)))?,
+            sheet: Sheet::new(0, Work::new(Document::new(drawing)), picture),
             shelf: Shelf::default(),
             coming: None,
             making: None,
@@ -151,7 +150,6 @@ impl Session {
             solver: Solver::default(),
             grids: Grids::default(),
             source: Source::default(),
-            was_at_once: false,
             stale: Stale::ALL,
             changed: Changed::ALL,
             known: State::default(),
@@ -242,7 +240,6 @@ impl Session {
 
     /// Derives what is stale and shows it; does nothing where nothing has changed. Tells whether there is more to show.
     pub fn frame(&mut self, painter: &mut dyn Painter) -> bool {
-        self.make_on();
         self.refresh_colors();
         self.refresh_regions();
         self.refresh_ink();
@@ -258,10 +255,9 @@ impl Session {
                 paper: self.paper,
             };
             let is_all = painter.paint(&painting, changed);
-            self.was_at_once |= is_all;
             self.stale.view = !is_all || self.choice() != self.source;
         }
-        self.stale.view || self.is_making()
+        self.stale.view || self.wanted() != Wanted::Nothing
     }
 
     /// Everything is to be painted anew, by a painter that has nothing yet.
@@ -276,9 +272,8 @@ impl Session {
     }
 
     /// The picture for a list of drawings: as in a file, but small, and with lines if they are shown.
-    pub fn thumbnail(&mut self) -> Pixmap {
-        let export = self.export(THUMBNAIL_PX, self.lines_shown);
-        export.rows(0, export.view.height_px, Some(PAPER))
+    pub fn thumbnail(&mut self) -> Export {
+        self.export(THUMBNAIL_PX, self.lines_shown)
     }
 
     /// The picture for a file: the whole page without scribbles, with so many pixels on its longer side.
@@ -289,7 +284,7 @@ impl Session {
         let px_per_du = size_px / LONGER_SIDE_DU;
         let mut layers = Layers::at_scale(px_per_du);
         if lines {
-            layers.add_lines(drawing, self.sheet.picture.map());
+            layers.add_lines(drawing, self.sheet.ink_map());
         }
         Export { layers, field: self.field.clone(), view: self.page(px_per_du) }
     }
@@ -403,7 +398,7 @@ impl Session {
                 page: self.document().drawing.size_du(),
             }),
             palette: Some(self.document().palette.clone()),
-            making: Some(self.is_making()),
+            making: Some(self.wanted()),
             solver: Some(SolverState { asked: self.solver, source: self.source }),
         }
     }

@@ -78,8 +78,8 @@ pub(crate) struct Moment {
     /// Device pixels of one du.
     pub(crate) px_per_du: f64,
     pub(crate) pieces: usize,
-    /// Whether the mesh is there, or nothing else will be shown before it is.
-    pub(crate) is_mesh_due: bool,
+    /// Whether the mesh is there.
+    pub(crate) has_mesh: bool,
     /// Whether lines are being moved.
     pub(crate) is_in_motion: bool,
 }
@@ -100,7 +100,7 @@ impl Solver {
 impl Moment {
     /// Whether the grid solver has a picture well before the mesh solver.
     fn is_grid_quicker(&self) -> bool {
-        let is_first = self.pieces > MANY_PIECES && !self.is_mesh_due;
+        let is_first = self.pieces > MANY_PIECES && !self.has_mesh;
         let is_followed = self.is_in_motion && self.pieces > PIECES_IN_HAND;
         self.grids == Grids::Fast && (is_first || is_followed)
     }
@@ -129,7 +129,7 @@ mod tests {
     use super::*;
 
     const SMALL: Moment =
-        Moment { grids: Grids::Fast, px_per_du: 1.0, pieces: 1000, is_mesh_due: false, is_in_motion: false };
+        Moment { grids: Grids::Fast, px_per_du: 1.0, pieces: 1000, has_mesh: false, is_in_motion: false };
     const LARGE: Moment = Moment { pieces: 200_000, ..SMALL };
 
     #[test]
@@ -143,17 +143,17 @@ mod tests {
     }
 
     #[test]
-    fn a_large_drawing_has_a_grid_until_its_mesh_is_due_where_a_graphics_card_solves_it() {
+    fn a_large_drawing_has_a_grid_until_its_mesh_is_there_where_a_graphics_card_solves_it() {
         assert_eq!(Solver::Automatic.source(&LARGE), Source::Grid);
         assert_eq!(Solver::Automatic.source(&SMALL), Source::Mesh);
-        for moment in [Moment { is_mesh_due: true, ..LARGE }, Moment { grids: Grids::Slow, ..LARGE }] {
+        for moment in [Moment { has_mesh: true, ..LARGE }, Moment { grids: Grids::Slow, ..LARGE }] {
             assert_eq!(Solver::Automatic.source(&moment), Source::Mesh);
         }
     }
 
     #[test]
     fn lines_in_motion_have_a_grid_where_the_mesh_cannot_follow() {
-        let moving = |pieces| Moment { pieces, is_in_motion: true, is_mesh_due: true, ..SMALL };
+        let moving = |pieces| Moment { pieces, is_in_motion: true, has_mesh: true, ..SMALL };
         assert_eq!(Solver::Automatic.source(&moving(1000)), Source::Mesh);
         assert_eq!(Solver::Automatic.source(&moving(5000)), Source::Grid);
         assert_eq!(Solver::Automatic.source(&Moment { is_in_motion: false, ..moving(5000) }), Source::Mesh);

@@ -1,26 +1,36 @@
-//! Large drawings whose settings or lines change: their pictures are made step by step, and can be done without.
+//! Large drawings that are opened, or whose settings or lines change: their pictures are made step by step, and can be done
+//! without.
 
-use scumble_core::{Document, EngineKind, Srgb8, Work, exact};
+use std::iter;
+
+use kurbo::{BezPath, PathEl, Point, Rect};
+use scumble_core::{Curve, Document, Drawing, EngineKind, Srgb8, Tone, Work, exact};
 use scumble_io::import_svg;
-use scumble_solve::Field;
+use scumble_solve::{Field, Picture};
+use scumble_web::brush::Ink;
 use scumble_web::command::{Command, Phase, Setting, Tool, ViewChange};
-use scumble_web::effect::Effect;
+use scumble_web::effect::{Effect, Wanted};
 use scumble_web::painting::{Changed, Painter, Painting};
 use scumble_web::session::Session;
+use scumble_web::solver::{Grids, Solver};
 
 use zigzags::zigzags;
 
 mod zigzags;
 
-/// A painter that keeps the field it is given.
+/// Slices of a picture on its way that are made for a frame.
+const SLICES: usize = 40;
+
+/// A painter that keeps the field it is given, and how many shapes of ink.
 #[derive(Default)]
-struct Screen(Field);
+struct Screen(Field, usize);
 
 impl Painter for Screen {
     fn paint(&mut self, painting: &Painting<'_>, changed: Changed) -> bool {
         if changed.field {
             self.0.clone_from(painting.field);
         }
+        self.1 = painting.layers.ink().len();
         true
     }
 }
@@ -44,14 +54,18 @@ impl Page {
         let session = Session::new(Srgb8([90; 3])).expect("a blank page");
         let mut page = Self { session, screen: Screen::default() };
         page.session.command(Command::View(ViewChange::Resize([1200, 900], 1.0)));
-        page.session.command(Command::Open { work, notes: String::new() });
+        page.lay(work);
         page.session.command(Command::View(ViewChange::ZoomReset));
         page.rest();
         page
     }
 
+    fn lay(&mut self, work: Vec<u8>) {
+        self.session.command(Command::Open { work, notes: String::new() });
+    }
+
     fn pen(&mut self, phase: Phase, point_du: (f64, f64)) {
-        let point = self.session.css_from_du() * kurbo::Point::from(point_du);
+        let point = self.session.css_from_du() * Point::from(point_du);
         self.session.pointer(phase, &[point.x as f32, point.y as f32, 1.0]);
     }
 
@@ -74,18 +88,21 @@ impl Page {
         self.session.pointer(Phase::Up, &[]);
     }
 
+    /// The next frame, after some of what is on its way was done.
     fn frame(&mut self) -> bool {
+        let _ = (0..SLICES).find(|_| !self.session.make_on());
         self.session.frame(&mut self.screen)
     }
 
     /// Frames until there is nothing more to show; how many.
     fn rest(&mut self) -> usize {
-        (1..100).find(|_| !self.frame()).expect("it comes to rest")
+        (1..1000).find(|_| !self.frame()).expect("it comes to rest")
     }
 
     /// Whether the page was told last that a picture is on its way, if it was told anything of that.
     fn told(&mut self) -> Option<bool> {
-        let told = |effect| if let Effect::Making(making) = effect { Some(making) } else { None };
+        let told =
+            |effect| if let Effect::Making(wanted) = effect { Some(wanted != Wanted::Nothing) } else { None };
         self.session.take_effects().into_iter().filter_map(told).next_back()
     }
 
@@ -120,7 +137,7 @@ fn other_settings_are_seen_some_frames_later_and_colours_follow_meanwhile() {
         page.stroke([(x, 97.0), (x + 100.0, 97.0)]);
         page.frame();
         assert!(page.screen.0 != before, "what is scribbled close to lines shows at once");
-        assert!(page.rest() < 6);
+        assert!(page.rest() < 10);
         assert_eq!(page.told(), Some(false));
         page.assert_right();
     }
@@ -143,11 +160,10 @@ fn moved_lines_are_seen_some_frames_later() {
     let mut page = Page::open();
     page.move_line();
     let before = page.screen.0.clone();
-    page.told();
+    assert_eq!(page.told(), Some(true));
     assert!(page.frame());
     page.stroke([(100.0, 500.0), (900.0, 500.0)]);
     assert!(page.frame());
-    assert_eq!(page.told(), Some(true));
     assert!(page.screen.0 == before);
     page.rest();
     assert_eq!(page.told(), Some(false));
@@ -164,7 +180,9 @@ fn what_asked_for_a_picture_is_taken_back_and_the_one_before_is_still_there() {
         page.told();
         page.session.command(Command::StopMaking);
         let effects = page.session.take_effects();
-        assert!(effects.contains(&Effect::Making(false)) && effects.contains(&Effect::MakingStopped));
+        assert!(
+            effects.contains(&Effect::Making(Wanted::Nothing)) && effects.contains(&Effect::MakingStopped)
+        );
         assert_eq!(page.rest(), 1, "nothing is made anew");
         assert!(page.session.work() == work && page.screen.0 == picture);
         page.session.command(Command::Redo);
@@ -190,7 +208,7 @@ fn another_drawing_is_not_given_the_picture_of_the_one_before() {
     let mut page = Page::open();
     let picture = page.screen.0.clone();
     let other = Page::open().session.work();
-    page.session.command(Command::Open { work: other, notes: String::new() });
+    page.lay(other);
     page.set_spread(true);
     assert!(page.frame() && page.frame());
     page.session.command(Command::Undo);
@@ -209,5 +227,165 @@ fn a_picture_for_a_file_is_that_of_the_document() {
     assert_eq!(page.told(), Some(false));
     page.rest();
     assert!(page.screen.0 == exported);
+    page.assert_right();
+}
+
+/// The work of a drawing that takes long, with a scribble.
+fn large() -> Vec<u8> {
+    let drawing = import_svg(zigzags(100).as_bytes()).expect("a drawing").drawing;
+    let scribble = Page::open().session.document().scribbles[0].clone();
+    exact::write(&Work::new(Document { scribbles: vec![scribble], ..Document::new(drawing) }))
+}
+
+#[test]
+fn the_lines_of_a_large_drawing_are_there_at_once_and_the_pen_with_them() {
+    let mut page = Page::open();
+    let ink = page.screen.1;
+    page.lay(large());
+    assert!(page.frame() && page.frame());
+    assert_eq!(page.told(), Some(true));
+    assert!(page.screen.1 > ink + 90, "lines and all");
+    let blank = page.screen.0.clone();
+    page.stroke([(100.0, 97.0), (200.0, 97.0)]);
+    assert!(page.frame());
+    assert!(page.screen.0 == blank);
+    page.rest();
+    assert_eq!(page.told(), Some(false));
+    let document = page.session.document();
+    assert_eq!(document.scribbles.len(), 2);
+    let mut picture = Picture::new(&document.drawing).expect("a map");
+    assert!(page.screen.0 == *picture.update(document).expect("a field"));
+}
+
+#[test]
+fn a_large_drawing_is_left_for_the_one_before_and_can_be_come_back_to() {
+    for leave in [Command::StopMaking, Command::Undo] {
+        for is_worked_on in [false, true] {
+            let mut page = Page::of(Page::open().session.work());
+            if is_worked_on {
+                page.stroke([(100.0, 97.0), (200.0, 97.0)]);
+                page.rest();
+            }
+            let (before, picture) = (page.session.work(), page.screen.0.clone());
+            page.lay(large());
+            assert!(page.frame() && page.frame());
+            page.session.command(leave.clone());
+            page.rest();
+            assert_eq!(page.told(), Some(false));
+            assert!(page.session.work() == before && page.screen.0 == picture);
+            page.session.command(Command::Redo);
+            page.rest();
+            assert!(page.session.work() == large());
+            page.told();
+            page.session.command(Command::Undo);
+            assert!((page.session.work() == before) == is_worked_on, "nobody's work is let go of");
+        }
+    }
+}
+
+/// A line of too many pieces.
+fn endless() -> Drawing {
+    let mut drawing = Drawing::new(Rect::new(0.0, 0.0, 1024.0, 1024.0));
+    let corner = |i: u32| Point::new(f64::from(i / 1000) + 0.5 * f64::from(i % 2), f64::from(i % 1000));
+    let path = BezPath::from_iter(
+        iter::once(PathEl::MoveTo(corner(0))).chain((1..1_010_000).map(|i| PathEl::LineTo(corner(i)))),
+    );
+    drawing.curves.push(Curve { path, line: None });
+    drawing
+}
+
+#[test]
+fn a_drawing_of_too_many_pieces_is_closed_once_that_is_known() {
+    let mut page = Page::open();
+    let (before, picture) = (page.session.work(), page.screen.0.clone());
+    page.lay(exact::write(&Work::new(Document::new(endless()))));
+    page.rest();
+    let effects = page.session.take_effects();
+    assert!(
+        effects.iter().any(|effect| matches!(effect, Effect::Unopened(_, why) if why.contains("pieces")))
+    );
+    assert!(page.session.work() == before && page.screen.0 == picture);
+    page.session.command(Command::Redo);
+    assert!(page.session.work() == before, "it does not come back");
+}
+
+#[test]
+fn a_large_drawing_under_another_can_still_be_left_or_found_to_have_too_many_pieces() {
+    let too_many = exact::write(&Work::new(Document::new(endless())));
+    for work in [large(), too_many.clone()] {
+        let is_endless = work == too_many;
+        let mut page = Page::of(Page::open().session.work());
+        let before = page.session.work();
+        page.lay(work);
+        page.stroke([(100.0, 97.0), (200.0, 97.0)]);
+        page.told();
+        page.lay(Page::open().session.work());
+        page.told();
+        page.session.command(Command::Undo);
+        assert_eq!(page.told(), Some(true));
+        if is_endless {
+            page.rest();
+        } else {
+            page.session.command(Command::StopMaking);
+        }
+        assert!(page.session.work() == before);
+        page.rest();
+        page.session.command(Command::Redo);
+        assert_eq!(page.session.document().scribbles.len(), if is_endless { 1 } else { 2 });
+    }
+}
+
+#[test]
+fn what_is_done_while_a_large_drawing_is_made_is_made_in_slices_too() {
+    let mut page = Page::open();
+    page.lay(large());
+    page.frame();
+    while page.session.make_on() {
+        if page.session.document().scribbles.len() == 1 {
+            page.stroke([(100.0, 600.0), (800.0, 610.0)]);
+        }
+    }
+    let document = page.session.document().clone();
+    assert_eq!(document.scribbles.len(), 2);
+    page.session.frame(&mut page.screen);
+    let mut picture = Picture::new(&document.drawing).expect("a map");
+    assert!(page.screen.0 == *picture.update(&document).expect("a field"));
+}
+
+#[test]
+fn a_tone_on_a_large_drawing_is_one_of_the_colour_that_is_to_come() {
+    let mut pages = [false, true].map(|waits| {
+        let mut page = Page::open();
+        page.lay(large());
+        page.frame();
+        if waits {
+            page.rest();
+        }
+        page.session.command(Command::Color(Ink::Tone(Tone::Darker)));
+        page.stroke([(300.0, 60.0), (400.0, 60.0)]);
+        page.rest();
+        page
+    });
+    let colors = pages.each_ref().map(|page| page.session.document().scribbles[1].color);
+    assert_eq!(colors[0], colors[1]);
+    pages[0].assert_right();
+}
+
+#[test]
+fn the_mesh_of_a_picture_on_pixels_is_made_in_slices() {
+    let mut page = Page::open();
+    page.session.set_grids(Grids::Fast);
+    page.session.command(Command::Solver(Solver::Gpu));
+    page.lay(Page::open().session.work());
+    page.rest();
+    page.session.take_effects();
+    let on_pixels = page.screen.0.clone();
+    page.session.command(Command::Solver(Solver::Mesh));
+    assert!(page.session.frame(&mut page.screen));
+    let wanted = Effect::Making(Wanted::Mesh);
+    assert!(page.session.take_effects().contains(&wanted));
+    assert!(page.screen.0 == on_pixels);
+    page.rest();
+    assert_eq!(page.told(), Some(false));
     page.assert_right();
 }

@@ -252,7 +252,7 @@ fn the_thumbnail_is_the_whole_page_small_and_leaves_the_canvas_as_it_was() {
     let mut page = Page::open(SQUARE);
     page.stroke(RED, &ACROSS);
     let before = page.color_at(OUTSIDE);
-    let thumbnail = page.session.thumbnail();
+    let thumbnail = page.thumbnail();
     assert_eq!(thumbnail.width_px.max(thumbnail.height_px), 240);
     assert_eq!(thumbnail.rgba.len() as u32, 4 * thumbnail.width_px * thumbnail.height_px);
     let at = |(x, y): (f64, f64)| pixel(&thumbnail, Point::new(x * 240.0 / 1024.0, y * 240.0 / 1024.0));
@@ -766,7 +766,7 @@ fn without_paper_the_canvas_is_clear_where_nothing_is_coloured_and_pictures_for_
         shown.rgba[4 * (y as usize * shown.width_px as usize + x as usize) + 3]
     };
     assert_eq!([OUTSIDE, INSIDE, ON_THE_LINE, (-20.0, 400.0)].map(&mut alpha_at), [0, 255, 255, 255]);
-    assert!(page.session.thumbnail().rgba.iter().skip(3).step_by(4).all(|alpha| *alpha == 255));
+    assert!(page.thumbnail().rgba.iter().skip(3).step_by(4).all(|alpha| *alpha == 255));
     page.session.command(Command::Paper(true));
     assert_eq!(page.color_at(OUTSIDE), WHITE);
 }

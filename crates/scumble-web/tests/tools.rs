@@ -197,10 +197,10 @@ fn rooms_and_gaps_are_shown_in_place_of_the_colours_and_follow_gap_closing() {
 #[test]
 fn a_picture_for_a_list_has_the_colours_also_while_rooms_are_shown() {
     let mut page = filled();
-    let before = page.session.thumbnail();
+    let before = page.thumbnail();
     page.session.command(Command::Regions(true));
     assert_ne!(page.color_at(INSIDE), RED);
-    assert_eq!(page.session.thumbnail(), before);
+    assert_eq!(page.thumbnail(), before);
     page.session.command(Command::Undo);
     assert_ne!(page.color_at(INSIDE), WHITE, "rooms have nothing to do with scribbles");
 }

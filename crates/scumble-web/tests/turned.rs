@@ -75,11 +75,11 @@ fn a_stroke_lies_where_the_pen_was_and_colours_what_it_colours_upright() {
 #[test]
 fn the_drawing_and_its_pictures_stay_as_they_are() {
     let mut page = scribbled(0.0, false);
-    let (work, picture) = (page.session.work(), page.session.thumbnail());
+    let (work, picture) = (page.session.work(), page.thumbnail());
     page.view(ViewChange::Mirror);
     page.view(ViewChange::RotateStep { is_clockwise: true });
     assert_eq!(page.session.work(), work);
-    assert_eq!(page.session.thumbnail(), picture);
+    assert_eq!(page.thumbnail(), picture);
 }
 
 #[test]

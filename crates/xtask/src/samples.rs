@@ -99,7 +99,7 @@ fn write_work(document: &Document, folder: &Path, stem: &str, ending: &str) -> R
 /// What Scumble makes of a document, as PNG.
 fn thumbnail(document: &Document) -> Result<Vec<u8>> {
     let mut picture = Picture::new(&document.drawing)?;
-    let shapes = &line_shapes(&document.drawing, picture.map(), LINE_TOLERANCE_DU);
+    let shapes = &line_shapes(&document.drawing, Some(picture.map()), LINE_TOLERANCE_DU);
     let scale = THUMBNAIL_PX / LONGER_SIDE_DU;
     let size = document.drawing.size_du() * scale;
     let [width_px, height_px] = [size.width, size.height].map(|side| side.round() as u32);

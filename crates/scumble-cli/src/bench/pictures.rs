@@ -1,6 +1,7 @@
 //! How long the picture of a drawing takes: opened, with one more scribble, and with another colour.
 
-use scumble_core::{Drawing, Paint, Scribble, Settings};
+use scumble_core::pace::Slices;
+use scumble_core::{Document, Drawing, Paint, Scribble, Settings};
 use scumble_solve::Picture;
 
 use crate::clock::{Times, timed};
@@ -13,8 +14,9 @@ const SIZE_PX: u32 = 1024;
 const TURNS: usize = 12;
 
 /// What is timed, in the order of [`PictureTimes::rows`].
-pub(super) const ROWS: [&str; 7] = [
+pub(super) const ROWS: [&str; 8] = [
     "drawing to picture, one scribble",
+    "  … the longest slice of it",
     "one more scribble (color to solve)",
     "  … of which color",
     "  … of which analyse",
@@ -43,6 +45,7 @@ impl PictureTimes {
         });
         let mut picture = opened?;
         times.rows[0].push(open_ms);
+        times.rows[1].push(longest_slice_ms(drawing, first)?);
         let mut scribbles = scribbles.to_vec();
         for _ in 0..scribbles.len().min(TURNS) {
             scribbles.rotate_left(1);
@@ -71,7 +74,26 @@ impl PictureTimes {
             recolored.total_ms(),
             recolored.solve_ms,
         ];
-        self.rows[1..].iter_mut().zip(times_ms).for_each(|(row, ms)| row.push(ms));
+        self.rows[2..].iter_mut().zip(times_ms).for_each(|(row, ms)| row.push(ms));
         Ok(())
+    }
+}
+
+/// How long a page that makes the picture in slices does not answer at most.
+fn longest_slice_ms(drawing: &Drawing, scribbles: &[Scribble]) -> anyhow::Result<f64> {
+    let document = Document { scribbles: scribbles.to_vec(), ..Document::new(drawing.clone()) };
+    let mut slices = Slices::new(async {
+        let mut picture = Picture::mapping(&document.drawing).await?;
+        picture.updating(&document).await?;
+        Ok::<_, anyhow::Error>(())
+    });
+    let mut longest_ms = 0.0;
+    loop {
+        let (made, ms) = timed(|| slices.go_on());
+        longest_ms = ms.max(longest_ms);
+        match made {
+            Ok(made) => return made.map(|()| longest_ms),
+            Err(left) => slices = left,
+        }
     }
 }

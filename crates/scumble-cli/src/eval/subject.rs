@@ -43,7 +43,7 @@ impl Subject {
         let view = stages::page_view(&opened.document.drawing, truth.longer_side_px());
         let fits = (view.width_px, view.height_px) == (truth.width_px, truth.height_px);
         ensure!(fits, "{} has not the shape of the drawing", path.display());
-        let lines = line_shapes(&opened.document.drawing, opened.picture.map(), LINE_TOLERANCE_DU);
+        let lines = line_shapes(&opened.document.drawing, Some(opened.picture.map()), LINE_TOLERANCE_DU);
         let darkness = darkness(&lines, &view);
         Ok(Self { opened, scribbles, truth, lines, darkness })
     }

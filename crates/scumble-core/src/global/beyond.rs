@@ -5,6 +5,7 @@
 //! way leads through it any more: what had come that way is dried, and flooded anew from around it.
 
 use super::flood::{Cost, Flood, NONE, Ways};
+use crate::pace;
 use crate::planar_map::PlanarMap;
 use crate::triangulation::HalfEdge;
 
@@ -25,7 +26,7 @@ impl Beyond {
     }
 
     /// Floods on from what came to the flood before the gaps since the last call, and labels what it comes to.
-    pub(super) fn follow(
+    pub(super) async fn follow(
         &mut self,
         map: &PlanarMap,
         ways: &Ways,
@@ -39,7 +40,8 @@ impl Beyond {
         }
         ways.gaps.iter().for_each(|&h| self.reach_through(map, ways, ranks, before, h));
         let is_before = &self.is_before;
-        self.flood.run_where(map, &ways.costs, ranks, |next, h| ways.is_open[h.index()] && !is_before[next]);
+        let may_go = |next: usize, h: HalfEdge| ways.is_open[h.index()] && !is_before[next];
+        pace::repeat(|| self.flood.go_on(map, &ways.costs, ranks, may_go)).await;
         for (label, &beyond) in labels.iter_mut().zip(&self.flood.labels).filter(|(label, _)| **label == NONE)
         {
             *label = beyond;

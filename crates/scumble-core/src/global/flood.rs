@@ -7,6 +7,7 @@ use kurbo::Point;
 
 use super::pockets::{self, Rooms};
 use crate::clearance::OPEN_DU;
+use crate::pace;
 use crate::planar_map::PlanarMap;
 use crate::triangulation::{HalfEdge, Triangulation};
 
@@ -78,29 +79,35 @@ pub(super) struct Ways {
 
 impl Ways {
     /// With `spread`, all gaps are open, else none until [`Ways::open_to`].
-    pub(super) fn new(map: &PlanarMap, spread: bool) -> Self {
+    pub(super) async fn new(map: &PlanarMap, spread: bool) -> Self {
         let mesh = map.refined();
-        let gaps = mesh.half_edges().filter(|&h| mesh.gap(h).is_some()).collect();
-        let none = vec![0; 3 * mesh.triangle_count()];
         let (room_of, room_count) = mesh.rooms();
-        let rooms = Rooms::new(map, &room_of, room_count);
+        pace::pause().await;
+        let gaps: Vec<_> = mesh.half_edges().filter(|&h| mesh.gap(h).is_some()).collect();
+        let regions = mesh.regions();
+        pace::pause().await;
+        let rooms = Rooms::new(map, &gaps, &room_of, room_count, regions);
+        pace::pause().await;
         let is_open = mesh.half_edges().map(|h| spread || mesh.gap(h).is_none()).collect();
         let are_clear = vec![false; room_count];
         let triangle_of_side = vec![NONE; map.side_count()];
-        let (costs, lengths) = (none.clone(), none);
+        let costs = vec![0; 3 * mesh.triangle_count()];
+        let lengths = costs.clone();
         let mut ways = Self { costs, lengths, room_of, rooms, are_clear, triangle_of_side, gaps, is_open };
         let gap_costs = gap_costs(map);
-        for (t, base) in bases(map).into_iter().map(|base| base as usize).enumerate() {
+        let bases = bases(map).await;
+        pace::for_each(bases.into_iter().map(|base| base as usize).enumerate(), |(t, base)| {
             ways.are_clear[ways.room_of[t] as usize] |= map.clearance().place_widths_du[base] > 0.0;
             (0..3).for_each(|i| ways.measure(map, HalfEdge::of(t, i), base, &gap_costs));
-        }
+        })
+        .await;
         ways
     }
 
     /// Opens the gaps that lead into the pockets and corners of what was drawn, pairs of a kind of scribble and a room in
     /// ascending order, and closes all others; says whether any of them was open.
-    pub(super) fn open_to(&mut self, map: &PlanarMap, drawn: &[[u32; 2]]) -> bool {
-        let doors = self.rooms.open_doors(drawn);
+    pub(super) async fn open_to(&mut self, map: &PlanarMap, drawn: &[[u32; 2]]) -> bool {
+        let doors = self.rooms.open_doors(drawn).await;
         let mut closes = false;
         for h in &self.gaps {
             let door = pockets::door(map, &self.room_of, *h);
@@ -132,22 +139,24 @@ impl Ways {
 
 /// Per triangle of the refined mesh the one of the map that its centroid lies in: from each to those beside it, as it is a
 /// long way to the one that is next in the list.
-fn bases(map: &PlanarMap) -> Vec<u32> {
-    let mesh = map.refined();
-    let mut bases = vec![NONE; mesh.triangle_count()];
-    let mut stack = Vec::new();
-    for start in 0..bases.len() {
-        stack.push((start, 0));
-        while let Some((t, hint)) = stack.pop() {
-            if bases[t] != NONE {
-                continue;
-            }
-            let base = map.triangulation().locate(centroid(mesh, t), hint).unwrap_or(hint);
-            bases[t] = base as u32;
-            stack.extend((0..3).filter_map(|i| Some((mesh.twin(HalfEdge::of(t, i))?.triangle(), base))));
-        }
-    }
+async fn bases(map: &PlanarMap) -> Vec<u32> {
+    let mut bases = vec![NONE; map.refined().triangle_count()];
+    let mut waiting = vec![(0, 0)];
+    pace::repeat(|| find_base(map, &mut bases, &mut waiting)).await;
     bases
+}
+
+/// Finds that of the next triangle that waits, with one of the map that is near it, and tells whether there was one. All
+/// triangles of a page hang together.
+fn find_base(map: &PlanarMap, bases: &mut [u32], waiting: &mut Vec<(usize, usize)>) -> bool {
+    let mesh = map.refined();
+    let Some((t, hint)) = waiting.pop() else { return false };
+    if bases.get(t) == Some(&NONE) {
+        let base = map.triangulation().locate(centroid(mesh, t), hint).unwrap_or(hint);
+        bases[t] = base as u32;
+        waiting.extend((0..3).filter_map(|i| Some((mesh.twin(HalfEdge::of(t, i))?.triangle(), base))));
+    }
+    true
 }
 
 fn centroid(mesh: &Triangulation, triangle: usize) -> Point {
@@ -183,29 +192,28 @@ impl Flood {
     }
 
     /// Floods on from wherever scribbles have come to, not through gaps.
-    pub(super) fn run(&mut self, map: &PlanarMap, costs: &[Cost], ranks: &[u32]) {
-        self.run_where(map, costs, ranks, |_, h| map.refined().gap(h).is_none());
+    pub(super) async fn run(&mut self, map: &PlanarMap, costs: &[Cost], ranks: &[u32]) {
+        pace::repeat(|| self.go_on(map, costs, ranks, |_, h| map.refined().gap(h).is_none())).await;
     }
 
-    /// Floods on through the passages that are open to `may_go(next triangle, half-edge)`, each at its cost.
-    pub(super) fn run_where(
+    /// Floods on from the triangle that is reached next, through the passages that are open to `may_go(next triangle,
+    /// half-edge)`, each at its cost; tells whether there was one.
+    pub(super) fn go_on(
         &mut self,
         map: &PlanarMap,
         costs: &[Cost],
         ranks: &[u32],
         may_go: impl Fn(usize, HalfEdge) -> bool,
-    ) {
-        let mesh = map.refined();
-        while let Some(Reverse((cost, _, triangle, label))) = self.front.pop() {
-            let triangle = triangle as usize;
-            if (cost, label) != (self.costs[triangle], self.labels[triangle]) {
-                continue;
-            }
+    ) -> bool {
+        let Some(Reverse((cost, _, triangle, label))) = self.front.pop() else { return false };
+        let triangle = triangle as usize;
+        if (cost, label) == (self.costs[triangle], self.labels[triangle]) {
             for h in (0..3).map(|i| HalfEdge::of(triangle, i)) {
-                if let Some(twin) = mesh.passage(h).filter(|twin| may_go(twin.triangle(), h)) {
+                if let Some(twin) = map.refined().passage(h).filter(|twin| may_go(twin.triangle(), h)) {
                     self.reach(twin.triangle(), cost + costs[h.index()], label, ranks);
                 }
             }
         }
+        true
     }
 }

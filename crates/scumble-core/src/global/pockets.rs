@@ -19,6 +19,7 @@
 //! not to mean a room. Where two may go into a room, the flood decides.
 
 use super::shapes::Shapes;
+use crate::pace::Pace;
 use crate::planar_map::{Gap, PlanarMap};
 use crate::sets::Sets;
 use crate::sort;
@@ -33,6 +34,9 @@ const HALL: f64 = 0.5;
 /// The same where lines are all around, so that nothing runs out onto the page: a stroke on its forehead fills a head, one
 /// between two rays a fin. What is smaller still may well have a colour of its own.
 const CLOSED_HALL: f64 = 1.0 / 16.0;
+
+/// What a colour has is told for so many rooms in the time that one takes that it comes to.
+const ROOMS: usize = 16;
 
 /// From a room to one behind a gap.
 pub(super) type Door = [u32; 2];
@@ -54,30 +58,38 @@ pub(super) struct Rooms {
 }
 
 impl Rooms {
-    /// The rooms that the triangles of the refined mesh belong to.
-    pub(super) fn new(map: &PlanarMap, room_of: &[u32], room_count: usize) -> Self {
+    /// The rooms and regions that the triangles of the refined mesh belong to, and the half-edges in gaps between them.
+    pub(super) fn new(
+        map: &PlanarMap,
+        gaps: &[HalfEdge],
+        room_of: &[u32],
+        room_count: usize,
+        regions: (Vec<u32>, usize),
+    ) -> Self {
         let areas_du2 = areas_du2(map, room_of, room_count);
-        let doors = doors(map, room_of, |gap, _| gap.is_wide);
+        let doors = doors(map, gaps, room_of, |gap, _| gap.is_wide);
         let is_within = |door: Door| !door.iter().all(|&room| areas_du2[room as usize].is_infinite());
         let is_plain = |gap: &Gap, door| gap.is_plain && (map.is_at_border(gap.nodes) || is_within(door));
-        let plain_doors = self::doors(map, room_of, is_plain);
+        let plain_doors = self::doors(map, gaps, room_of, is_plain);
         let mut are_beside_border: Vec<bool> =
             areas_du2.iter().map(|area_du2| area_du2.is_infinite()).collect();
         for &[from, to] in &doors {
             are_beside_border[from as usize] |= areas_du2[to as usize].is_infinite();
         }
         let hall_of = halls(&are_beside_border, &doors);
-        let shapes = Shapes::new(map, room_of, &areas_du2);
+        let shapes = Shapes::new(map, gaps, room_of, regions, &areas_du2);
         Self { areas_du2, are_beside_border, doors, plain_doors, hall_of, shapes }
     }
 
     /// The doors that colours go through, in ascending order; `drawn` are pairs of a kind of scribble, one for each
     /// colour, and a room that it was drawn in, in ascending order.
-    pub(super) fn open_doors(&self, drawn: &[[u32; 2]]) -> Vec<Door> {
+    pub(super) async fn open_doors(&self, drawn: &[[u32; 2]]) -> Vec<Door> {
         let same_color = |first: &[u32; 2], second: &[u32; 2]| first[0] == second[0];
         let mut open = Vec::new();
         let mut are_taken = vec![false; self.areas_du2.len()];
+        let mut pace = Pace::default();
         for rooms in drawn.chunk_by(same_color) {
+            pace.work(1 + self.areas_du2.len() / ROOMS).await;
             let mut taken = Taken::new(self);
             rooms.iter().for_each(|&[_, room]| taken.add(room));
             taken.grow();
@@ -126,9 +138,14 @@ pub(super) fn door(map: &PlanarMap, room_of: &[u32], h: HalfEdge) -> Option<Door
     gap_and_door(map, room_of, h).map(|(_, door)| door)
 }
 
-/// From room to room through the gaps of some kind, in ascending order.
-pub(super) fn doors(map: &PlanarMap, room_of: &[u32], is_kind: impl Fn(&Gap, Door) -> bool) -> Vec<Door> {
-    let all = map.refined().half_edges().filter_map(|h| gap_and_door(map, room_of, h));
+/// From room to room through the gaps of some kind, in ascending order; by all half-edges in gaps.
+pub(super) fn doors(
+    map: &PlanarMap,
+    gaps: &[HalfEdge],
+    room_of: &[u32],
+    is_kind: impl Fn(&Gap, Door) -> bool,
+) -> Vec<Door> {
+    let all = gaps.iter().filter_map(|&h| gap_and_door(map, room_of, h));
     sorted(all.filter(|&(gap, door)| is_kind(gap, door)).map(|(_, door)| door).collect())
 }
 

@@ -5,6 +5,7 @@
 
 use super::pockets::{Door, doors};
 use crate::planar_map::PlanarMap;
+use crate::triangulation::HalfEdge;
 
 /// Colours have the corners of a shape once they have more than this part of its area.
 const MOSTLY: f64 = 0.5;
@@ -24,9 +25,14 @@ pub(super) struct Shapes {
 }
 
 impl Shapes {
-    /// The shapes that rooms of these areas make up; the area of a room at the border of the page has no bound.
-    pub(super) fn new(map: &PlanarMap, room_of: &[u32], areas_du2: &[f64]) -> Self {
-        let (region_of, region_count) = map.refined().regions();
+    /// The shapes that rooms of these areas make up, by the regions of the mesh; the area of a room at the border of the page has no bound.
+    pub(super) fn new(
+        map: &PlanarMap,
+        gaps: &[HalfEdge],
+        room_of: &[u32],
+        (region_of, region_count): (Vec<u32>, usize),
+        areas_du2: &[f64],
+    ) -> Self {
         let mut regions = vec![0; areas_du2.len()];
         room_of.iter().zip(region_of).for_each(|(&room, region)| regions[room as usize] = region as usize);
         let mut regions_du2 = vec![0.0; region_count];
@@ -34,7 +40,7 @@ impl Shapes {
         let parts = regions.iter().zip(areas_du2).map(|(&region, area_du2)| area_du2 / regions_du2[region]);
         let shape = |&region: &usize| regions_du2[region].is_finite().then_some(region as u32);
         let of_rooms: Vec<_> = regions.iter().map(shape).collect();
-        let doors = doors(map, room_of, |_, [from, to]| {
+        let doors = doors(map, gaps, room_of, |_, [from, to]| {
             let [from, to] = [from, to].map(|room| of_rooms[room as usize]);
             from.is_some() && from == to
         });

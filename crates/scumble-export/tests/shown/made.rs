@@ -126,7 +126,7 @@ impl Made {
             height_px: size.height.round() as u32,
         };
         let shapes = if look.lines {
-            line_shapes(drawing, Picture::new(drawing).unwrap().map(), 0.1)
+            line_shapes(drawing, Some(Picture::new(drawing).unwrap().map()), 0.1)
         } else {
             Vec::new()
         };

@@ -171,9 +171,11 @@ impl<'a> Coder<'a> {
         let mut read = u64::from(length > 0);
         for i in (0..length.saturating_sub(1)).rev() {
             let bit = value >> i & 1 == 1;
-            let is_foretold = read < 1 << FORETOLD;
-            let node = (length << FORETOLD << 1) + read as u32;
-            let bit = if is_foretold { self.bit(place, node, bit) } else { self.code(1 << 15, bit) };
+            let bit = if read < 1 << FORETOLD {
+                self.bit(place, (length << FORETOLD << 1) + read as u32, bit)
+            } else {
+                self.code(1 << 15, bit)
+            };
             read = read << 1 | u64::from(bit);
         }
         read

@@ -3,6 +3,7 @@
 use std::ops::Range;
 
 use kurbo::{Affine, Point};
+use scumble_core::pace::{Slices, now};
 use scumble_core::{BlendColor, Boundary, HalfEdge, Triangulation};
 
 use super::wall::{Segment, centers_from_du};
@@ -33,7 +34,8 @@ impl<'a> PixelRegions<'a> {
     /// The triangles of each region, in ascending order.
     pub(super) fn triangles(&self) -> Vec<Vec<u32>> {
         let all: Vec<_> = (0..self.mesh.triangle_count() as u32).collect();
-        Barriers { mesh: self.mesh, closed_gaps: &self.boundary.closed_gaps }.regions(&all)
+        let barriers = Barriers { mesh: self.mesh, closed_gaps: &self.boundary.closed_gaps };
+        now(Slices::new(barriers.regions(&all)))
     }
 
     /// The lengths of the coloured sides of a region, in du, and their colours in the middle.

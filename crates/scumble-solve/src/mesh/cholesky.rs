@@ -6,6 +6,7 @@
 use std::mem;
 
 use scumble_core::BlendColor;
+use scumble_core::pace::Pace;
 
 use super::SolveError;
 use super::element::Matrix;
@@ -19,6 +20,9 @@ const LEAST_PIVOT: f64 = 1e-12;
 /// Largest number of entries of a factor: 16 GB.
 const MAX_ENTRIES: u64 = i32::MAX as u64;
 
+/// So many products take as long as a column takes besides.
+const PRODUCTS: usize = 256;
+
 /// The columns of the pivots, front by front.
 #[derive(Debug)]
 pub(super) struct Factor {
@@ -28,7 +32,7 @@ pub(super) struct Factor {
 impl Factor {
     /// Factors the sum of symmetric matrices of elements, of which the rows are given, or [`NONE`]. The memory of another
     /// factor is taken where it fits: that is faster than to ask for more.
-    pub(super) fn new(
+    pub(super) async fn new(
         fronts: &Fronts,
         rows: &[[u32; 6]],
         element: &dyn Fn(usize) -> Matrix,
@@ -44,6 +48,7 @@ impl Factor {
         entries.try_reserve_exact(count as usize).map_err(|_| SolveError::TooLarge)?;
         let mut leftovers: Vec<Vec<f64>> = Vec::with_capacity(fronts.list.len());
         let mut places = Places { fronts, of_row: vec![NONE; fronts.row_count()], of_child: Vec::new() };
+        let mut pace = Pace::default();
         for front in &fronts.list {
             let start = entries.len();
             entries.resize(start + front.entry_count(), 0.0);
@@ -58,7 +63,9 @@ impl Factor {
                 places.add_child(of_child, &mem::take(&mut leftovers[child as usize]), &mut matrix);
                 child = of_child.sibling;
             }
-            matrix.eliminate()?;
+            for j in 0..matrix.size {
+                pace.work(1 + matrix.eliminate(j)? / PRODUCTS).await;
+            }
             leftovers.push(left);
         }
         Ok(Self { entries })
@@ -69,8 +76,8 @@ impl Factor {
     }
 
     /// Replaces the right-hand sides by the solutions.
-    pub(super) fn solve(&self, fronts: &Fronts, values: &mut [BlendColor]) {
-        substitution::solve(&self.entries, fronts, values);
+    pub(super) async fn solve(&self, fronts: &Fronts, values: &mut [BlendColor]) {
+        substitution::solve(&self.entries, fronts, values).await;
     }
 }
 
@@ -146,28 +153,27 @@ impl<'a> Dense<'a> {
         }
     }
 
-    /// Turns the columns of the pivots into those of the factor, and takes what they add to the others from them.
-    fn eliminate(&mut self) -> Result<(), SolveError> {
-        for j in 0..self.pivot_count {
-            let (before, from) = self.pivots.split_at_mut(start(self.size, j));
-            let column = &mut from[..self.size - j];
-            subtract(before, column, self.size, j);
-            let pivot = column[0];
-            if pivot.is_nan() {
-                return Err(SolveError::NotPositive);
-            }
-            let root = if pivot > LEAST_PIVOT { pivot.sqrt() } else { 1.0 };
-            let per_root = root.recip();
-            column[0] = per_root;
-            column[1..].iter_mut().for_each(|entry| *entry *= per_root);
+    /// Takes what the columns before it add to a column from it, and turns it into one of the factor if it is that of a pivot.
+    /// Columns come in order. Gives the number of products.
+    fn eliminate(&mut self, j: usize) -> Result<usize, SolveError> {
+        let (size, pivot_count) = (self.size, self.pivot_count);
+        if j >= pivot_count {
+            let column = &mut self.left[start(size - pivot_count, j - pivot_count)..][..size - j];
+            subtract(self.pivots, column, size, pivot_count);
+            return Ok(pivot_count * (size - j));
         }
-        let mut left = &mut *self.left;
-        for length in (1..=self.size - self.pivot_count).rev() {
-            let (column, rest) = left.split_at_mut(length);
-            subtract(self.pivots, column, self.size, self.pivot_count);
-            left = rest;
+        let (before, from) = self.pivots.split_at_mut(start(size, j));
+        let column = &mut from[..size - j];
+        subtract(before, column, size, j);
+        let pivot = column[0];
+        if pivot.is_nan() {
+            return Err(SolveError::NotPositive);
         }
-        Ok(())
+        let root = if pivot > LEAST_PIVOT { pivot.sqrt() } else { 1.0 };
+        let per_root = root.recip();
+        column[0] = per_root;
+        column[1..].iter_mut().for_each(|entry| *entry *= per_root);
+        Ok(j * (size - j))
     }
 }
 
@@ -205,6 +211,7 @@ fn subtract(before: &[f64], target: &mut [f64], size: usize, count: usize) {
 mod tests {
     use super::super::element::entry;
     use super::*;
+    use scumble_core::pace::{Slices, now};
 
     const SIZE: u32 = 90;
 
@@ -222,17 +229,24 @@ mod tests {
         (rows, (0..SIZE).map(matrix).collect())
     }
 
+    fn factor(
+        fronts: &Fronts,
+        rows: &[[u32; 6]],
+        element: &dyn Fn(usize) -> Matrix,
+    ) -> Result<Factor, SolveError> {
+        now(Slices::new(Factor::new(fronts, rows, element, &mut Vec::new())))
+    }
+
     #[test]
     fn solutions_solve_the_sum_of_the_elements_whatever_the_groups() {
         let (rows, matrices) = elements();
         let right: Vec<BlendColor> = (0..SIZE).map(|i| [1.0, -2.0, 0.0, f64::from(i)]).collect();
         for step in [1, 4, 13, SIZE] {
             let ends: Vec<_> = (1..SIZE).filter(|end| end.is_multiple_of(step)).chain([SIZE]).collect();
-            let fronts = Fronts::new(&rows, &ends);
+            let fronts = now(Slices::new(Fronts::new(&rows, &ends)));
             let mut values = right.clone();
-            Factor::new(&fronts, &rows, &|i| matrices[i], &mut Vec::new())
-                .expect("a factor")
-                .solve(&fronts, &mut values);
+            let factor = factor(&fronts, &rows, &|i| matrices[i]).expect("a factor");
+            now(Slices::new(factor.solve(&fronts, &mut values)));
             let mut left = vec![[0.0; 4]; SIZE as usize];
             for (rows, matrix) in rows.iter().zip(&matrices) {
                 let pairs = (0..6).flat_map(|i| (0..6).map(move |j| (i, j)));
@@ -252,14 +266,13 @@ mod tests {
         let rows = [[0, 1, NONE, NONE, NONE, NONE]];
         let mut matrix = [0.0; 21];
         (matrix[entry(0, 0)], matrix[entry(0, 1)], matrix[entry(1, 1)]) = (1.0, -1.0, 1.0);
-        let fronts = Fronts::new(&rows, &[1, 2]);
+        let fronts = now(Slices::new(Fronts::new(&rows, &[1, 2])));
         let mut values = [[0.5; 4], [-0.5; 4]];
-        Factor::new(&fronts, &rows, &|_| matrix, &mut Vec::new())
-            .expect("a factor")
-            .solve(&fronts, &mut values);
+        let whole = factor(&fronts, &rows, &|_| matrix).expect("a factor");
+        now(Slices::new(whole.solve(&fronts, &mut values)));
         assert_eq!(values, [[0.5; 4], [0.0; 4]]);
         matrix[entry(1, 1)] = f64::NAN;
-        let error = Factor::new(&fronts, &rows, &|_| matrix, &mut Vec::new()).err();
+        let error = factor(&fronts, &rows, &|_| matrix).err();
         assert_eq!(error, Some(SolveError::NotPositive));
     }
 }

@@ -7,6 +7,7 @@
 use std::iter;
 
 use kurbo::Vec2;
+use scumble_core::pace::{self, Pace};
 use scumble_core::{HalfEdge, SideId, Triangulation, sort};
 
 use super::order::{corner_rank, elimination_rank, kept_corner_rank};
@@ -57,17 +58,23 @@ pub(super) struct Corner {
 }
 
 /// Numbers the unknowns of all regions of a set of triangles, which is made of whole regions and ascends.
-pub(super) fn number(barriers: Barriers<'_>, triangles: &[u32]) -> Vec<Dofs> {
+pub(super) async fn number(barriers: Barriers<'_>, triangles: &[u32]) -> Vec<Dofs> {
     let mesh = barriers.mesh;
     let mut numbers = Numbers { barriers, of_triangle: vec![[NONE; 6]; mesh.triangle_count()], next: 0 };
-    let regions = barriers.regions(triangles).into_iter();
-    regions.map(|triangles| numbers.region(triangles)).collect()
+    let (mut regions, mut pace) = (Vec::new(), Pace::default());
+    for triangles in barriers.regions(triangles).await {
+        pace.work(triangles.len()).await;
+        regions.push(numbers.region(triangles).await);
+    }
+    regions
 }
 
 impl Dofs {
     /// Renumbers the unknowns in the order of elimination that the mesh was put in.
-    pub(super) fn order(&mut self, mesh_ranks: &[[u32; 3]]) {
-        let rank = self.unknowns.order_by(&kept_corner_rank(self, mesh_ranks));
+    pub(super) async fn order(&mut self, mesh_ranks: &[[u32; 3]]) {
+        let corner_rank = kept_corner_rank(self, mesh_ranks);
+        pace::pause_after(self.triangles.len()).await;
+        let rank = self.unknowns.order_by(&corner_rank);
         let of_sides = self.sides.iter_mut().flat_map(|side| &mut side.dofs);
         of_sides.for_each(|dof| *dof = rank[*dof as usize]);
         self.corners.iter_mut().for_each(|corner| corner.dof = rank[corner.dof as usize]);
@@ -114,14 +121,17 @@ struct Numbers<'a> {
 }
 
 impl Numbers<'_> {
-    fn region(&mut self, triangles: Vec<u32>) -> Dofs {
+    async fn region(&mut self, triangles: Vec<u32>) -> Dofs {
         self.next = 0;
-        half_edges(&triangles).for_each(|h| self.number_sector(h));
+        pace::for_each(&triangles, |&t| half_edges(&[t]).for_each(|h| self.number_sector(h))).await;
         half_edges(&triangles).for_each(|h| self.number_middle(h));
+        pace::pause_after(triangles.len()).await;
         let of_element = triangles.iter().map(|&t| self.of_triangle[t as usize]).collect();
+        let sides = self.sides(&triangles);
+        pace::pause_after(triangles.len()).await;
         Dofs {
             unknowns: Unknowns { of_element, group_ends: Vec::new(), count: self.next as usize },
-            sides: self.sides(&triangles),
+            sides,
             corners: self.corners(&triangles),
             gaps: gaps(self.barriers.mesh, &triangles),
             triangles,

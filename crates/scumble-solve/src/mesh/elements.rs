@@ -29,9 +29,9 @@ impl Elements {
     }
 
     /// Sets the system up if the coloured sides are others than those of the last one.
-    pub(super) fn analyse(&mut self, mesh: &Triangulation, is_colored: &[bool]) {
+    pub(super) async fn analyse(&mut self, mesh: &Triangulation, is_colored: &[bool]) {
         if self.analysis.as_ref().is_none_or(|last| last.is_colored != is_colored) {
-            self.analysis = Some(Analysis::new(mesh, &self.dofs, is_colored));
+            self.analysis = Some(Analysis::new(mesh, &self.dofs, is_colored).await);
         }
     }
 
@@ -41,20 +41,24 @@ impl Elements {
     }
 
     /// Factors the system if that is not done yet.
-    pub(super) fn factor(&mut self, mesh: &Triangulation, memory: &mut Vec<f64>) -> Result<(), SolveError> {
+    pub(super) async fn factor(
+        &mut self,
+        mesh: &Triangulation,
+        memory: &mut Vec<f64>,
+    ) -> Result<(), SolveError> {
         let Some(Analysis { powers, system, .. }) = &mut self.analysis else { return Ok(()) };
-        system.factor(&matrices(mesh, &self.dofs, powers), memory)
+        system.factor(&matrices(mesh, &self.dofs, powers), memory).await
     }
 }
 
 impl Analysis {
-    fn new(mesh: &Triangulation, dofs: &Dofs, is_colored: &[bool]) -> Self {
+    async fn new(mesh: &Triangulation, dofs: &Dofs, is_colored: &[bool]) -> Self {
         let mut fixed = vec![false; dofs.unknowns.count];
         for (side, _) in dofs.sides.iter().zip(is_colored).filter(|(_, is_colored)| **is_colored) {
             side.dofs.iter().for_each(|&dof| fixed[dof as usize] = true);
         }
         let powers = Powers::new(dofs, is_colored);
-        let system = System::new(&dofs.unknowns, &matrices(mesh, dofs, &powers), &fixed);
+        let system = System::new(&dofs.unknowns, &matrices(mesh, dofs, &powers), &fixed).await;
         Self { is_colored: is_colored.to_vec(), powers, system }
     }
 }

@@ -8,6 +8,7 @@
 use std::mem;
 use std::ops::Range;
 
+use scumble_core::pace::Pace;
 use scumble_core::sort;
 
 /// Row of an unknown that is fixed, and end of a list of fronts.
@@ -16,6 +17,9 @@ pub(super) const NONE: u32 = u32::MAX;
 /// A front takes in a child where no more than one of so many entries is a zero then: fewer and larger fronts are faster,
 /// though they have more entries.
 const ENTRIES_PER_ZERO: usize = 6;
+
+/// So many rows are sorted in the time that a front takes besides.
+const KEYS: usize = 8;
 
 /// The fronts of a factor, children before parents.
 #[derive(Debug)]
@@ -77,12 +81,13 @@ impl Front {
 impl Fronts {
     /// The fronts of elements with so many rows each, or [`NONE`]. Rows that end before each of some ascending numbers
     /// are pivots of one front; the last of these is the number of rows.
-    pub(super) fn new(rows: &[[u32; 6]], ends: &[u32]) -> Self {
+    pub(super) async fn new(rows: &[[u32; 6]], ends: &[u32]) -> Self {
         let group_of = group_of(ends);
         let (starts, elements) = by_group(rows, &group_of, ends.len());
         let mut fronts = Self { list: Vec::with_capacity(ends.len()), boundaries: Vec::new(), elements };
         let mut child_of = vec![NONE; ends.len()];
         let mut rows_from = RowsFrom { end: 0, seen: vec![NONE; group_of.len()], keys: Vec::new() };
+        let mut pace = Pace::default();
         for (group, &end) in ends.iter().enumerate() {
             let elements = starts[group] as usize..starts[group + 1] as usize;
             rows_from.start(end);
@@ -95,6 +100,7 @@ impl Fronts {
                 child = front.sibling;
             }
             sort::sort(&mut rows_from.keys);
+            pace.work(1 + rows_from.keys.len() / KEYS).await;
             let start = fronts.boundaries.len();
             fronts.boundaries.extend(rows_from.keys.iter().map(|&(row, _)| row as u32));
             let parent_row = fronts.boundaries.get(start).copied().unwrap_or(NONE);

@@ -3,7 +3,7 @@
 use std::{array, iter, mem};
 
 use kurbo::Point;
-use scumble_core::{BlendColor, HalfEdge, SideColors, SoftSource, Triangulation};
+use scumble_core::{BlendColor, HalfEdge, SideColors, SoftSource, Triangulation, pace};
 
 use super::SolveError;
 use super::cells::{Cells, WHOLE};
@@ -80,7 +80,12 @@ impl Region {
 
     /// Takes in the colours and the sources that shade it; sets up the systems that are needed and are not those of
     /// the last time.
-    pub(super) fn analyse(&mut self, mesh: &Triangulation, colors: &SideColors, sources: &[SoftSource]) {
+    pub(super) async fn analyse(
+        &mut self,
+        mesh: &Triangulation,
+        colors: &SideColors,
+        sources: &[SoftSource],
+    ) {
         let given = self.base.dofs.sides.iter().map(|side| colors.get(side.id.index()).copied().flatten());
         if !given.clone().eq(self.given.iter().copied()) {
             self.given = given.collect();
@@ -90,7 +95,7 @@ impl Region {
             self.coloring = coloring(self.given.iter().flatten().flatten().copied());
             if self.coloring == Coloring::Blended {
                 let is_colored: Vec<_> = self.given.iter().map(Option::is_some).collect();
-                self.base.analyse(mesh, &is_colored);
+                self.base.analyse(mesh, &is_colored).await;
             }
         }
         self.shade(mesh, sources);
@@ -110,19 +115,25 @@ impl Region {
     }
 
     /// Factors the systems that are needed and not factored yet, and takes the memory for it.
-    pub(super) fn factor(&mut self, mesh: &Triangulation, memory: &mut Vec<f64>) -> Result<(), SolveError> {
+    pub(super) async fn factor(
+        &mut self,
+        mesh: &Triangulation,
+        memory: &mut Vec<f64>,
+    ) -> Result<(), SolveError> {
         if self.coloring == Coloring::Blended {
-            self.base.factor(mesh, memory)?;
+            self.base.factor(mesh, memory).await?;
         }
         self.layer.as_mut().map_or(Ok(()), |layer| layer.factor(memory))
     }
 
     /// Computes the values if anything changed, and says whether it did. The systems are factored.
-    pub(super) fn solve(&mut self) -> bool {
+    pub(super) async fn solve(&mut self) -> bool {
         let is_new = !mem::replace(&mut self.is_solved, true);
         if let (true, Coloring::Blended, Some(system)) = (is_new, self.coloring, self.base.system()) {
             let range = range(self.given.iter().flatten().flatten().copied());
-            let values = system.solve(self.conditions(), iter::empty()).unwrap_or_default();
+            let sums = system.right_hand_sides(self.conditions(), iter::empty());
+            pace::pause_after(sums.len()).await;
+            let values = system.solve(sums).await.unwrap_or_default();
             let value = |&place: &u32| clamped(values[place as usize], range);
             self.values =
                 if values.is_empty() { Vec::new() } else { system.places().iter().map(value).collect() };

@@ -7,6 +7,7 @@ use std::{array, iter};
 
 use kurbo::Point;
 use scumble_core::SoftSource;
+use scumble_core::pace::{Slices, now};
 
 use super::SolveError;
 use super::dofs::Unknowns;
@@ -151,7 +152,8 @@ impl Problem {
         let is_beyond = patch.is_beyond(region);
         let mut is_rim = vec![false; unknowns.count];
         dofs.iter().for_each(|&dof| is_rim[place_of[dof as usize] as usize] = is_beyond[dof as usize]);
-        let system = System::new(&unknowns, &|i| matrix(&patch.corners, &masses, i), &is_rim);
+        let element = |i| matrix(&patch.corners, &masses, i);
+        let system = now(Slices::new(System::new(&unknowns, &element, &is_rim)));
         let loads =
             loads.into_iter().map(|(element, values)| (unknowns.of_element[element], values)).collect();
         let places = dofs.iter().map(|&dof| place_of[dof as usize]).collect();
@@ -160,13 +162,14 @@ impl Problem {
 
     fn factor(&mut self, corners: &[[Point; 3]], memory: &mut Vec<f64>) -> Result<(), SolveError> {
         let masses = &self.masses;
-        self.system.factor(&|i| matrix(corners, masses, i), memory)
+        now(Slices::new(self.system.factor(&|i| matrix(corners, masses, i), memory)))
     }
 
     /// How much is covered at the unknowns; gives the memory of the factor back. It is factored.
     fn solve(self, memory: &mut Vec<f64>) -> Vec<f64> {
         let loads = self.loads.iter().map(|&(dofs, values)| (dofs, values, [1.0, 0.0, 0.0, 0.0]));
-        let values = self.system.solve(iter::empty(), loads).unwrap_or_default();
+        let sums = self.system.right_hand_sides(iter::empty(), loads);
+        let values = now(Slices::new(self.system.solve(sums))).unwrap_or_default();
         let places = self.system.places();
         let cover = |&place: &u32| {
             values.get(places[place as usize] as usize).map_or(0.0, |value| value[0].clamp(0.0, 1.0))

@@ -6,6 +6,7 @@
 use std::array;
 
 use scumble_core::BlendColor;
+use scumble_core::pace::Pace;
 
 use super::cholesky::start;
 use super::fronts::{Front, Fronts};
@@ -13,17 +14,22 @@ use super::fronts::{Front, Fronts};
 /// So many columns go together; what is left over goes one by one.
 const BLOCK: usize = 4;
 
+/// So many entries take as long as a front takes besides.
+const ENTRIES: usize = 64;
+
 /// Replaces right-hand sides by the solutions; the entries are those of the columns of all fronts.
-pub(super) fn solve(entries: &[f64], fronts: &Fronts, values: &mut [BlendColor]) {
+pub(super) async fn solve(entries: &[f64], fronts: &Fronts, values: &mut [BlendColor]) {
     let mut local = Vec::new();
-    let mut end = 0;
+    let (mut end, mut pace) = (0, Pace::default());
     for front in &fronts.list {
         let columns = Columns::of(front, &entries[end..]);
         end += front.entry_count();
+        pace.work(1 + front.entry_count() / ENTRIES).await;
         columns.forwards(front, fronts.boundary(front), values, &mut local);
     }
     for front in fronts.list.iter().rev() {
         end -= front.entry_count();
+        pace.work(1 + front.entry_count() / ENTRIES).await;
         Columns::of(front, &entries[end..]).backwards(front, fronts.boundary(front), values, &mut local);
     }
 }

@@ -3,7 +3,7 @@
 //! Unknowns on coloured sides are fixed and leave the system; what couples them to the others goes to the right-
 //! hand side. The rest keeps the region's order of elimination.
 
-use scumble_core::BlendColor;
+use scumble_core::{BlendColor, pace};
 
 use super::SolveError;
 use super::cholesky::Factor;
@@ -26,20 +26,21 @@ pub(super) struct System {
 
 impl System {
     /// Finds what couples the unknowns of elements, and the pattern of the factor.
-    pub(super) fn new(unknowns: &Unknowns, matrix: &dyn Fn(usize) -> Matrix, fixed: &[bool]) -> Self {
+    pub(super) async fn new(unknowns: &Unknowns, matrix: &dyn Fn(usize) -> Matrix, fixed: &[bool]) -> Self {
         let (place_of, row_count) = places(fixed);
-        let mut couplings = Vec::new();
-        let couple = |(i, dofs): (usize, &[u32; 6])| {
+        let (mut rows, mut couplings) = (Vec::with_capacity(unknowns.of_element.len()), Vec::new());
+        pace::for_each(unknowns.of_element.iter().enumerate(), |(i, dofs)| {
             let places = dofs.map(|dof| place_of[dof as usize]);
-            let rows = places.map(|place| if place < row_count { place } else { NONE });
-            if rows.contains(&NONE) && rows != [NONE; 6] {
-                couple(&places, &rows, &matrix(i), &mut couplings);
+            let of_element = places.map(|place| if place < row_count { place } else { NONE });
+            if of_element.contains(&NONE) && of_element != [NONE; 6] {
+                couple(&places, &of_element, &matrix(i), &mut couplings);
             }
-            rows
-        };
-        let rows: Vec<_> = unknowns.of_element.iter().enumerate().map(couple).collect();
-        let fronts = Fronts::new(&rows, &group_ends(fixed, &unknowns.group_ends));
-        Self { place_of, couplings: Couplings::new(&couplings, row_count), fronts, rows, factor: None }
+            rows.push(of_element);
+        })
+        .await;
+        let fronts = Fronts::new(&rows, &group_ends(fixed, &unknowns.group_ends)).await;
+        pace::pause_after(rows.len()).await;
+        Self { place_of, couplings: Couplings::new(&couplings, row_count).await, fronts, rows, factor: None }
     }
 
     /// The memory of its factor.
@@ -53,13 +54,13 @@ impl System {
     }
 
     /// Computes the factor if that is not done yet; the elements are those of the analysis.
-    pub(super) fn factor(
+    pub(super) async fn factor(
         &mut self,
         matrix: &dyn Fn(usize) -> Matrix,
         memory: &mut Vec<f64>,
     ) -> Result<(), SolveError> {
         if self.factor.is_none() {
-            self.factor = Some(Factor::new(&self.fronts, &self.rows, matrix, memory)?);
+            self.factor = Some(Factor::new(&self.fronts, &self.rows, matrix, memory).await?);
             self.rows = Vec::new();
         }
         Ok(())
@@ -70,14 +71,13 @@ impl System {
         &self.place_of
     }
 
-    /// The values of all unknowns, from those of the fixed ones, the mean where one has two, and from loads, each a colour by
-    /// what an unknown has of it; `None` before the system is factored.
-    pub(super) fn solve<'a>(
+    /// The right-hand sides of all rows, and the values of the fixed unknowns after them: the mean where one has two. Loads are
+    /// colours, each by what an unknown has of it.
+    pub(super) fn right_hand_sides<'a>(
         &self,
         fixed: impl Iterator<Item = ([u32; 3], &'a [BlendColor; 3])>,
         loads: impl Iterator<Item = ([u32; 6], [f64; 6], BlendColor)>,
-    ) -> Option<Vec<BlendColor>> {
-        let factor = self.factor.as_ref()?;
+    ) -> Vec<BlendColor> {
         let mut values = vec![[0.0; 4]; self.place_of.len()];
         let (sums, fixed_values) = values.split_at_mut(self.fronts.row_count());
         let mut is_known = vec![false; fixed_values.len()];
@@ -96,7 +96,13 @@ impl System {
                 }
             }
         }
-        factor.solve(&self.fronts, sums);
+        values
+    }
+
+    /// The values of all unknowns from [`System::right_hand_sides`]; `None` before the system is factored.
+    pub(super) async fn solve(&self, mut values: Vec<BlendColor>) -> Option<Vec<BlendColor>> {
+        let factor = self.factor.as_ref()?;
+        factor.solve(&self.fronts, &mut values[..self.fronts.row_count()]).await;
         Some(values)
     }
 }
@@ -146,7 +152,7 @@ struct Couplings {
 
 impl Couplings {
     /// Sorts rows, places of fixed unknowns and entries by their rows.
-    fn new(unsorted: &[(u32, u32, f64)], row_count: u32) -> Self {
+    async fn new(unsorted: &[(u32, u32, f64)], row_count: u32) -> Self {
         let mut starts = vec![0; row_count as usize + 1];
         unsorted.iter().for_each(|&(row, ..)| starts[row as usize + 1] += 1);
         for row in 0..row_count as usize {
@@ -154,10 +160,11 @@ impl Couplings {
         }
         let mut next = starts.clone();
         let mut list = vec![(0, 0.0); unsorted.len()];
-        for &(row, place, entry) in unsorted {
+        pace::for_each(unsorted, |&(row, place, entry)| {
             list[next[row as usize] as usize] = (place - row_count, entry);
             next[row as usize] += 1;
-        }
+        })
+        .await;
         Self { starts, list }
     }
 

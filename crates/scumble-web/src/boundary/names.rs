@@ -4,7 +4,7 @@ use scumble_core::{Blend, ColorModel, Deed, EngineKind, Tone};
 
 use crate::brush::{Ink, Kind, Pressure};
 use crate::command::Tool;
-use crate::effect::Edit;
+use crate::effect::{Edit, Wanted};
 use crate::solver::{Solver, Source};
 
 pub(super) fn tool_from_name(name: &str) -> Option<Tool> {
@@ -36,6 +36,14 @@ pub(super) fn edit_name(edit: Edit) -> &'static str {
         Edit::Deleted => "deleted",
         Edit::Hidden => "hidden",
         Edit::Shown => "shown",
+    }
+}
+
+pub(super) fn wanted_name(wanted: Wanted) -> &'static str {
+    match wanted {
+        Wanted::Nothing => "",
+        Wanted::Picture => "picture",
+        Wanted::Mesh => "mesh",
     }
 }
 

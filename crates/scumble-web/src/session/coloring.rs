@@ -9,7 +9,7 @@ use scumble_solve::grid::GridProblem;
 use super::Session;
 use crate::effect::Effect;
 use crate::regions::Regions;
-use crate::solver::{Moment, Source};
+use crate::solver::{Grids, Moment, Source};
 
 /// While a gesture is on its way, pixels of the grid are so many times wider: then it keeps up with the pen.
 const IN_HASTE: f64 = 2.0;
@@ -48,9 +48,10 @@ impl Session {
         }
     }
 
-    /// Where the picture is to come from.
+    /// Where the picture is to come from. One on pixels stays until the mesh is made.
     pub(super) fn choice(&self) -> Source {
-        self.solver.source(&self.moment())
+        let stays = self.source == Source::Grid && self.grids != Grids::No && self.lacks_mesh();
+        if stays { Source::Grid } else { self.solver.source(&self.moment()) }
     }
 
     pub(super) fn moment(&self) -> Moment {
@@ -59,7 +60,7 @@ impl Session {
             grids: self.grids,
             px_per_du: self.px_per_du(),
             pieces: picture.map().pieces().len(),
-            is_mesh_due: picture.has_mesh() || self.was_at_once,
+            has_mesh: picture.has_mesh(),
             is_in_motion: self.sheet.editor.is_changing_lines(),
         }
     }
@@ -70,7 +71,6 @@ impl Session {
             let settings = self.settings_shown();
             let Document { scribbles, color_points, .. } = self.sheet.editor.document();
             self.boundary = self.sheet.picture.color(scribbles, color_points, &settings);
-            self.was_at_once = false;
         }
     }
 

@@ -57,13 +57,13 @@ impl Session {
         let drawing = &self.sheet.editor.document().drawing;
         self.layers.clear_ink();
         if self.lines_shown || self.is_before {
-            self.layers.add_lines(drawing, self.sheet.picture.map());
+            self.layers.add_lines(drawing, self.sheet.ink_map());
         }
         if let Some(regions) = self.regions_shown() {
-            self.layers.add_lines(&regions.marked_gaps(drawing, self.px_per_du()), self.sheet.picture.map());
+            self.layers.add_lines(&regions.marked_gaps(drawing, self.px_per_du()), self.sheet.ink_map());
         }
         let selected = self.selected_curves().into_iter().map(|i| &drawing.curves[i]);
-        self.layers.add_lines(&marked(drawing, selected, self.px_per_du()), self.sheet.picture.map());
+        self.layers.add_lines(&marked(drawing, selected, self.px_per_du()), self.sheet.ink_map());
         self.layers.add_desk(drawing.frame(), self.desk);
         self.changed.ink = true;
         self.changed.add_everywhere();

@@ -1,71 +1,85 @@
-//! Another picture of the drawing in work, for other lines, another map or another engine. Where that takes long it is made step by
-//! step, beside the one that is shown: the page goes on, and can go back to what was.
+//! Another picture of the drawing in work, for other lines, another map or another engine. Where that takes long it is made in
+//! slices, beside the one that is shown: the page goes on, and can go back to what was.
 
-use scumble_core::{Document, MapError, Settings};
+use scumble_core::pace::Slices;
+use scumble_core::{Boundary, Document, MapError, Settings};
 use scumble_solve::Picture;
 
 use super::Session;
 use super::sheet::Sheet;
-use crate::effect::Effect;
-use crate::solver::PIECES_IN_HAND;
+use crate::effect::{Effect, Wanted};
+use crate::solver::{Moment, PIECES_IN_HAND, Source};
 
-/// What is made of a map, each from what is before it: the labels say which gaps are closed in the mesh.
-pub(super) const STEPS: [fn(&mut Picture, &Document, &Settings); 3] = [
-    |picture, document, settings| {
-        picture.label(&document.scribbles, settings);
-    },
-    |picture, _, _| {
-        picture.mesh();
-    },
-    |picture, Document { scribbles, color_points, .. }, settings| {
-        let boundary = picture.color(scribbles, color_points, settings);
+/// Makes all that the first picture of a document takes, from a map: its boundary, and where it comes from a mesh, its field.
+pub(super) async fn make(picture: &mut Picture, document: &Document, is_meshed: bool) -> Boundary {
+    let Document { scribbles, color_points, settings, .. } = document;
+    let boundary = picture.coloring(scribbles, color_points, settings).await;
+    if is_meshed {
         // What fails is told of when the picture is shown, with the lines.
-        let _ = picture.mesh().solve(&boundary, settings.blend);
-    },
-];
+        let _ = picture.meshing().await.solving(&boundary, settings.blend).await;
+    }
+    boundary
+}
 
 /// A picture on its way.
 #[derive(Debug)]
 pub(super) struct Making {
-    /// The revision of the lines that it is for.
+    /// The revisions of the lines, and of the document, that it is for.
     lines: u32,
-    settings: Settings,
-    /// Once there is a map.
-    picture: Option<Picture>,
-    /// How many of [`STEPS`] are.
-    done: usize,
+    revision: u32,
+    picture: Slices<'static, Result<Picture, MapError>>,
 }
 
 impl Making {
-    fn new(sheet: &Sheet) -> Self {
-        let picture = (!sheet.has_stale_map()).then(|| sheet.picture.again());
-        let settings = sheet.editor.document().settings;
-        Self { lines: sheet.editor.lines_revision(), settings, picture, done: 0 }
-    }
-
-    /// Takes a step, of so many, and tells whether there are more.
-    fn go_on(&mut self, document: &Document, step_count: usize) -> Result<bool, MapError> {
-        if let Some(picture) = &mut self.picture {
-            STEPS[self.done](picture, document, &self.settings);
-            self.done += 1;
-        } else {
-            self.picture = Some(Picture::new(&document.drawing)?);
-        }
-        Ok(self.done < step_count)
+    /// From a picture of the same lines, if there is one.
+    fn new(sheet: &Sheet, known: Option<Picture>, is_meshed: impl Fn(&Picture) -> bool + 'static) -> Self {
+        let document = sheet.editor.document().clone();
+        let picture = Slices::new(async move {
+            let mut picture = match known {
+                Some(picture) => picture,
+                None => Picture::mapping(&document.drawing).await?,
+            };
+            let is_meshed = is_meshed(&picture);
+            make(&mut picture, &document, is_meshed).await;
+            Ok(picture)
+        });
+        Self { lines: sheet.editor.lines_revision(), revision: sheet.editor.revision(), picture }
     }
 }
 
 impl Session {
-    /// Whether another picture is wanted than the one that is shown, and takes steps.
+    /// What is wanted beside what is shown, and takes steps.
+    pub(super) fn wanted(&self) -> Wanted {
+        if self.lacks_picture() {
+            Wanted::Picture
+        } else if self.lacks_mesh() {
+            Wanted::Mesh
+        } else {
+            Wanted::Nothing
+        }
+    }
+
+    /// Whether another picture is wanted than the one that is shown.
     pub(super) fn lacks_picture(&self) -> bool {
+        self.is_large_at_rest() && !self.sheet.is_suited()
+    }
+
+    /// Whether the picture that is shown, on pixels, is to be one on a mesh.
+    pub(super) fn lacks_mesh(&self) -> bool {
+        let at_last = Moment { has_mesh: true, ..self.moment() };
+        let is_without = !self.sheet.picture.has_mesh();
+        is_without && self.is_large_at_rest() && self.solver.source(&at_last) != Source::Grid
+    }
+
+    fn is_large_at_rest(&self) -> bool {
         let Sheet { editor, picture, .. } = &self.sheet;
-        let is_at_rest = !editor.is_changing_lines();
-        picture.map().pieces().len() > PIECES_IN_HAND && is_at_rest && !self.sheet.is_suited()
+        let is_large = !self.sheet.is_made() || picture.map().pieces().len() > PIECES_IN_HAND;
+        is_large && !editor.is_changing_lines()
     }
 
     /// Whether the drawing has other lines than the picture that is shown, which is not changed before another is there.
     pub(super) fn lacks_map(&self) -> bool {
-        self.sheet.has_stale_map() && self.lacks_picture()
+        !self.sheet.is_made() || self.sheet.has_stale_map() && self.lacks_picture()
     }
 
     /// The settings of the picture: those of the document, but while another one is wanted.
@@ -78,50 +92,75 @@ impl Session {
         }
     }
 
-    /// Whether another picture is on its way.
-    pub(super) fn is_making(&self) -> bool {
+    /// Goes on by one slice with what is wanted, and tells whether there are more.
+    pub fn make_on(&mut self) -> bool {
+        let is_wanted = self.wanted() != Wanted::Nothing;
+        let lines = self.sheet.editor.lines_revision();
+        match self.making.take().filter(|making| is_wanted && making.lines == lines) {
+            None => self.making = is_wanted.then(|| self.begin_making()),
+            Some(Making { revision, picture, .. }) => match picture.go_on() {
+                Err(picture) => self.making = Some(Making { lines, revision, picture }),
+                Ok(picture) => self.end_making(picture, revision),
+            },
+        }
         self.making.is_some()
     }
 
-    /// Takes a step towards the picture that is wanted.
-    pub(super) fn make_on(&mut self) {
-        let is_wanted = self.lacks_picture();
-        let lines = self.sheet.editor.lines_revision();
-        let begun = self.making.take().filter(|making| is_wanted && making.lines == lines);
-        let step_count = self.first_step_count(&self.sheet);
-        match begun {
-            None => self.making = is_wanted.then(|| Making::new(&self.sheet)),
-            Some(mut making) => match making.go_on(self.sheet.editor.document(), step_count) {
-                Ok(true) => self.making = Some(making),
-                Ok(false) => self.show_made(making),
-                Err(error) => self.take_back_lines(&error),
-            },
+    fn end_making(&mut self, picture: Result<Picture, MapError>, revision: u32) {
+        match picture {
+            // What was done meanwhile may take as long.
+            Ok(picture) if revision != self.sheet.editor.revision() => {
+                let is_meshed = self.is_meshed(self.sheet.is_made());
+                self.making = Some(Making::new(&self.sheet, Some(picture), is_meshed));
+            }
+            Ok(picture) => self.show_made(picture),
+            Err(error) => self.take_back(&error),
+        }
+    }
+
+    fn begin_making(&self) -> Making {
+        let known = (!self.sheet.has_stale_map()).then(|| self.sheet.picture.again());
+        let is_meshed = self.is_meshed(known.is_some());
+        Making::new(&self.sheet, known, is_meshed)
+    }
+
+    /// Whether a picture comes from the mesh solver, as of now: the first one of a drawing, or another after it.
+    pub(super) fn is_meshed(&self, is_another: bool) -> impl Fn(&Picture) -> bool + use<> {
+        let (solver, moment) = (self.solver, self.moment());
+        move |picture| {
+            let pieces = picture.map().pieces().len();
+            solver.source(&Moment { pieces, has_mesh: is_another, ..moment }) != Source::Grid
         }
     }
 
     /// Makes at once what is wanted, for what cannot wait.
     pub(super) fn finish_making(&mut self) {
-        while self.lacks_picture() {
+        while self.wanted() != Wanted::Nothing {
             self.make_on();
         }
     }
 
     /// Goes back to where the picture that is shown is the right one.
     pub(super) fn stop_making(&mut self) {
-        if !self.is_making() {
+        if !self.lacks_picture() {
             return;
         }
-        while self.lacks_picture() && self.sheet.editor.undo() {}
+        if !self.sheet.is_made() {
+            if !self.take_off() {
+                return;
+            }
+        } else {
+            while self.lacks_picture() && self.sheet.editor.undo() {}
+        }
         (self.held, self.making) = (None, None);
         self.scribbles_changed();
         self.forget_missing();
         self.tell(Effect::MakingStopped);
     }
 
-    fn show_made(&mut self, making: Making) {
-        if let Some(picture) = making.picture {
-            self.sheet.take_picture(picture, making.lines);
-        }
+    fn show_made(&mut self, picture: Picture) {
+        let lines = self.sheet.editor.lines_revision();
+        self.sheet.take_picture(picture, lines);
         self.scribbles_changed();
         self.stale.lines = true;
     }

@@ -1,12 +1,17 @@
-//! A drawing on its way: made ready step by step, so that the page can show that it takes long, and stop it.
+//! A drawing on its way: made ready in slices, so that the page goes on meanwhile, can show that it takes long, and stop it.
+//! Of a large one the lines are shown at once: its picture is made afterwards.
 
-use scumble_core::{MapError, Work, exact};
+use scumble_core::pace::{Slices, pause};
+use scumble_core::{Boundary, Drawing, MapError, Work, exact};
+use scumble_solve::{Field, Picture};
 
 use super::Session;
-use super::making::STEPS;
+use super::making;
 use super::sheet::Sheet;
 use crate::effect::Effect;
-use crate::solver::{Moment, Source};
+
+/// Path elements of a drawing, more of which are shown before there is a picture.
+const LARGE: usize = 10_000;
 
 const DAMAGED: &str = "what the browser kept of the drawing is damaged; open it from a file";
 
@@ -21,58 +26,71 @@ pub(super) struct Coming {
 /// How far it is.
 #[derive(Debug)]
 enum Step {
-    Read(Box<Work>),
-    /// So many of [`STEPS`] are done.
-    Mapped(Box<Sheet>, usize),
+    OnItsWay(Slices<'static, Result<Box<Ready>, MapError>>),
     /// What it is, or why it is none.
-    Ready(Result<Box<Sheet>, MapError>),
+    Ready(Result<Box<Ready>, MapError>),
+}
+
+/// A sheet, and what is shown of it first where that takes no time.
+#[derive(Debug)]
+struct Ready {
+    sheet: Sheet,
+    shown: Option<(Boundary, Option<Field>)>,
+}
+
+impl Ready {
+    async fn making(
+        number: u32,
+        mut work: Work,
+        is_meshed: impl Fn(&Picture) -> bool,
+    ) -> Result<Box<Self>, MapError> {
+        work.document = work.document.kept();
+        pause().await;
+        if is_large(&work.document.drawing) {
+            return Ok(Box::new(Self { sheet: Sheet::unmade(number, work)?, shown: None }));
+        }
+        let mut picture = Picture::mapping(&work.document.drawing).await?;
+        let is_meshed = is_meshed(&picture);
+        let boundary = making::make(&mut picture, &work.document, is_meshed).await;
+        let mut field = None;
+        if is_meshed && let Ok(solved) = picture.meshing().await.spreading(work.document.settings.blend).await
+        {
+            field = Some(solved.clone());
+        }
+        Ok(Box::new(Self { sheet: Sheet::new(number, work, picture), shown: Some((boundary, field)) }))
+    }
+}
+
+/// Whether it takes longer to make the picture of a drawing than people wait for the lines.
+fn is_large(drawing: &Drawing) -> bool {
+    drawing.curves.iter().map(|curve| curve.path.elements().len()).sum::<usize>() > LARGE
 }
 
 impl Session {
     /// Begins to make work ready to be opened, by its exact bytes, in the place of other work that is on its way.
     pub fn prepare(&mut self, work: &[u8]) {
-        let read = exact::read(work).map(|work| Step::Read(Box::new(work)));
-        self.coming = read.map(|step| Coming { work: work.to_vec(), step });
+        self.coming = exact::read(work).map(|read| {
+            let slices = Slices::new(Ready::making(self.opened + 1, read, self.is_meshed(false)));
+            Coming { work: work.to_vec(), step: Step::OnItsWay(slices) }
+        });
     }
 
-    /// Takes the next step, and tells whether there are more.
+    /// Goes on with it by one slice, and tells whether there are more.
     pub fn prepare_on(&mut self) -> bool {
-        let Some(Coming { work, step }) = self.coming.take() else { return false };
-        let step = self.after(step);
-        let is_ready = matches!(step, Step::Ready(_));
+        let Some(Coming { work, step: Step::OnItsWay(slices) }) =
+            self.coming.take_if(|coming| matches!(coming.step, Step::OnItsWay(_)))
+        else {
+            return false;
+        };
+        let step = slices.go_on().map_or_else(Step::OnItsWay, Step::Ready);
+        let is_more = matches!(step, Step::OnItsWay(_));
         self.coming = Some(Coming { work, step });
-        !is_ready
+        is_more
     }
 
     /// Leaves what is on its way.
     pub(super) fn stop_preparing(&mut self) {
         self.coming = None;
-    }
-
-    fn after(&self, step: Step) -> Step {
-        match step {
-            Step::Read(work) => match Sheet::new(self.opened + 1, *work) {
-                Ok(sheet) => Step::Mapped(Box::new(sheet), 0),
-                Err(error) => Step::Ready(Err(error)),
-            },
-            Step::Mapped(mut sheet, done) if done < self.first_step_count(&sheet) => {
-                let Sheet { picture, editor, .. } = &mut *sheet;
-                let document = editor.document();
-                STEPS[done](picture, document, &document.settings);
-                Step::Mapped(sheet, done + 1)
-            }
-            Step::Mapped(sheet, _) => Step::Ready(Ok(sheet)),
-            Step::Ready(sheet) => Step::Ready(sheet),
-        }
-    }
-
-    /// How many of [`STEPS`] the first picture of a drawing takes: where the grid solver makes it, the first alone.
-    pub(super) fn first_step_count(&self, sheet: &Sheet) -> usize {
-        let pieces = sheet.picture.map().pieces().len();
-        match self.solver.source(&Moment { pieces, is_mesh_due: false, ..self.moment() }) {
-            Source::Grid => 1,
-            _ => STEPS.len(),
-        }
     }
 
     /// Opens work, which may be ready.
@@ -82,15 +100,29 @@ impl Session {
         }
         while self.prepare_on() {}
         match self.coming.take().map(|coming| coming.step) {
-            Some(Step::Ready(Ok(sheet))) => {
+            Some(Step::Ready(Ok(ready))) => {
                 // What the pen has done so far is not lost with the drawing that goes.
                 self.end(&[]);
-                self.lay_over(*sheet);
+                let Ready { sheet, shown } = *ready;
+                self.lay_over(sheet);
+                if let Some((boundary, field)) = shown {
+                    self.show_ready(boundary, field);
+                }
                 self.opened += 1;
                 self.tell(Effect::Opened { notes });
             }
             Some(Step::Ready(Err(error))) => self.tell(Effect::Failed(error.to_string())),
             _ => self.tell(Effect::Failed(DAMAGED.into())),
+        }
+    }
+
+    /// Shows what was made of the drawing that was just laid over.
+    fn show_ready(&mut self, boundary: Boundary, field: Option<Field>) {
+        (self.boundary, self.stale.boundary) = (boundary, false);
+        if let Some(field) = field {
+            (self.field, self.stale.field) = (field, false);
+            self.changed.field = true;
+            self.changed.add_everywhere();
         }
     }
 }

@@ -28,6 +28,9 @@ impl Session {
 
     /// The colour of the picture at a place in du, under lines and scribbles.
     pub(super) fn color_under(&mut self, place: Point) -> Srgb8 {
+        if !self.sheet.is_made() {
+            self.finish_making();
+        }
         self.refresh_field();
         color_at(place, &Scene { paper: Some(PAPER), field: &self.field, shapes: &[] }).0
     }

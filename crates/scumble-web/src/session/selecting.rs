@@ -39,7 +39,10 @@ impl Session {
     pub(super) fn begin_selecting(&mut self, points: &[Point], adds: bool) {
         let Some(&from) = points.first() else { return };
         self.sheet.editor.commit();
-        self.finish_making();
+        // Lines are found by their map; without one scribbles are.
+        if self.sheet.is_made() {
+            self.finish_making();
+        }
         self.refresh_map();
         let before = self.selection.clone();
         let hold = self.hold_at(from, adds);

@@ -3,7 +3,7 @@
 use std::mem::{replace, take};
 
 use scumble_core::work::Item;
-use scumble_core::{Document, Drawing, Editor, MapError, Work};
+use scumble_core::{Document, Drawing, Editor, MapError, PlanarMap, Work};
 use scumble_solve::Picture;
 
 use super::{Session, Stale};
@@ -23,17 +23,35 @@ pub(super) struct Sheet {
     kept: Work,
     pub(super) editor: Editor,
     pub(super) picture: Picture,
-    /// The revision of the lines that the picture is made for.
-    mapped: u32,
+    /// The revision of the lines that the picture is made for; none where it is but a blank page so far.
+    mapped: Option<u32>,
 }
 
 impl Sheet {
-    pub(super) fn new(number: u32, mut work: Work) -> Result<Self, MapError> {
+    pub(super) fn new(number: u32, mut work: Work, picture: Picture) -> Self {
         let blank = Drawing::new(work.document.drawing.page);
         let drawing = replace(&mut work.document.drawing, blank);
         let editor = Editor::new(Document { drawing, ..work.document.clone() });
-        let picture = Picture::new(&editor.document().drawing)?;
-        Ok(Self { number, kept: work, editor, picture, mapped: 0 })
+        Self { number, kept: work, editor, picture, mapped: Some(0) }
+    }
+
+    /// Work whose picture is to be made while it is shown.
+    ///
+    /// # Errors
+    /// Where even a blank page has no map.
+    pub(super) fn unmade(number: u32, work: Work) -> Result<Self, MapError> {
+        let picture = Picture::new(&Drawing::new(work.document.drawing.page))?;
+        Ok(Self { mapped: None, ..Self::new(number, work, picture) })
+    }
+
+    /// Whether the picture has ever been made.
+    pub(super) fn is_made(&self) -> bool {
+        self.mapped.is_some()
+    }
+
+    /// The map by which solid ink is drawn, once there is one.
+    pub(super) fn ink_map(&self) -> Option<&PlanarMap> {
+        self.is_made().then(|| self.picture.map())
     }
 
     /// The work as it is. With other lines, what belongs to those that were opened is left out: their name, and what a
@@ -50,7 +68,7 @@ impl Sheet {
 
     /// Whether there are other lines than the picture is made for.
     pub(super) fn has_stale_map(&self) -> bool {
-        self.mapped != self.editor.lines_revision()
+        self.mapped != Some(self.editor.lines_revision())
     }
 
     /// Whether the picture serves the document as it is.
@@ -60,7 +78,7 @@ impl Sheet {
 
     /// Another picture, for a revision of the lines.
     pub(super) fn take_picture(&mut self, picture: Picture, lines: u32) {
-        (self.picture, self.mapped) = (picture, lines);
+        (self.picture, self.mapped) = (picture, Some(lines));
     }
 
     pub(super) fn map_key(&self) -> MapKey {
@@ -75,7 +93,7 @@ impl Sheet {
 /// The drawings that undo and redo come back to.
 #[derive(Debug, Default)]
 pub(super) struct Shelf {
-    /// Those with work in them that others were opened over.
+    /// Those that others were opened over: with work in them, or under one whose picture is not made yet.
     under: Vec<Sheet>,
     /// Those that undo took away, each with the revision of the one under it then.
     over: Vec<(u32, Sheet)>,
@@ -95,24 +113,29 @@ impl Shelf {
 }
 
 impl Session {
-    /// Shows another drawing. The one that was there is kept if somebody worked on it.
+    /// Shows another drawing.
     pub(super) fn lay_over(&mut self, sheet: Sheet) {
         let under = self.show(sheet);
         self.close_over();
-        if !under.editor.can_undo() {
-            return self.close(&under);
-        }
         self.shelf.under.push(under);
-        if self.shelf.under.len() > SHELF_SIZE {
-            let oldest = self.shelf.under.remove(0);
-            self.close(&oldest);
-        }
+        self.settle_shelf();
     }
 
-    /// Lets go of what redo does not come to any more.
+    /// Lets go of what neither undo nor redo comes to any more.
     pub(super) fn settle_shelf(&mut self) {
         if self.shelf.is_cut_off(&self.sheet.editor) {
             self.close_over();
+        }
+        let mut is_over_unmade = !self.sheet.is_made();
+        for i in (0..self.shelf.under.len()).rev() {
+            let sheet = &self.shelf.under[i];
+            // What is not made yet can be left for the one under it, whether somebody worked on that or not.
+            let is_kept = sheet.editor.can_undo() || is_over_unmade;
+            is_over_unmade = is_kept && !sheet.is_made();
+            if !is_kept || i + SHELF_SIZE < self.shelf.under.len() {
+                let sheet = self.shelf.under.remove(i);
+                self.close(&sheet);
+            }
         }
     }
 
@@ -139,7 +162,12 @@ impl Session {
         self.select(Selection::default());
         self.viewport.show_page(sheet.editor.document().drawing.frame());
         self.stale = Stale::ALL;
-        replace(&mut self.sheet, sheet)
+        let before = replace(&mut self.sheet, sheet);
+        if self.lacks_map() {
+            let settings = *self.sheet.picture.settings();
+            self.boundary = self.sheet.picture.color(&[], &[], &settings);
+        }
+        before
     }
 
     /// Makes the picture anew where the lines are other ones; where that takes too long for a frame, once they have come to
@@ -153,20 +181,43 @@ impl Session {
         let Sheet { editor, .. } = &self.sheet;
         match Picture::new(&editor.document().drawing) {
             Ok(picture) => self.sheet.take_picture(picture, editor.lines_revision()),
-            Err(error) => self.take_back_lines(&error),
+            Err(error) => self.take_back(&error),
         }
         self.scribbles_changed();
         self.stale.lines = true;
     }
 
-    /// Takes back what makes too much of the lines.
-    pub(super) fn take_back_lines(&mut self, error: &MapError) {
+    /// Takes back what made too much of the lines: what was done to them, or the drawing.
+    pub(super) fn take_back(&mut self, error: &MapError) {
+        if self.sheet.is_made() { self.take_back_lines(error) } else { self.close_unmade(error) }
+    }
+
+    fn take_back_lines(&mut self, error: &MapError) {
         let Sheet { editor, mapped, .. } = &mut self.sheet;
-        *mapped = editor.lines_revision();
+        *mapped = Some(editor.lines_revision());
         editor.undo();
         self.held = None;
         self.scribbles_changed();
         self.tell(Effect::Failed(error.to_string()));
+    }
+
+    /// Closes a drawing that is shown and has no map. It stays, without one, where there is none under it.
+    fn close_unmade(&mut self, error: &MapError) {
+        let Sheet { number, editor, mapped, .. } = &mut self.sheet;
+        *mapped = Some(editor.lines_revision());
+        let unopened = Effect::Unopened(*number, error.to_string());
+        if self.take_off() {
+            self.close_over();
+        }
+        self.tell(unopened);
+    }
+
+    /// Shows the drawing under this one, if there is any; redo comes back to this one.
+    pub(super) fn take_off(&mut self) -> bool {
+        let Some(under) = self.shelf.under.pop() else { return false };
+        let over = self.show(under);
+        self.shelf.over.push((self.sheet.editor.revision(), over));
+        true
     }
 
     pub(super) fn undo(&mut self) {
@@ -174,10 +225,7 @@ impl Session {
         if self.sheet.editor.undo() {
             self.scribbles_changed();
             self.forget_missing();
-        } else if let Some(sheet) = self.shelf.under.pop() {
-            let over = self.show(sheet);
-            self.shelf.over.push((self.sheet.editor.revision(), over));
-        } else {
+        } else if !self.take_off() {
             return;
         }
         self.tell(Effect::Undone);

@@ -5,7 +5,7 @@ use scumble_core::{Document, Scribble, Srgb8, Work, exact};
 use scumble_io::import_svg;
 use scumble_solve::{Pixmap, paint};
 use scumble_web::command::{Command, Phase, ViewChange};
-use scumble_web::painting::{Changed, Painter, Painting, PartPainter};
+use scumble_web::painting::{Changed, PAPER, Painter, Painting, PartPainter};
 use scumble_web::session::Session;
 
 pub(crate) const DESK: Srgb8 = Srgb8([90, 91, 92]);
@@ -66,6 +66,13 @@ impl Page {
         page.session.command(open(svg, &[]));
         page.view(ViewChange::ZoomReset);
         page
+    }
+
+    /// The small picture of the drawing, whole.
+    #[allow(dead_code, reason = "not every test has use for it")]
+    pub(crate) fn thumbnail(&mut self) -> Pixmap {
+        let picture = self.session.thumbnail();
+        picture.rows(0, picture.view.height_px, Some(PAPER))
     }
 
     pub(crate) fn view(&mut self, change: ViewChange) {
