@@ -64,8 +64,10 @@ pub(crate) fn paint(
 ) -> Result<Pixmap, SolveError> {
     let view = stages::page_view(drawing, look.size_px);
     let shapes = shapes(drawing, picture, look);
-    let field = picture.mesh().solve(boundary, blend)?;
-    Ok(stages::paint_page(field, &shapes, &view, (!look.transparent).then_some(PAPER)))
+    let field = picture.mesh().solve(boundary, blend)?.clone();
+    let px_per_du = f64::from(look.size_px) / LONGER_SIDE_DU;
+    let field = picture.close_up(drawing, drawing.frame(), px_per_du).unwrap_or(field);
+    Ok(stages::paint_page(&field, &shapes, &view, (!look.transparent).then_some(PAPER)))
 }
 
 /// What is painted over the colours.

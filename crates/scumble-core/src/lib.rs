@@ -19,6 +19,7 @@
 //! | crossings found and rounded | `snap` |
 //! | an order of nodes in the plane | `nearness` |
 //! | curves as pieces that meet only at nodes | [`planar_map`] |
+//! | curves between the nodes of a map | [`bends`] |
 //! | samples along a stroke | `stroke` |
 //! | what a point sees | `visibility` |
 //! | how wide the ways between lines are | `clearance` |
@@ -35,6 +36,7 @@
 //! | sorting, small maps and disjoint sets, with little code | [`sort`], `small_map`, `sets` |
 
 mod angle;
+pub mod bends;
 mod clearance;
 pub mod color;
 pub mod color_model;
@@ -73,6 +75,7 @@ mod visibility;
 pub mod work;
 
 pub use angle::angle_part;
+pub use bends::Bends;
 pub use color::{Blend, BlendColor, ColorError, Paint, Rgba8, Srgb8};
 pub use color_model::ColorModel;
 pub use color_points::{Boundary, ColorPoint, SideColors, boundary, bounding};

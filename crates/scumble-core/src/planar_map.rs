@@ -157,6 +157,11 @@ impl PlanarMap {
         self.frame
     }
 
+    /// How finely its curves are sampled.
+    pub(crate) fn sampling(&self) -> Sampling {
+        self.sampling
+    }
+
     /// All pieces; piece `i` has the sides `2 i` and `2 i + 1`.
     pub fn pieces(&self) -> &[Piece] {
         &self.pieces
@@ -281,6 +286,7 @@ const FRAME_COARSENING: f64 = 4.0;
 fn polylines(drawing: &Drawing, frame: LatticePoint, sampling: &Sampling) -> Option<Vec<Vec<Stretch>>> {
     let mut left = MAX_PIECES;
     let frame_path = sample::frame_path(frame);
+    let frame = sample::frame_rect(frame);
     let frame_sampling = Sampling { spacing_du: FRAME_COARSENING * sampling.spacing_du, ..*sampling };
     let mut polylines = Vec::with_capacity(drawing.curves.len() + 1);
     let curves = drawing.curves.iter().map(|curve| (&curve.path, sampling));

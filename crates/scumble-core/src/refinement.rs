@@ -17,7 +17,7 @@ use crate::pace;
 /// Smallest angles, in degrees, that refinement aims at, each for triangles from so many squares of the spacing of nodes along
 /// curves on. The larger one lets triangles grow more slowly with their distance from the curves, where colours still change;
 /// small triangles are too many for it.
-const REFINED_ANGLES_DEG: [(f64, f64); 2] = [(20.0, 0.0), (29.0, 1.0)];
+const REFINED_ANGLES_DEG: [(f64, f64); 2] = [(20.0, 0.0), (29.0, 0.96)];
 
 /// Largest triangle of the refined mesh, in squares of the spacing of nodes along curves: 30 du from corner to corner
 /// at the default spacing. Angles alone let triangles grow with their distance from the curves, whatever the

@@ -55,17 +55,11 @@ pub(crate) fn frame_path(frame: LatticePoint) -> BezPath {
     frame_rect(frame).to_path(0.1)
 }
 
-/// Samples one curve, or gives up (`None`) above `limit` stretches.
-pub(crate) fn sample(
-    path: &BezPath,
-    frame: LatticePoint,
-    sampling: &Sampling,
-    limit: usize,
-) -> Option<Vec<Stretch>> {
+/// Samples one curve within a part of the frame, or gives up (`None`) above `limit` stretches.
+pub(crate) fn sample(path: &BezPath, rect: Rect, sampling: &Sampling, limit: usize) -> Option<Vec<Stretch>> {
     if !within_reach(path) {
         return Some(Vec::new());
     }
-    let rect = frame_rect(frame);
     let mut sampler = Sampler { rect, sampling, limit, stretches: Vec::new(), arc_du: 0.0 };
     for (segment, ends_du) in ends::segments(path, sampling) {
         sampler.segment(segment.to_cubic(), matches!(segment, PathSeg::Line(_)), ends_du, 0)?;
@@ -249,7 +243,7 @@ mod tests {
     const FRAME: LatticePoint = LatticePoint { x: 1024 * 1024, y: 1024 * 1024 };
 
     fn sampled(path: &BezPath) -> Vec<Stretch> {
-        sample(path, FRAME, &Sampling::default(), 1_000_000).expect("below the limit")
+        sample(path, frame_rect(FRAME), &Sampling::default(), 1_000_000).expect("below the limit")
     }
 
     #[test]
@@ -321,7 +315,7 @@ mod tests {
             let mut path = BezPath::new();
             path.move_to((-far, -far));
             path.curve_to((far, 3.0), (-far, 7.0), (far, far));
-            let _ = sample(&path, FRAME, &Sampling::default(), 10_000);
+            let _ = sample(&path, frame_rect(FRAME), &Sampling::default(), 10_000);
         }
     }
 }

@@ -2,7 +2,7 @@
 
 use kurbo::{Point, Vec2};
 
-use crate::field::{Field, FieldTriangle};
+use crate::field::Field;
 use crate::quadratic;
 use crate::scene::View;
 
@@ -17,7 +17,7 @@ pub fn colors(field: &Field, view: &View) -> Vec<[f32; 4]> {
         for y in within(corners.map(|p| p.y), view.height_px) {
             for x in within(corners.map(|p| p.x), view.width_px) {
                 if let Some(weights) = weights(corners, Point::new(x as f64, y as f64)) {
-                    pixels[y * width + x] = color(triangle, weights);
+                    pixels[y * width + x] = quadratic::color(&triangle.colors, weights);
                 }
             }
         }
@@ -40,11 +40,4 @@ fn weights([a, b, c]: [Point; 3], p: Point) -> Option<[f64; 3]> {
     let [v, w] = [(p - a).cross(c - a) / area, (b - a).cross(p - a) / area];
     let weights = [1.0 - v - w, v, w];
     weights.iter().all(|&weight| weight >= -SLACK).then_some(weights)
-}
-
-fn color(triangle: &FieldTriangle, weights: [f64; 3]) -> [f32; 4] {
-    let shapes = quadratic::triangle(weights);
-    let sum =
-        |i: usize| (0..6).map(|shape| shapes[shape] * f64::from(triangle.colors[shape][i])).sum::<f64>();
-    [0, 1, 2, 3].map(|i| sum(i) as f32)
 }

@@ -11,6 +11,7 @@
 //! solves. How much a soft source covers of a region is a system beside its own, of finer elements around its stroke alone.
 //! All sums are in a fixed order, so a picture is the same on every machine.
 
+mod bent;
 mod cells;
 mod cholesky;
 mod dissection;

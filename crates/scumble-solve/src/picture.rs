@@ -1,14 +1,21 @@
 //! All that is derived from a document: map, labels, colour points, field. Kept, and redone where the source
 //! changed.
 
+use kurbo::Rect;
 use scumble_core::pace::{Slices, now};
 use scumble_core::{
-    Boundary, ColorPoint, Document, Drawing, Engine, Labels, MapError, PlanarMap, Sampling, Scribble,
+    Bends, Boundary, ColorPoint, Document, Drawing, Engine, Labels, MapError, PlanarMap, Sampling, Scribble,
     Settings, bounding,
 };
 
 use crate::field::Field;
 use crate::mesh::{MeshSolver, SolveError};
+
+/// Up to here nobody sees that pieces of a curve are chords of it.
+const CLOSE_PX_PER_DU: f64 = 3.0;
+
+/// Largest distance of an edge from its curve, where it is seen from closer by.
+const CHORD_PX: f64 = 0.1;
 
 /// The picture of one drawing under changing scribbles.
 ///
@@ -90,6 +97,14 @@ impl Picture {
     /// Whether [`Picture::mesh`] has been called since the map is what it is.
     pub fn has_mesh(&self) -> bool {
         self.solver.is_some()
+    }
+
+    /// What comes near a part of the page of the field of the last solve, as it is seen at a scale: from close by, its edges
+    /// bend as the curves of the drawing do. `None` where that makes no difference, or where nothing was solved.
+    pub fn close_up(&self, drawing: &Drawing, part_du: Rect, px_per_du: f64) -> Option<Field> {
+        let solver = self.solver.as_ref().filter(|_| px_per_du > CLOSE_PX_PER_DU)?;
+        let bends = Bends::within(drawing, &self.map, part_du, CHORD_PX / px_per_du);
+        Some(solver.bent(&bends, part_du))
     }
 
     /// The labels of the sides and gaps, by the scribbles that fill; they name scribbles by their indices among all.

@@ -11,3 +11,9 @@ pub fn triangle([u, v, w]: [f64; 3]) -> [f64; 6] {
 pub fn edge(t: f64) -> [f64; 3] {
     [(1.0 - t) * (1.0 - 2.0 * t), 4.0 * t * (1.0 - t), t * (2.0 * t - 1.0)]
 }
+
+/// The colour at a place of a triangle of which six colours are given.
+pub fn color(colors: &[[f32; 4]; 6], weights: [f64; 3]) -> [f32; 4] {
+    let shape = triangle(weights);
+    [0, 1, 2, 3].map(|i| (0..6).map(|k| shape[k] * f64::from(colors[k][i])).sum::<f64>() as f32)
+}

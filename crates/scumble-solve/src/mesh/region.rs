@@ -151,6 +151,16 @@ impl Region {
         }
     }
 
+    /// The element of the mesh that one of its triangles in the field is, or is a part of; and where in that its corners
+    /// are: the weights of that one's corners.
+    pub(super) fn part(&self, i: usize) -> (usize, [[f32; 3]; 3]) {
+        let (parent, weights) = match &self.layer {
+            Some(layer) => (layer.shapes()[i].parent as usize, layer.shapes()[i].weights),
+            None => (i, WHOLE),
+        };
+        (self.triangles()[parent] as usize, weights)
+    }
+
     /// Writes its triangles, as many as there are, or their colours alone where the rest is there since the last time.
     pub(super) fn emit(&mut self, barriers: Barriers<'_>, is_new: bool, triangles: &mut [FieldTriangle]) {
         if is_new || !self.is_shaped {
@@ -209,10 +219,8 @@ impl Region {
         }
         let [a, b, c] = part.weights;
         let middle = |a: [f32; 3], b: [f32; 3]| [0, 1, 2].map(|i| 0.5 * (a[i] + b[i]));
-        [a, b, c, middle(a, b), middle(b, c), middle(c, a)].map(|weights| {
-            let shape = quadratic::triangle(weights.map(f64::from));
-            array::from_fn(|i| (0..6).map(|k| shape[k] * f64::from(colors[k][i])).sum::<f64>() as f32)
-        })
+        [a, b, c, middle(a, b), middle(b, c), middle(c, a)]
+            .map(|weights| quadratic::color(&colors, weights.map(f64::from)))
     }
 
     /// The unknowns of the coloured sides, with their colours.

@@ -14,6 +14,9 @@ use crate::solver::{Grids, Moment, Source};
 /// While a gesture is on its way, pixels of the grid are so many times wider: then it keeps up with the pen.
 const IN_HASTE: f64 = 2.0;
 
+/// Curves bend less far than this, in du, beyond the triangles at them.
+const BEND_DU: f64 = 1.0;
+
 impl Session {
     /// What the picture on the canvas is made of.
     pub(super) fn refresh_colors(&mut self) {
@@ -86,7 +89,8 @@ impl Session {
         let blend = self.sheet.editor.document().settings.blend;
         match self.sheet.picture.mesh().solve(&self.boundary, blend) {
             Ok(field) => {
-                self.changed.add_within(self.field.changed_within(field));
+                let within_du = self.field.changed_within(field);
+                self.changed.add_within(within_du.map(|part_du| part_du.inflate(BEND_DU, BEND_DU)));
                 self.field.clone_from(field);
             }
             Err(error) => self.effects.push(Effect::Failed(error.to_string())),
