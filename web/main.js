@@ -9,7 +9,7 @@ import { Engine } from "./engine.js";
 import { make } from "./elements.js";
 import { choose, download, keep, receive } from "./files.js";
 import { beginFirstSteps, followFirstSteps, showFirstSteps, skipFirstSteps } from "./first_steps.js";
-import { formats, isLink } from "./formats.js";
+import { formats } from "./formats.js";
 import { connectFullScreen, turnFullScreen } from "./full_screen.js";
 import { showHelp } from "./help.js";
 import { Keeper } from "./keeper.js";
@@ -357,7 +357,7 @@ async function start() {
   matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => engine.command("desk", desk()));
   listen(act, (action, held) => holds[action]?.(held));
   receive((file) => opening.file(file), (text) => opening.text(text));
-  window.addEventListener("hashchange", () => void (isLink(location.hash) && opening.address()));
+  window.addEventListener("hashchange", () => void (location.hash && opening.address()));
   window.addEventListener("beforeunload", (event) => {
     if (drawings.areAtRisk) event.preventDefault();
   });

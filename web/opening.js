@@ -116,6 +116,7 @@ export class Opening {
     if (drawing) this.#keeper.drop([drawing]);
     if (drawing?.id) putAside(drawing.id).catch(console.warn);
     if (this.#drawings.isBlank) await this.sample(FIRST, false);
+    else if (drawing) tell(say("unopened", drawing));
     failed(new Error(sentence));
   }
 
@@ -132,7 +133,7 @@ export class Opening {
    * @param {() => void} isNew called where it was a sample, as nobody has worked here
    */
   async begin(isNew) {
-    const fault = isLink(location.hash) ? await this.address() : undefined;
+    const fault = location.hash ? await this.address() : undefined;
     if (this.#asked > 0 && !fault) return;
     const ticket = this.#asked;
     // A storage that does not work is told of when there is something to keep.
