@@ -65,7 +65,7 @@ export class Opening {
     return this.#open({ name: sampleName(sample) }, async () => ({ work: await sampleWork(sample.file, isColored), notes: "" }));
   }
 
-  /** Opens the link in the address, which is then the page's own again: its drawing may become another. */
+  /** Opens the link in the address, where nothing else can be meant, and which is then the page's own again: its drawing may become another. */
   address() {
     const link = location.hash;
     history.replaceState(null, "", location.pathname + location.search);
