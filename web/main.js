@@ -97,10 +97,8 @@ const handlers = {
   ),
   making: (wanted) => {
     // A mesh takes the place of pixels, which look like it.
-    if (wanted === "picture") return begin(MAKING, say("making"));
-    end(MAKING);
-    // Once it is known which drawing is shown now.
-    return queueMicrotask(() => keeper.follow(drawings.shown));
+    if (wanted === "picture") begin(MAKING, say("making"));
+    else end(MAKING);
   },
   "making-stopped": () => opening.stopped("making-stopped"),
   failed: (values) => warn(say("failed", values)),
@@ -267,7 +265,7 @@ const actions = {
   },
   stop: () => {
     if (opening.isLong) void opening.stop();
-    else engine.command("stop-making");
+    else opening.stopMaking();
     // The button goes with what it stops.
     canvas().focus();
   },

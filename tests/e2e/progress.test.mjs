@@ -141,6 +141,27 @@ for (const browser of /** @type {const} */ (["chromium", "firefox"])) {
       assert.deepEqual(editor.tab.faults, []);
     });
 
+    test("a large drawing is kept at once, and no longer once it is cancelled", async () => {
+      const editor = await scribbled();
+      await editor.kept();
+      await editor.tab.evaluate(HOLD_FRAMES);
+      await editor.until("Opened many.svg", () => editor.drop(lines(2 * MANY), "many.svg"));
+      await editor.kept();
+      await editor.until("Cancelled; the drawing is as it was before", () => editor.click("Cancel"));
+      await session.reopen(editor.tab);
+      assert.equal(await editor.name(), "rooms.svg");
+      await editor.tab.evaluate(HOLD_FRAMES);
+      await editor.until("Opened again.svg", () => editor.drop(lines(2 * MANY), "again.svg"));
+      await editor.kept();
+      await session.reopen(editor.tab);
+      assert.equal(await editor.name(), "again.svg");
+      await editor.click("Recent drawings");
+      await editor.tab.waitFor(`document.getElementById("recent").open`);
+      const kept = await editor.tab.evaluate(`[...document.querySelectorAll("#recent li span")].map((name) => name.textContent)`);
+      assert.deepEqual(kept, ["again.svg", "rooms.svg"]);
+      assert.deepEqual(editor.tab.faults, []);
+    });
+
     test("a drawing whose lines are shown before it turns out to have too many pieces", async () => {
       const editor = await scribbled();
       await editor.drop(mesh(2700), "mesh.svg");
