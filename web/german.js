@@ -321,6 +321,7 @@ export const german = {
   "making": "Das Bild wird gemacht …",
   "making-stopped": "Abgebrochen; die Zeichnung ist wie zuvor. „Wiederholen“ macht es noch einmal",
   "opened": ({ name }) => `${name} geöffnet`,
+  "unopened": ({ name }) => `${name} ist wieder geschlossen`,
   "opened-first": ({ name }) => `Nur ${name} geöffnet; die anderen Dateien bitte einzeln öffnen`,
   "opened-in-part": ({ name, notes }) => `${name} geöffnet; ${inGerman(notes)}`,
   "palette-taken": ({ name, notes }) => `Die Palette hat die Farben von ${name}${notes && "; "}${inGerman(notes)}`,

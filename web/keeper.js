@@ -61,8 +61,7 @@ export class Keeper {
    */
   follow(drawing) {
     if (isKept(drawing) && !this.#late.has(drawing)) this.#see(drawing);
-    // What may yet be cancelled is no work.
-    else if (isWork(drawing) && (drawing.revision > 0 || !this.#page.isMaking())) this.keep(drawing);
+    else if (isWork(drawing)) this.keep(drawing);
   }
 
   /**

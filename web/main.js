@@ -9,7 +9,7 @@ import { Engine } from "./engine.js";
 import { make } from "./elements.js";
 import { choose, download, keep, receive } from "./files.js";
 import { beginFirstSteps, followFirstSteps, showFirstSteps, skipFirstSteps } from "./first_steps.js";
-import { formats, isLink } from "./formats.js";
+import { formats } from "./formats.js";
 import { connectFullScreen, turnFullScreen } from "./full_screen.js";
 import { showHelp } from "./help.js";
 import { Keeper } from "./keeper.js";
@@ -97,10 +97,8 @@ const handlers = {
   ),
   making: (wanted) => {
     // A mesh takes the place of pixels, which look like it.
-    if (wanted === "picture") return begin(MAKING, say("making"));
-    end(MAKING);
-    // Once it is known which drawing is shown now.
-    return queueMicrotask(() => keeper.follow(drawings.shown));
+    if (wanted === "picture") begin(MAKING, say("making"));
+    else end(MAKING);
   },
   "making-stopped": () => opening.stopped("making-stopped"),
   failed: (values) => warn(say("failed", values)),
@@ -267,7 +265,7 @@ const actions = {
   },
   stop: () => {
     if (opening.isLong) void opening.stop();
-    else engine.command("stop-making");
+    else opening.stopMaking();
     // The button goes with what it stops.
     canvas().focus();
   },
@@ -357,7 +355,7 @@ async function start() {
   matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => engine.command("desk", desk()));
   listen(act, (action, held) => holds[action]?.(held));
   receive((file) => opening.file(file), (text) => opening.text(text));
-  window.addEventListener("hashchange", () => void (isLink(location.hash) && opening.address()));
+  window.addEventListener("hashchange", () => void (location.hash && opening.address()));
   window.addEventListener("beforeunload", (event) => {
     if (drawings.areAtRisk) event.preventDefault();
   });

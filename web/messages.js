@@ -313,6 +313,7 @@ export const english = {
   "making": "Making the picture …",
   "making-stopped": "Cancelled; the drawing is as it was before. Redo does it again",
   "opened": ({ name }) => `Opened ${name}`,
+  "unopened": ({ name }) => `${name} has been closed again`,
   "opened-first": ({ name }) => `Opened ${name} alone; open the other files one by one`,
   "opened-in-part": ({ name, notes }) => `Opened ${name}; ${notes}`,
   "palette-taken": ({ name, notes }) => `The palette has the colours of ${name}${notes && "; "}${notes}`,

@@ -6,6 +6,7 @@ import { closeOpen } from "./dialogs.js";
 import { formats, isLink } from "./formats.js";
 import { lastIds, take } from "./keeper.js";
 import { say } from "./messages.js";
+import { removed } from "./recent.js";
 import { FIRST, sampleName, sampleWork } from "./samples.js";
 import { putAside } from "./storage.js";
 import { done, failed, tell } from "./toolbar.js";
@@ -107,6 +108,13 @@ export class Opening {
     else if (!(await this.sample(FIRST, false))) tell(say("start"));
   }
 
+  /** Stops the making of a picture. A drawing that has none yet goes with it. */
+  stopMaking() {
+    const { shown } = this.#drawings;
+    this.#engine.command("stop-making");
+    if (shown !== this.#drawings.shown) this.#discard(shown);
+  }
+
   /**
    * What was opened turned out to have no picture: it stays out of the way of the page's start.
    * @param {import("./drawings.js").Drawing | undefined} drawing
@@ -114,9 +122,22 @@ export class Opening {
    */
   async unopened(drawing, sentence) {
     if (drawing) this.#keeper.drop([drawing]);
-    if (drawing?.id) putAside(drawing.id).catch(console.warn);
+    if (drawing?.id && !this.#discard(drawing)) putAside(drawing.id).catch(console.warn);
     if (this.#drawings.isBlank) await this.sample(FIRST, false);
+    else if (drawing) tell(say("unopened", drawing));
     failed(new Error(sentence));
+  }
+
+  /**
+   * Has the browser keep a drawing no longer that came to nothing.
+   * @param {import("./drawings.js").Drawing} drawing
+   * @returns whether it came only now, and nobody has worked on it
+   */
+  #discard({ id, isBrought, revision }) {
+    if (!id || !isBrought || revision > 0) return false;
+    this.#keeper.drop(this.#drawings.forget(id));
+    removed(id).catch(console.warn);
+    return true;
   }
 
   /** Drops what is on its way; gives the number of what is asked for now. */
@@ -132,7 +153,7 @@ export class Opening {
    * @param {() => void} isNew called where it was a sample, as nobody has worked here
    */
   async begin(isNew) {
-    const fault = isLink(location.hash) ? await this.address() : undefined;
+    const fault = location.hash ? await this.address() : undefined;
     if (this.#asked > 0 && !fault) return;
     const ticket = this.#asked;
     // A storage that does not work is told of when there is something to keep.

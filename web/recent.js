@@ -78,7 +78,7 @@ export class Recent {
  * @param {string} id
  * @returns {Promise<boolean>} whether it is gone
  */
-async function removed(id) {
+export async function removed(id) {
   if (!(await hold(id))) return false;
   await storage.remove(id);
   letGo(id);

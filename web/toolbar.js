@@ -220,10 +220,11 @@ export function tell(text) {
   control("status").textContent = text;
 }
 
-/** @param {string} text what went wrong; empty to put it away */
+/** @param {string} text what went wrong; empty to put it away. Long numbers in it get marks between their thousands */
 export function warn(text) {
+  const figure = (/** @type {string} */ digits) => Number(digits).toLocaleString(document.documentElement.lang);
   control("alert").hidden = text === "";
-  /** @type {HTMLElement} */ (control("alert").querySelector("p")).textContent = text;
+  /** @type {HTMLElement} */ (control("alert").querySelector("p")).textContent = text.replace(/\b\d{4,}\b/g, figure);
 }
 
 /** Says what was done; a warning about something before it has had its time. @param {string} text */

@@ -12,6 +12,7 @@ const BAD_FILES = {
   "kaputt.svg": ['<svg xmlns="http://www.w3.org/2000/svg"><g></svg>', "Die Datei ist keine SVG-Zeichnung oder beschädigt: das Tag 'g' statt 'svg' erwartet bei 1:44; sichere sie noch einmal, oder wähle eine andere."],
   "leer.svg": ['<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 9 9"><text>a</text></svg>', "Die Zeichnung hat keine Linien und keine Formen zum Färben (weggelassen: 1 Text)."],
   "kaputt.scumble": ['{"format": "scumble", "version": "1.0",\n"canvas": 7}', "Die Datei ist in Zeile 2 unbrauchbar, dort müsste stehen: eine Liste […]; bessere sie aus, oder sichere die Zeichnung noch einmal."],
+  "bunt.hex": ["#0a0b0c\n".repeat(1001), "Die Palette hat mehr als 1.000 Farben; nimm einige heraus."],
   "kaputt.hex": ["; See\nblau\n", "Die Palette ist in Zeile 2 unbrauchbar, dort müsste stehen: eine Farbe #rrggbb; bessere sie aus, oder sichere sie noch einmal."],
 };
 

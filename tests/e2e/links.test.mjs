@@ -99,21 +99,31 @@ for (const browser of /** @type {const} */ (["chromium", "firefox"])) {
         await editor.click("Dismiss");
         assert.ok((await editor.picture()).equals(work));
       }
+      for (const other of ["#1", "#1,AAAA", "#s=..garbage", "#start"]) {
+        await editor.tab.evaluate(`location.hash = ${JSON.stringify(other)}`);
+        await warned(editor);
+        assert.match(await editor.message(), /This is no link to a drawing/, other);
+        assert.equal(await editor.tab.evaluate("location.hash"), "");
+        await editor.click("Dismiss");
+        assert.ok((await editor.picture()).equals(work));
+      }
       await editor.tab.evaluate(`location.hash = "#2.AAAA"`);
       await warned(editor);
       assert.match(await editor.message(), /newer Scumble/);
       assert.deepEqual(editor.tab.faults, []);
     });
 
-    test("a page that is opened with a damaged link says so beside the first sample", async () => {
-      const tab = await session.newTab();
-      await tab.goto(`${session.url}?renderer=cpu#1.AAAA`);
-      const editor = new Editor(tab);
-      await tab.waitFor(`document.getElementById("drawing").textContent === "Goldfish"`);
-      await warned(editor);
-      assert.match(await editor.message(), /damaged/);
-      assert.deepEqual(tab.faults, []);
-    });
+    for (const [link, words] of /** @type {const} */ ([["#1.AAAA", /damaged/], ["#1", /no link/]])) {
+      test(`a page that is opened with ${link} says what is wrong beside the first sample`, async () => {
+        const tab = await session.newTab();
+        await tab.goto(`${session.url}?renderer=cpu${link}`);
+        const editor = new Editor(tab);
+        await tab.waitFor(`document.getElementById("drawing").textContent === "Goldfish"`);
+        await warned(editor);
+        assert.match(await editor.message(), words);
+        assert.deepEqual(tab.faults, []);
+      });
+    }
   });
 }
 

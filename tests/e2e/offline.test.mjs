@@ -265,6 +265,16 @@ for (const browser of /** @type {const} */ (["chromium", "firefox"])) {
       await isReady(editor.tab);
     });
 
+    test("where the host keeps failing, the page is asked for anew once, and says so", async () => {
+      const { tab } = await open();
+      await host.replace();
+      await rm(join(host.folder, OTHER, "web/main.js"));
+      await tab.evaluate(`caches.keys().then((names) => Promise.all(names.map((name) => caches.delete(name))))`);
+      await tab.goto(host.url);
+      await tab.waitFor(`document.body.textContent.includes("could not be loaded")`);
+      assert.equal(await tab.evaluate(`performance.getEntriesByType("navigation")[0].type`), "reload");
+    });
+
     test("the page can be installed", async () => {
       const editor = await open();
       const { start, scope, display, icons } = await editor.tab.evaluate(`{

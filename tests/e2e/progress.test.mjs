@@ -52,6 +52,12 @@ const lines = (count) => {
   return `<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 1000 1000">${Array.from({ length: count }, line).join("")}</svg>`;
 };
 
+/** So many lines across, and as many down. @param {number} count */
+const mesh = (count) => {
+  const line = (/** @type {unknown} */ _, /** @type {number} */ i) => `M${i} 0V${count}M0 ${i}H${count}`;
+  return `<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 ${count} ${count}"><path stroke="black" d="${Array.from({ length: count }, line).join("")}"/></svg>`;
+};
+
 const SVG = `<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 9 9"><path stroke="black" d="M1 1l5 5"/></svg>`;
 
 const IS_SEEN = `!document.getElementById("busy").hidden`;
@@ -132,6 +138,41 @@ for (const browser of /** @type {const} */ (["chromium", "firefox"])) {
       await editor.tab.evaluate(`window.goOn()`);
       await editor.tab.waitFor(`!(${IS_SEEN})`);
       await editor.until("2 in the drawing", () => editor.scribble([[120, 130], [140, 160]], 1000));
+      assert.deepEqual(editor.tab.faults, []);
+    });
+
+    test("a large drawing is kept at once, and no longer once it is cancelled", async () => {
+      const editor = await scribbled();
+      await editor.kept();
+      await editor.tab.evaluate(HOLD_FRAMES);
+      await editor.until("Opened many.svg", () => editor.drop(lines(2 * MANY), "many.svg"));
+      await editor.kept();
+      await editor.until("Cancelled; the drawing is as it was before", () => editor.click("Cancel"));
+      await session.reopen(editor.tab);
+      assert.equal(await editor.name(), "rooms.svg");
+      await editor.tab.evaluate(HOLD_FRAMES);
+      await editor.until("Opened again.svg", () => editor.drop(lines(2 * MANY), "again.svg"));
+      await editor.kept();
+      await session.reopen(editor.tab);
+      assert.equal(await editor.name(), "again.svg");
+      await editor.click("Recent drawings");
+      await editor.tab.waitFor(`document.getElementById("recent").open`);
+      const kept = await editor.tab.evaluate(`[...document.querySelectorAll("#recent li span")].map((name) => name.textContent)`);
+      assert.deepEqual(kept, ["again.svg", "rooms.svg"]);
+      assert.deepEqual(editor.tab.faults, []);
+    });
+
+    test("a drawing whose lines are shown before it turns out to have too many pieces", async () => {
+      const editor = await scribbled();
+      await editor.drop(mesh(2700), "mesh.svg");
+      await editor.tab.waitFor(`!document.getElementById("alert").hidden`);
+      assert.equal(
+        await editor.message(),
+        "The drawing has more than 1,000,000 pieces of line, or too many on one spot; simplify it or split it.",
+      );
+      assert.deepEqual([await editor.status(), await editor.name()], ["mesh.svg has been closed again", "rooms.svg"]);
+      assert.equal(await editor.tab.evaluate(IS_SEEN), false);
+      await editor.until("2 in the drawing", () => editor.scribble([[120, 30], [140, 60]], 200));
       assert.deepEqual(editor.tab.faults, []);
     });
 

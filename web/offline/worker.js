@@ -69,11 +69,17 @@ async function answer(request) {
   return own ?? (await caches.match(url, options)) ?? (MAIN.test(path) ? begun(request) : fetch(request));
 }
 
+/** Asks for the page anew, but where that has been done already: a host that keeps failing would be asked for ever. */
+const ASK_ANEW = `
+  if (performance.getEntriesByType("navigation")[0].type !== "reload") location.reload();
+  else document.body.textContent = "Scumble could not be loaded; check the connection and load the page again. – Scumble ließ sich nicht laden; prüfe die Verbindung, und lade die Seite noch einmal.";
+`;
+
 /**
  * The script that a page begins with. Where its version has gone since the page was asked for, the page is asked for anew.
  * @param {Request} request
  */
 async function begun(request) {
   const response = await fetch(request).catch(() => Response.error());
-  return response.ok ? response : new Response("location.reload();", { headers: { "content-type": "text/javascript" } });
+  return response.ok ? response : new Response(ASK_ANEW, { headers: { "content-type": "text/javascript; charset=utf-8" } });
 }

@@ -419,7 +419,9 @@ impl Editor {
     fn done(&mut self, deed: Deed, mut back: Vec<Change>) {
         let Some(Gesture::Changes(_, before)) = &mut self.in_hand else { return self.keep(deed, back) };
         // What the gesture began with is there already.
-        back.retain(|change| !before.iter().any(|before| before.is_of_slider_of(change)));
+        back.retain(|change| {
+            !change.has_slider() || !before.iter().any(|before| before.is_of_slider_of(change))
+        });
         before.append(&mut back);
     }
 

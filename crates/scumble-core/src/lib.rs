@@ -67,6 +67,7 @@ mod small_map;
 mod snap;
 pub mod sort;
 pub mod source;
+pub mod starts;
 mod stroke;
 pub mod tone;
 pub mod tracing;

@@ -1,6 +1,6 @@
 //! A scribble: a stroke of colour that a person drew over the lines, to fill regions or to shade where it was drawn.
 
-use kurbo::{Line, ParamCurveNearest, Point};
+use kurbo::{Line, ParamCurveNearest, Point, Rect, Shape};
 
 use crate::color::Paint;
 
@@ -113,9 +113,20 @@ impl Scribble {
         }
     }
 
+    /// The bounds of the pen's way, in du; none where it has no points.
+    pub fn bounds_du(&self) -> Option<Rect> {
+        self.points.iter().map(|&p| Rect::from_points(p, p)).reduce(|a, b| a.union(b))
+    }
+
     /// Whether a straight way touches the stroke as it is drawn, or comes within a distance of it, in du.
     pub fn is_touched(&self, way: Line, reach_du: f64) -> bool {
         let most_du = 0.5 * self.width_du + reach_du;
+        if !self
+            .bounds_du()
+            .is_some_and(|bounds| bounds.inflate(most_du, most_du).overlaps(way.bounding_box()))
+        {
+            return false;
+        }
         let dab = self.points.first().map(|&point| Line::new(point, point));
         let segments = self.points.windows(2).map(|ends| Line::new(ends[0], ends[1]));
         dab.into_iter().chain(segments).any(|segment| distance_sq(segment, way) <= most_du * most_du)

@@ -26,9 +26,14 @@ pub fn line_shapes(drawing: &Drawing, map: Option<&PlanarMap>, tolerance_du: f64
     let lines = drawing.curves.iter().filter_map(|curve| {
         curve.line.as_ref().map(|line| line_shape(&curve.path, line, tolerance_du.max(LEAST_TOLERANCE_DU)))
     });
-    let mut shapes = map.map_or_else(Vec::new, |map| areas::shapes(drawing, map));
+    let mut shapes = map.map_or_else(Vec::new, |map| fill_shapes(drawing, map));
     shapes.extend(lines.filter(|shape| !shape.triangles.is_empty()));
     shapes
+}
+
+/// The fills of a drawing alone, in painting order. They are the same at every tolerance, and take longer than the lines.
+pub fn fill_shapes(drawing: &Drawing, map: &PlanarMap) -> Vec<Shape> {
+    areas::shapes(drawing, map)
 }
 
 /// How a scribble is drawn that has no colour: mid grey.

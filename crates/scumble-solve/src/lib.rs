@@ -29,7 +29,7 @@ mod reach;
 pub mod scene;
 
 pub use field::{Field, FieldTriangle};
-pub use ink::{line_shapes, scribble_shape};
+pub use ink::{fill_shapes, line_shapes, scribble_shape};
 pub use mesh::{MeshSolver, SolveError};
 pub use paint::{Pixmap, Repainter, paint, paint_grid};
 pub use picture::Picture;

@@ -2,7 +2,9 @@
 
 use kurbo::Rect;
 use scumble_core::{Drawing, Paint, PlanarMap, Rgba8, Scribble, Srgb8};
-use scumble_solve::{Shape, line_shapes, scribble_shape};
+use scumble_solve::{Shape, fill_shapes, line_shapes, scribble_shape};
+
+use crate::regions::MapKey;
 
 /// Largest distance of a drawn edge from its true place, in device pixels.
 const TOLERANCE_PX: f64 = 0.1;
@@ -26,15 +28,45 @@ const DESK_REACH_DU: f64 = 262_144.0;
 /// Shapes of a scribble: its rim, and it.
 const EACH: usize = 2;
 
+/// Of which map the ink is, and which lines there are.
+pub(crate) type InkKey = (MapKey, u32);
+
+/// Ink that has been drawn: lines for one scale, fills for all, as they take the longest.
+#[derive(Debug, Default)]
+pub(crate) struct KnownInk {
+    fills: Known<InkKey>,
+    lines: Known<(InkKey, f64)>,
+}
+
+/// Shapes that stay as long as what they are drawn of.
+#[derive(Debug)]
+struct Known<Key> {
+    of: Option<Key>,
+    shapes: Vec<Shape>,
+}
+
+impl<Key> Default for Known<Key> {
+    fn default() -> Self {
+        Self { of: None, shapes: Vec::new() }
+    }
+}
+
+impl<Key: Copy + PartialEq> Known<Key> {
+    fn follow(&mut self, of: Key, draw: impl FnOnce() -> Vec<Shape>) -> &[Shape] {
+        if self.of.replace(of) != Some(of) {
+            self.shapes = draw();
+        }
+        &self.shapes
+    }
+}
+
 /// The shapes of a scene.
 #[derive(Clone, Debug, Default)]
 pub struct Layers {
     /// Scribbles, [`EACH`] for each, then ink, then the desk.
     shapes: Vec<Shape>,
-    /// What the first shapes are of: a long scribbling draws only what is new.
-    scribbles: Vec<Scribble>,
-    /// Which of them are marked as selected.
-    are_selected: Vec<bool>,
+    /// What the first shapes are of, and whether it is marked as selected.
+    scribbles: Vec<(Scribble, bool)>,
     tolerance_du: f64,
 }
 
@@ -64,23 +96,23 @@ impl Layers {
         self.tolerance_du == tolerance_du(px_per_du)
     }
 
-    /// Draws other scribbles, and tells within what the picture of them is another, in du.
-    pub(crate) fn set_scribbles(&mut self, scribbles: &[&Scribble], are_selected: Vec<bool>) -> Option<Rect> {
-        let mark = |i: usize| are_selected.get(i) == Some(&true);
-        let is_kept = |i: &usize| {
-            self.scribbles.get(*i) == Some(scribbles[*i]) && self.are_selected.get(*i) == are_selected.get(*i)
-        };
-        let kept = (0..scribbles.len()).take_while(is_kept).count();
-        let fresh = scribbles.get(kept..).unwrap_or_default();
-        let shapes: Vec<_> = (kept..)
-            .zip(fresh)
-            .flat_map(|(i, scribble)| shapes(scribble, mark(i), self.tolerance_du))
-            .collect();
-        let added = bounds(&shapes);
-        let removed: Vec<_> = self.shapes.splice(EACH * kept..EACH * self.scribbles.len(), shapes).collect();
-        self.scribbles.splice(kept.., fresh.iter().copied().cloned());
-        self.are_selected = are_selected;
-        [added, bounds(&removed)].into_iter().flatten().reduce(|a, b| a.union(b))
+    /// Draws other scribbles, each with whether it is marked as selected. Those that are as they were stay. Tells within what
+    /// the picture of them is another, in du.
+    pub(crate) fn set_scribbles(&mut self, scribbles: &[(&Scribble, bool)]) -> Option<Rect> {
+        let ink = self.shapes.split_off(EACH * self.scribbles.len());
+        self.scribbles.truncate(scribbles.len());
+        let mut others: Vec<_> = self.shapes.drain(EACH * self.scribbles.len()..).collect();
+        for (i, &(scribble, is_selected)) in scribbles.iter().enumerate() {
+            if self.scribbles.get(i).is_none_or(|before| (&before.0, before.1) != (scribble, is_selected)) {
+                let shapes = shapes(scribble, is_selected, self.tolerance_du);
+                others.extend(shapes.iter().cloned());
+                let count = self.scribbles.len();
+                others.extend(self.shapes.splice(EACH * i..EACH * count.min(i + 1), shapes));
+                self.scribbles.splice(i..count.min(i + 1), [(scribble.clone(), is_selected)]);
+            }
+        }
+        self.shapes.extend(ink);
+        bounds(&others)
     }
 
     pub(crate) fn clear_ink(&mut self) {
@@ -89,6 +121,21 @@ impl Layers {
 
     pub(crate) fn add_lines(&mut self, drawing: &Drawing, map: Option<&PlanarMap>) {
         self.shapes.extend(line_shapes(drawing, map, self.tolerance_du));
+    }
+
+    /// The same with what is known of it.
+    pub(crate) fn add_ink(
+        &mut self,
+        key: InkKey,
+        drawing: &Drawing,
+        map: Option<&PlanarMap>,
+        known: &mut KnownInk,
+    ) {
+        let KnownInk { fills, lines } = known;
+        let draw = || map.map_or_else(Vec::new, |map| fill_shapes(drawing, map));
+        self.shapes.extend_from_slice(fills.follow(key, draw));
+        let draw = || line_shapes(drawing, None, self.tolerance_du);
+        self.shapes.extend_from_slice(lines.follow((key, self.tolerance_du), draw));
     }
 
     /// Covers everything but the page.
@@ -146,4 +193,68 @@ fn halves(rect: Rect) -> [[[f32; 2]; 3]; 2] {
     let [a, b] = [corner(rect.x0, rect.y0), corner(rect.x1, rect.y0)];
     let [c, d] = [corner(rect.x1, rect.y1), corner(rect.x0, rect.y1)];
     [[a, b, c], [a, c, d]]
+}
+
+#[cfg(test)]
+mod tests {
+    use std::sync::Arc;
+
+    use kurbo::{BezPath, Point, Shape as _, Stroke};
+    use scumble_core::{Curve, Fill, Line, Sampling, ScribbleKind};
+
+    use super::*;
+
+    const BLACK: Rgba8 = Rgba8([0, 0, 0, 255]);
+
+    fn scribble(y: f64) -> Scribble {
+        let points = vec![Point::new(100.0, y), Point::new(200.0, y)];
+        Scribble { color: Srgb8([1, 2, 3]).into(), kind: ScribbleKind::Fill, width_du: 9.0, points }
+    }
+
+    fn are_same(a: &[Shape], b: &[Shape]) -> bool {
+        a.len() == b.len() && a.iter().zip(b).all(|(a, b)| Arc::ptr_eq(&a.triangles, &b.triangles))
+    }
+
+    #[test]
+    fn scribbles_are_drawn_again_alone() {
+        let [a, b, c] = [100.0, 200.0, 300.0].map(scribble);
+        let mut layers = Layers::at_scale(1.0);
+        layers.set_scribbles(&[(&a, false), (&b, false), (&c, false)]);
+        layers.add_desk(Rect::new(0.0, 0.0, 1024.0, 1024.0), MARK);
+        let before = layers.clone();
+        let changed = layers.set_scribbles(&[(&a, false), (&b, true), (&c, false)]).expect("a change");
+        assert!((185.0..195.0).contains(&changed.y0) && (205.0..215.0).contains(&changed.y1), "{changed}");
+        for (part, is_kept) in [(0..2, true), (2..4, false), (4..7, true)] {
+            let [now, then] = [&layers, &before].map(|layers| &layers.shapes()[part.clone()]);
+            assert_eq!(are_same(now, then), is_kept, "{part:?}");
+        }
+        let changed = layers.set_scribbles(&[(&a, false)]).expect("a change");
+        assert!(changed.y0 > 185.0 && changed.y1 > 300.0, "what has gone: {changed}");
+        assert!(are_same(layers.shapes(), &[&before.shapes()[..2], before.ink()].concat()));
+    }
+
+    #[test]
+    fn fills_are_found_once_for_all_scales_and_lines_for_each() {
+        let path: BezPath = Rect::new(100.0, 100.0, 300.0, 300.0).to_path(0.1);
+        let line = Line { stroke: Stroke::new(4.0), color: BLACK };
+        let drawing = Drawing {
+            curves: vec![Curve { path: path.clone(), line: Some(line) }],
+            fills: vec![Fill { path, even_odd: false, color: BLACK }],
+            ..Drawing::new(Rect::new(0.0, 0.0, 1024.0, 1024.0))
+        };
+        let map = PlanarMap::build(&drawing, &Sampling::default()).expect("a map");
+        let mut known = KnownInk::default();
+        let mut drawn = |key: InkKey, scale: f64| {
+            let mut layers = Layers::at_scale(scale);
+            layers.add_ink(key, &drawing, Some(&map), &mut known);
+            layers.shapes
+        };
+        let key = ((0, Some(0), 0.5), 0);
+        let first = drawn(key, 1.0);
+        assert_eq!(first, line_shapes(&drawing, Some(&map), tolerance_du(1.0)));
+        assert!(are_same(&drawn(key, 1.0), &first));
+        let closer = drawn(key, 8.0);
+        assert!(are_same(&closer[..1], &first[..1]) && !are_same(&closer[1..], &first[1..]));
+        assert!(!are_same(&drawn((key.0, 1), 8.0)[..1], &first[..1]), "of other lines");
+    }
 }

@@ -14,7 +14,7 @@ use scumble_solve::{Field, Picture, View};
 use crate::brush::{Brush, Ink};
 use crate::command::{Command, Setting, Tool};
 use crate::effect::{Effect, State, TracingState, Wanted};
-use crate::layers::Layers;
+use crate::layers::{KnownInk, Layers};
 use crate::painting::{Changed, Export, PAPER, Painter, Painting};
 use crate::regions::Regions;
 use crate::selection::Selection;
@@ -65,6 +65,7 @@ pub struct Session {
     /// What the grid solver is given, once it is to make the picture.
     problem: Option<GridProblem>,
     layers: Layers,
+    ink: KnownInk,
     /// The revision of the lines that these show.
     inked: u32,
     viewport: Viewport,
@@ -137,6 +138,7 @@ impl Session {
             close_up: None,
             problem: None,
             layers: Layers::default(),
+            ink: KnownInk::default(),
             inked: 0,
             tool: Tool::default(),
             held: None,

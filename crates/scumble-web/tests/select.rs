@@ -3,7 +3,7 @@
 mod page;
 
 use kurbo::{Point, Vec2};
-use scumble_core::{Deed, EngineKind, Scribble, Srgb8, exact};
+use scumble_core::{Deed, EngineKind, Scribble, ScribbleKind, Srgb8, exact};
 use scumble_web::command::{Arranging, Command, Phase, Selecting, Setting, Tool, ViewChange};
 use scumble_web::effect::{Edit, Effect, SelectionState};
 use scumble_web::painting::PAPER;
@@ -132,6 +132,44 @@ fn a_rectangle_selects_what_it_touches() {
     page.session.pointer(Phase::Up, &[]);
     assert_eq!(of(&page.session.take_effects()), Some((2, false)));
     assert!(!page.session.document().scribbles.is_empty());
+}
+
+#[test]
+fn while_scribbles_are_selected_the_ink_stays_as_it_was_drawn() {
+    let mut page = two();
+    page.color_at(INSIDE);
+    page.pen(Phase::Down, (250.0, 250.0));
+    page.pen(Phase::Move, (450.0, 350.0));
+    page.color_at(INSIDE);
+    let drawn = page.canvas.frames.last().expect("a frame");
+    assert!(drawn.scribbles && !drawn.ink, "{drawn:?}");
+    page.session.pointer(Phase::Up, &[]);
+    drag(&mut page, &[OUTSIDE]);
+    drag(&mut page, &[(200.0, 500.0)]);
+    page.color_at(INSIDE);
+    let drawn = page.canvas.frames.last().expect("a frame");
+    assert!(drawn.ink, "a line is: {drawn:?}");
+}
+
+#[test]
+fn the_colours_of_hundreds_of_scribbles_follow_once_a_drag_of_them_ends() {
+    let mut page = Page::open(SQUARE);
+    let row = |y: f64| Scribble {
+        color: RED.into(),
+        kind: ScribbleKind::Fill,
+        width_du: 2.0,
+        points: vec![(60.0, y).into(), (80.0, y).into()],
+    };
+    let all: Vec<_> = (0..501).map(|i| row(200.0 + f64::from(i) / 2.0)).collect();
+    page.session.command(page::open(SQUARE, &all));
+    page.session.command(Command::Select(Selecting::All));
+    assert_eq!([page.color_at(OUTSIDE), page.color_at(INSIDE)], [RED, WHITE]);
+    page.pen(Phase::Down, (70.0, 300.0));
+    page.pen(Phase::Move, (370.0, 300.0));
+    assert_eq!([page.color_at(OUTSIDE), page.color_at(INSIDE)], [RED, WHITE], "on the way");
+    assert_ne!(page.color_at((370.0, 300.0)), WHITE, "the scribbles themselves follow");
+    page.session.pointer(Phase::Up, &[]);
+    assert_eq!([page.color_at(OUTSIDE), page.color_at(INSIDE)], [WHITE, RED]);
 }
 
 #[test]

@@ -38,6 +38,11 @@ impl Change {
         matches!(self, Self::ReplaceCurve(..) | Self::RemoveCurve(_) | Self::InsertCurve(..))
     }
 
+    /// Whether it is of what has sliders.
+    pub(super) fn has_slider(&self) -> bool {
+        self.is_of_slider_of(self)
+    }
+
     /// Whether two changes are of the same slider, so that this one takes back what the other does, too.
     pub(super) fn is_of_slider_of(&self, other: &Self) -> bool {
         use Change::{SetSettings, SetTracing};
@@ -99,9 +104,8 @@ pub(super) fn apply(document: &mut Document, ids: &mut Ids, change: Change) -> C
             Change::RecolorPoint(index, replace(&mut color_points[index].color, color))
         }
         Change::MoveScribble { from, to } => {
-            let (scribble, id) = (scribbles.remove(from), ids.scribbles.remove(from));
-            scribbles.insert(to, scribble);
-            ids.scribbles.insert(to, id);
+            move_within(scribbles, from, to);
+            move_within(&mut ids.scribbles, from, to);
             Change::MoveScribble { from: to, to: from }
         }
         Change::ReplaceCurve(index, after) => {
@@ -122,6 +126,11 @@ pub(super) fn apply(document: &mut Document, ids: &mut Ids, change: Change) -> C
         Change::SetPalette(after) => Change::SetPalette(replace(palette, after)),
         Change::SetTracing(after) => Change::SetTracing(replace(tracing, after)),
     }
+}
+
+/// Takes an item to another place; those on the way come closer by one, and the others stay where they are.
+fn move_within<T>(items: &mut [T], from: usize, to: usize) {
+    if from < to { items[from..=to].rotate_left(1) } else { items[to..=from].rotate_right(1) }
 }
 
 /// The colours set by hand that are left without a curve, as the indices of the others are then.

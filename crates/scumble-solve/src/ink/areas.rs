@@ -3,7 +3,9 @@
 //! The outlines of fills are curves of the drawing, also where no line is drawn along them. A file that was written by hand may
 //! have fills of which that is not so: these get a map of their own.
 
-use kurbo::{BezPath, PathEl, Point, Rect, Shape as _};
+use kurbo::{PathEl, Point, Rect, Shape as _};
+use scumble_core::sort;
+use scumble_core::starts::{Starts, subpaths};
 use scumble_core::{Curve, Drawing, Fill, PlanarMap, Sampling, Triangulation};
 
 use super::soup::Soup;
@@ -15,45 +17,18 @@ pub(super) fn shapes(drawing: &Drawing, map: &PlanarMap) -> Vec<Shape> {
         return Vec::new();
     }
     let regions = regions(map.triangulation());
-    let outlines = Outlines::new(&drawing.curves);
+    let curves = Starts::of(drawing.curves.iter().map(|curve| curve.path.elements()));
     let shape = |fill: &Fill| {
-        let own = (!outlines.have(fill)).then(|| own_regions(fill, drawing));
+        let own = (!are_drawn(fill, &curves)).then(|| own_regions(fill, drawing));
         Shape { triangles: filled(fill, own.as_ref().unwrap_or(&regions)).into(), color: fill.color }
     };
     let shapes = drawing.fills.iter().map(shape);
     shapes.filter(|shape| !shape.triangles.is_empty()).collect()
 }
 
-/// Curves, to be found by where they start.
-struct Outlines<'a>(Vec<(Start, &'a [PathEl])>);
-
-type Start = [u64; 2];
-
-impl<'a> Outlines<'a> {
-    fn new(curves: &'a [Curve]) -> Self {
-        let mut outlines: Vec<_> =
-            curves.iter().map(|curve| (start(curve.path.elements()), curve.path.elements())).collect();
-        outlines.sort_by_key(|(start, _)| *start);
-        Self(outlines)
-    }
-
-    /// Whether all outlines of a fill are curves; whether they are closed matters to neither.
-    fn have(&self, fill: &Fill) -> bool {
-        subpaths(&fill.path).all(|subpath| {
-            let first = self.0.partition_point(|(at, _)| *at < start(subpath));
-            let from_there = self.0[first..].iter().take_while(|(at, _)| *at == start(subpath));
-            from_there.map(|(_, curve)| open(curve)).any(|curve| curve == open(subpath))
-        })
-    }
-}
-
-fn start(path: &[PathEl]) -> Start {
-    let point = path.first().and_then(PathEl::end_point).unwrap_or_default();
-    [point.x, point.y].map(f64::to_bits)
-}
-
-fn subpaths(path: &BezPath) -> impl Iterator<Item = &[PathEl]> {
-    path.elements().chunk_by(|_, next| !matches!(next, PathEl::MoveTo(_)))
+/// Whether all outlines of a fill are among curves; whether they are closed matters to neither.
+fn are_drawn(fill: &Fill, curves: &Starts<'_>) -> bool {
+    subpaths(&fill.path).all(|subpath| curves.like(subpath).any(|curve| open(curve) == open(subpath)))
 }
 
 fn open(path: &[PathEl]) -> &[PathEl] {
@@ -78,7 +53,9 @@ struct Region {
 /// The triangles of the regions inside a fill.
 fn filled(fill: &Fill, regions: &[Region]) -> Soup {
     let bounds = fill.path.bounding_box();
-    let inside = regions.iter().filter(|region| is_inside(fill, bounds, region.inner));
+    let first = regions.partition_point(|region| region.inner.x < bounds.x0);
+    let beside = regions[first..].iter().take_while(|region| region.inner.x <= bounds.x1);
+    let inside = beside.filter(|region| is_inside(fill, bounds, region.inner));
     inside.flat_map(|region| region.triangles.iter().copied()).collect()
 }
 
@@ -89,6 +66,7 @@ fn is_inside(fill: &Fill, bounds: Rect, p: Point) -> bool {
     }
 }
 
+/// The regions of a map, from left to right.
 fn regions(mesh: &Triangulation) -> Vec<Region> {
     let (region_of, count) = mesh.regions();
     let mut regions: Vec<_> = (0..count).map(|_| (0.0, Point::ORIGIN, Soup::new())).collect();
@@ -101,5 +79,8 @@ fn regions(mesh: &Triangulation) -> Vec<Region> {
         }
         triangles.push([a, b, c].map(|p| [p.x as f32, p.y as f32]));
     }
-    regions.into_iter().map(|(_, inner, triangles)| Region { inner, triangles }).collect()
+    let mut regions: Vec<_> =
+        regions.into_iter().map(|(_, inner, triangles)| Region { inner, triangles }).collect();
+    sort::sort_by_key(&mut regions, |region| sort::float(region.inner.x));
+    regions
 }

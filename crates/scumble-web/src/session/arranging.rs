@@ -92,7 +92,9 @@ impl Session {
     fn tone_selected(&mut self, tone: Tone) {
         let shades = self.selected_shades();
         let mut colors = self.colors_under(&shades);
-        let fills = self.selected_scribbles().into_iter().filter(|i| !shades.contains(i));
+        let mut fills = self.selected_scribbles();
+        fills.retain(|i| self.document().scribbles[*i].is_fill());
+        let fills = fills.into_iter();
         colors.extend(fills.filter_map(|i| match self.document().scribbles[i].color {
             Paint::Color(color) => Some((i, color)),
             Paint::Clear => None,

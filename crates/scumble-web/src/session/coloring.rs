@@ -7,6 +7,7 @@ use scumble_solve::View;
 use scumble_solve::grid::GridProblem;
 
 use super::Session;
+use super::gestures::Held;
 use crate::effect::Effect;
 use crate::regions::Regions;
 use crate::solver::{Grids, Moment, Source};
@@ -17,9 +18,15 @@ const IN_HASTE: f64 = 2.0;
 /// Curves bend less far than this, in du, beyond the triangles at them.
 const BEND_DU: f64 = 1.0;
 
+/// The colours of so many scribbles follow while they are dragged.
+const SCRIBBLES_IN_HAND: usize = 500;
+
 impl Session {
     /// What the picture on the canvas is made of.
     pub(super) fn refresh_colors(&mut self) {
+        if self.are_many_dragged() {
+            return;
+        }
         self.refresh_boundary();
         let source = self.choice();
         if source != std::mem::replace(&mut self.source, source) {
@@ -27,6 +34,12 @@ impl Session {
             self.stale.view = true;
         }
         if source == Source::Grid { self.refresh_problem() } else { self.refresh_field() }
+    }
+
+    /// Whether the pen has hold of so many scribbles that their colours are found once it has let go.
+    fn are_many_dragged(&self) -> bool {
+        let is_dragged = matches!(self.held, Some(Held::Grip(_))) && self.sheet.editor.is_changing();
+        is_dragged && self.selected_scribbles().len() > SCRIBBLES_IN_HAND
     }
 
     pub(super) fn show_result(&mut self, shown: bool) {

@@ -1,6 +1,6 @@
 //! What the pen does on the canvas: it scribbles, erases scribbles, picks a colour or moves the view.
 
-use kurbo::{Line, Point, Rect};
+use kurbo::{Line, Point};
 use scumble_core::{Deed, Paint, Scribble, ScribbleKind};
 
 use super::Session;
@@ -205,8 +205,7 @@ impl Session {
 
     /// Whether the last scribble may touch the page: it colours nothing where it does not.
     fn is_on_page(&self) -> bool {
-        let points = self.document().scribbles.last().into_iter().flat_map(|scribble| &scribble.points);
-        let bounds = points.map(|p| Rect::from_points(*p, *p)).reduce(|a, b| a.union(b));
+        let bounds = self.document().scribbles.last().and_then(Scribble::bounds_du);
         bounds.is_some_and(|bounds| bounds.overlaps(self.document().drawing.frame()))
     }
 

@@ -57,13 +57,14 @@ impl Session {
         let drawing = &self.sheet.editor.document().drawing;
         self.layers.clear_ink();
         if self.lines_shown || self.is_before {
-            self.layers.add_lines(drawing, self.sheet.ink_map());
+            let key = (self.sheet.map_key(), self.sheet.editor.lines_revision());
+            self.layers.add_ink(key, drawing, self.sheet.ink_map(), &mut self.ink);
         }
         if let Some(regions) = self.regions_shown() {
-            self.layers.add_lines(&regions.marked_gaps(drawing, self.px_per_du()), self.sheet.ink_map());
+            self.layers.add_lines(&regions.marked_gaps(drawing, self.px_per_du()), None);
         }
         let selected = self.selected_curves().into_iter().map(|i| &drawing.curves[i]);
-        self.layers.add_lines(&marked(drawing, selected, self.px_per_du()), self.sheet.ink_map());
+        self.layers.add_lines(&marked(drawing, selected, self.px_per_du()), None);
         self.layers.add_desk(drawing.frame(), self.desk);
         self.changed.ink = true;
         self.changed.add_everywhere();
@@ -73,13 +74,14 @@ impl Session {
     fn draw_scribbles(&mut self) {
         let are_shown = self.scribbles_shown && !self.is_before;
         let in_hand = self.scribble_in_hand();
-        let all = &self.sheet.editor.document().scribbles;
-        let mut scribbles: Vec<_> = all.iter().filter(|_| are_shown).collect();
-        if let (Some(last), Some(in_hand)) = (scribbles.last_mut(), &in_hand) {
+        let editor = &self.sheet.editor;
+        let all = editor.document().scribbles.iter().zip(editor.scribble_ids());
+        let marked = all.map(|(scribble, id)| (scribble, self.selection.has(*id)));
+        let mut scribbles: Vec<_> = marked.filter(|_| are_shown).collect();
+        if let (Some((last, _)), Some(in_hand)) = (scribbles.last_mut(), &in_hand) {
             *last = in_hand;
         }
-        let is_selected = self.sheet.editor.scribble_ids().iter().map(|id| self.selection.has(*id)).collect();
-        self.changed.add_within(self.layers.set_scribbles(&scribbles, is_selected));
+        self.changed.add_within(self.layers.set_scribbles(&scribbles));
         self.changed.scribbles = true;
         self.stale.view = true;
     }

@@ -35,7 +35,7 @@ impl Session {
         color_at(place, &Scene { paper: Some(PAPER), field: &self.field, shapes: &[] }).0
     }
 
-    /// The colours under the first points of some scribbles, by their indices, in the picture without all of these.
+    /// The colours under the first points of some scribbles, by their indices in ascending order, in the picture without all of these.
     pub(super) fn colors_under(&mut self, scribbles: &[usize]) -> Vec<(usize, Srgb8)> {
         if scribbles.is_empty() {
             return Vec::new();
@@ -47,7 +47,7 @@ impl Session {
         let rest = all
             .iter()
             .enumerate()
-            .filter(|(i, _)| !scribbles.contains(i))
+            .filter(|(i, _)| scribbles.binary_search(i).is_err())
             .map(|(_, scribble)| scribble.clone());
         let boundary = self.sheet.picture.color(&rest.collect::<Vec<_>>(), color_points, settings);
         let Ok(field) = self.sheet.picture.mesh().solve(&boundary, settings.blend) else { return Vec::new() };

@@ -1,7 +1,8 @@
 //! What lies under the pen with the tool that selects.
 
 use kurbo::{Affine, Line, ParamCurveNearest, Point, Rect};
-use scumble_core::{Curve, Document, Fill, Scribble};
+use scumble_core::starts::{Starts, subpaths};
+use scumble_core::{Curve, Document, Drawing, Scribble};
 
 use super::Session;
 use crate::layers::drawn_width_du;
@@ -47,7 +48,7 @@ impl Session {
             let way = handle.on(frame) - place;
             way.x.abs().max(way.y.abs()) <= reach_du
         };
-        self.handles().iter().find(is_near).copied()
+        self.handles(Some(frame)).iter().find(is_near).copied()
     }
 
     /// A place in du, in turned ones.
@@ -78,10 +79,11 @@ impl Session {
             return None;
         }
         let Document { drawing, .. } = self.document();
+        let outlines = outlines(drawing);
         let is_there = |&i: &usize| {
             let curve = &drawing.curves[i];
             let half_du = curve.line.as_ref().map_or(0.0, |line| 0.5 * line.stroke.width);
-            self.is_near(i, place, half_du + self.reach_du()) && is_line(curve, &drawing.fills)
+            self.is_near(i, place, half_du + self.reach_du()) && is_line(curve, &outlines)
         };
         let there = (0..drawing.curves.len()).rev().find(is_there);
         there.and_then(|i| self.sheet.editor.curve_ids().get(i).copied())
@@ -99,10 +101,14 @@ impl Session {
 }
 
 /// Whether a curve can be selected: it is drawn as a line, and is not the outline of solid ink, which would stay behind.
-pub(super) fn is_line(curve: &Curve, fills: &[Fill]) -> bool {
+pub(super) fn is_line(curve: &Curve, outlines: &Starts<'_>) -> bool {
     let way = curve.path.elements();
-    let is_outlined = |fill: &Fill| fill.path.elements().windows(way.len().max(1)).any(|part| part == way);
-    curve.line.is_some() && !fills.iter().any(is_outlined)
+    curve.line.is_some() && !outlines.like(way).any(|outline| outline.starts_with(way))
+}
+
+/// Those of solid ink.
+pub(super) fn outlines(drawing: &Drawing) -> Starts<'_> {
+    Starts::of(drawing.fills.iter().flat_map(|fill| subpaths(&fill.path)))
 }
 
 /// Whether a scribble, as it is drawn, reaches into a rectangle in turned du.

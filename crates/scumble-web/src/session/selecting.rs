@@ -1,12 +1,14 @@
 //! What the pen does with the tool that selects: a click chooses, a drag moves what is chosen, resizes it by a handle of
 //! its frame, or chooses all that lies in a rectangle.
 
+use std::mem::replace;
+
 use kurbo::{Affine, BezPath, Point, Rect, Shape, Vec2};
 use scumble_core::{Curve, Deed, Document};
 
 use super::Session;
 use super::gestures::{CLICK_CSS, Held};
-use super::pointing::{Hold, is_line, is_touched};
+use super::pointing::{Hold, is_line, is_touched, outlines};
 use crate::command::{Selecting, Tool};
 use crate::effect::{Edit, Effect, SelectionState};
 use crate::layers::drawn_width_du;
@@ -157,9 +159,10 @@ impl Session {
         let now = all.iter().position(|id| self.selection.has(*id)).map(|now| now as isize);
         let before = now.unwrap_or(if step > 0 { -1 } else { 0 });
         let places = (1..=count).map(|i| (before + i * step).rem_euclid(count) as usize);
+        let outlines = outlines(drawing);
         let is_one = |place: &usize| {
             let from_end = all.len() - 1 - *place;
-            *place < scribbles.len() || is_line(&drawing.curves[from_end], &drawing.fills)
+            *place < scribbles.len() || is_line(&drawing.curves[from_end], &outlines)
         };
         let mut found = places.filter(is_one);
         found.next().map(|place| all[place]).into_iter().collect()
@@ -177,10 +180,10 @@ impl Session {
     }
 
     pub(super) fn select(&mut self, selection: Selection) {
-        if selection != self.selection {
-            self.selection = selection;
-            (self.stale.scribbles, self.stale.lines) = (true, true);
-        }
+        let before = replace(&mut self.selection, selection);
+        let is_other = |ids: &[u32]| before.places_in(ids) != self.selection.places_in(ids);
+        self.stale.scribbles |= is_other(self.sheet.editor.scribble_ids());
+        self.stale.lines |= is_other(self.sheet.editor.curve_ids());
     }
 
     /// What is no longer there is not selected.
@@ -231,24 +234,27 @@ impl Session {
         let css_from_turned = self.viewport.css_from_du() * self.viewport.turned_from_du().inverse();
         let css = |rect: Rect| css_from_turned.transform_rect_bbox(rect);
         let drawing = &self.document().drawing;
+        let frame = self.frame_turned();
         let is_hidden = |i: &usize| drawing.curves[*i].line.as_ref().is_some_and(|line| line.color.0[3] == 0);
         SelectionState {
             scribbles: scribbles.len(),
             lines: curves.len(),
             are_hidden: !curves.is_empty() && curves.iter().all(is_hidden),
-            frame_css: self.frame_turned().map(css),
-            handles: self.handles().len(),
+            frame_css: frame.map(css),
+            handles: self.handles(frame).len(),
             marquee_css: self.marquee().map(css),
         }
     }
 
-    /// The handles that the frame has: those of corners, then those of sides.
-    pub(super) fn handles(&self) -> &'static [Handle] {
-        let bounds = self.selected_bounds(Affine::IDENTITY);
-        let is_stretchy = bounds.is_some_and(|bounds| bounds.width() + bounds.height() > 0.0);
+    /// The handles that the frame around what is selected has: those of corners, then those of sides.
+    pub(super) fn handles(&self, frame: Option<Rect>) -> &'static [Handle] {
+        let size_css = frame.unwrap_or_default().size() * self.viewport.zoom();
         let are_lines = self.selected_scribbles().is_empty();
-        let size_css = self.frame_turned().unwrap_or_default().size() * self.viewport.zoom();
-        if !is_stretchy || are_lines || size_css.max_side() < LEAST_FRAME_CSS {
+        let is_stretchy = || {
+            let bounds = self.selected_bounds(Affine::IDENTITY);
+            bounds.is_some_and(|bounds| bounds.width() + bounds.height() > 0.0)
+        };
+        if are_lines || size_css.max_side() < LEAST_FRAME_CSS || !is_stretchy() {
             &HANDLES[..0]
         } else if size_css.min_side() < LEAST_SIDE_CSS {
             &HANDLES[..4]
@@ -296,9 +302,10 @@ impl Session {
         }
         let (marquee, turned_from_du) = (self.marquee_of(grip), self.viewport.turned_from_du());
         let drawing = &self.document().drawing;
+        let outlines = outlines(drawing);
         let is_in = |curve: &Curve| {
             let bounds = bounds(&curve.path, turned_from_du);
-            marquee.union(bounds) == marquee && is_line(curve, &drawing.fills)
+            marquee.union(bounds) == marquee && is_line(curve, &outlines)
         };
         let curves = drawing.curves.iter().zip(self.sheet.editor.curve_ids());
         let within: Vec<u32> = curves.filter(|(curve, _)| is_in(curve)).map(|(_, id)| *id).collect();
