@@ -18,111 +18,111 @@ const STEP: f64 = 1.0 / 1_048_576.0;
 /// A knot so near an end of a piece, as a part of it, is that end by other arithmetic.
 const END: f64 = 0.02;
 
-/// How the pieces of a map bend in a part of the plane. A place on a piece is a part of the way from its start to its end.
+/// How the pieces of a map bend in a part of the plane. A place on a piece is a part of the way from its start to its end; at
+/// *knots* it is known how far off the chord the curve is.
 #[derive(Clone, Debug, Default)]
 pub struct Bends {
-    /// Pieces that bend, in ascending order, each with where its knots begin; and one more that says where the last ends.
-    pieces: Vec<(u32, usize)>,
-    knots: Vec<Knot>,
-}
-
-/// A place between the ends of a piece, and how far off the chord its curve is there.
-#[derive(Clone, Copy, Debug)]
-struct Knot {
-    part: f64,
-    off_du: Vec2,
+    /// The piece of each knot, and behind it where on the piece it is, in [`STEP`]s; in ascending order, each with its place
+    /// among the distances.
+    knots: Vec<(u64, u32)>,
+    off_du: Vec<Vec2>,
 }
 
 impl Bends {
     /// Follows the curves of a drawing along the pieces of its map that come near a part of the page. They go straight from
     /// knot to knot, at most `chord_du` off, which is positive.
     pub fn within(drawing: &Drawing, map: &PlanarMap, part_du: Rect, chord_du: f64) -> Self {
-        let sampling = map.sampling();
+        let sampling = Sampling { chord_du, ..map.sampling() };
         let part_du = part_du.inflate(sampling.spacing_du, sampling.spacing_du).intersect(map.frame());
-        let finer = Sampling { chord_du, ..sampling };
-        let mut bent = Vec::new();
+        let mut bends = Self::default();
         for (i, curve) in drawing.curves.iter().enumerate() {
-            let near = || curve.path.control_box().overlaps(part_du);
-            if !map.steps(i).is_empty() && near() {
-                let stretches = sample::sample(&curve.path, part_du, &finer, usize::MAX).unwrap_or_default();
-                let own = |step: &&Step| map.pieces()[step.left.piece()].curve == Some(i as u32);
-                let steps = map.steps(i).iter().filter(own);
-                bent.extend(steps.filter_map(|step| bend(map, step, &stretches)));
+            let steps = map.steps(i);
+            if !steps.is_empty() && curve.path.control_box().overlaps(part_du) {
+                let stretches =
+                    sample::sample(&curve.path, part_du, &sampling, usize::MAX).unwrap_or_default();
+                for step in steps {
+                    if map.pieces()[step.left.piece()].curve == Some(i as u32) {
+                        bends.add(map, step, &stretches);
+                    }
+                }
             }
         }
-        Self::new(bent)
-    }
-
-    fn new(mut bent: Vec<(u32, Vec<Knot>)>) -> Self {
-        sort::sort_by_key(&mut bent, |(piece, _)| (*piece).into());
-        bent.dedup_by_key(|(piece, _)| *piece);
-        let mut bends = Self::default();
-        for (piece, knots) in bent {
-            bends.pieces.push((piece, bends.knots.len()));
-            bends.knots.extend(knots);
-        }
-        bends.pieces.push((u32::MAX, bends.knots.len()));
+        sort::sort(&mut bends.knots);
         bends
     }
 
-    /// Those of the piece that a side belongs to, from the start of the piece.
-    fn of_piece(&self, side: SideId) -> &[Knot] {
-        match self.pieces.binary_search_by_key(&(side.piece() as u32), |(piece, _)| *piece) {
-            Ok(i) => &self.knots[self.pieces[i].1..self.pieces[i + 1].1],
-            Err(_) => &[],
+    /// Adds the knots between the ends of a step.
+    fn add(&mut self, map: &PlanarMap, step: &Step, stretches: &[Stretch]) {
+        let [from_du, to_du] = step.arc_du;
+        let first = stretches.partition_point(|stretch| stretch.arc_du[1] <= from_du);
+        let behind = stretches.partition_point(|stretch| stretch.arc_du[0] < to_du);
+        let Some([own @ .., last]) = stretches.get(first..behind) else { return };
+        let points = map.triangulation().points();
+        let nodes = map.ends(step.left).map(|node| points[node as usize]);
+        let ends = [place(own.first().unwrap_or(last), from_du), place(last, to_du)];
+        let is_near = |i: usize| (nodes[i] - ends[i]).hypot2() < MOST_OFF_DU * MOST_OFF_DU;
+        if !is_near(0) || !is_near(1) {
+            return;
+        }
+        for stretch in own {
+            let steps = ((stretch.arc_du[1] - from_du) / (to_du - from_du) / STEP).round();
+            let part = steps * STEP;
+            if part > END && part < 1.0 - END {
+                let steps = if step.left.is_right() { STEP.recip() - steps } else { steps };
+                self.knots.push((key(step.left, steps), self.off_du.len() as u32));
+                self.off_du.push(stretch.ends[1].to_point() - ends[0].lerp(ends[1], part));
+            }
         }
     }
 
-    /// The knots of a side, from its start to its end: where each is. None where it is straight.
-    pub fn knots(&self, side: SideId) -> impl Iterator<Item = f64> {
+    /// How many knots a side has. None where it is straight.
+    pub fn knot_count(&self, side: SideId) -> usize {
+        self.of_piece(side).len()
+    }
+
+    /// Where one of its knots is, counted from the start of the side.
+    pub fn knot(&self, side: SideId, i: usize) -> f64 {
         let knots = self.of_piece(side);
-        (0..knots.len()).map(move |i| match side.is_right() {
-            true => 1.0 - knots[knots.len() - 1 - i].part,
-            false => knots[i].part,
-        })
+        if side.is_right() { 1.0 - part(knots[knots.len() - 1 - i]) } else { part(knots[i]) }
     }
 
     /// How far the curve is off the chord at a place of a side, in du.
-    pub fn off_du(&self, side: SideId, part: f64) -> Vec2 {
-        let part = if side.is_right() { 1.0 - part } else { part };
+    pub fn off_du(&self, side: SideId, at: f64) -> Vec2 {
+        let at = if side.is_right() { 1.0 - at } else { at };
         let knots = self.of_piece(side);
-        let after = knots.partition_point(|knot| knot.part < part);
-        let end = |part| Knot { part, off_du: Vec2::ZERO };
-        let a = after.checked_sub(1).map_or(end(0.0), |i| knots[i]);
-        let b = knots.get(after).copied().unwrap_or(end(1.0));
-        a.off_du.lerp(b.off_du, (part - a.part) / (b.part - a.part))
+        let after = knots.partition_point(|&knot| part(knot) < at);
+        let (mut a, mut b) = ((0.0, Vec2::ZERO), (1.0, Vec2::ZERO));
+        if after > 0 {
+            a = self.place(knots[after - 1]);
+        }
+        if after < knots.len() {
+            b = self.place(knots[after]);
+        }
+        a.1.lerp(b.1, (at - a.0) / (b.0 - a.0))
+    }
+
+    /// The knots of the piece that a side belongs to, from the start of the piece.
+    fn of_piece(&self, side: SideId) -> &[(u64, u32)] {
+        let from = |steps: f64| self.knots.partition_point(|&(other, _)| other < key(side, steps));
+        &self.knots[from(0.0)..from(STEP.recip())]
+    }
+
+    fn place(&self, knot: (u64, u32)) -> (f64, Vec2) {
+        (part(knot), self.off_du[knot.1 as usize])
     }
 }
 
-/// The piece of a step and its knots; `None` where it is straight.
-fn bend(map: &PlanarMap, step: &Step, stretches: &[Stretch]) -> Option<(u32, Vec<Knot>)> {
-    let points = map.triangulation().points();
-    let [from_du, to_du] = step.arc_du;
-    let nodes = map.ends(step.left).map(|node| points[node as usize]);
-    let first = stretches.partition_point(|stretch| stretch.arc_du[1] <= from_du);
-    let last = stretches.partition_point(|stretch| stretch.arc_du[0] < to_du);
-    let ends = [place(stretches.get(first)?, from_du)?, place(stretches.get(last.checked_sub(1)?)?, to_du)?];
-    if (0..2).any(|i| (nodes[i] - ends[i]).hypot() > MOST_OFF_DU) {
-        return None;
-    }
-    let knots = stretches.get(first..last - 1)?.iter().map(|stretch| {
-        let part = (stretch.arc_du[1] - from_du) / (to_du - from_du);
-        let part = (part / STEP).round() * STEP;
-        Knot { part, off_du: stretch.ends[1].to_point() - ends[0].lerp(ends[1], part) }
-    });
-    let is_within = |knot: &Knot| knot.part > END && knot.part < 1.0 - END;
-    let mut knots: Vec<_> = knots.filter(is_within).collect();
-    if step.left.is_right() {
-        knots.reverse();
-        knots.iter_mut().for_each(|knot| knot.part = 1.0 - knot.part);
-    }
-    (!knots.is_empty()).then_some((step.left.piece() as u32, knots))
+fn key(side: SideId, steps: f64) -> u64 {
+    ((side.piece() as u64) << 32) + steps as u64
 }
 
-/// Where on a stretch an arc position is; `None` where it is on none, as behind the border of what was sampled.
-fn place(stretch: &Stretch, arc_du: f64) -> Option<Point> {
+fn part((key, _): (u64, u32)) -> f64 {
+    f64::from(key as u32) * STEP
+}
+
+/// Where on a stretch, or on its way beyond, an arc position is.
+fn place(stretch: &Stretch, arc_du: f64) -> Point {
     let [from_du, to_du] = stretch.arc_du;
     let [a, b] = stretch.ends.map(LatticePoint::to_point);
-    let part = (arc_du - from_du) / (to_du - from_du);
-    (-0.5..1.5).contains(&part).then(|| a.lerp(b, part))
+    a.lerp(b, (arc_du - from_du) / (to_du - from_du))
 }

@@ -13,6 +13,7 @@ pub fn edge(t: f64) -> [f64; 3] {
 }
 
 /// The colour at a place of a triangle of which six colours are given.
+#[inline(never)] // It is large, and where it is called nothing waits for it.
 pub fn color(colors: &[[f32; 4]; 6], weights: [f64; 3]) -> [f32; 4] {
     let shape = triangle(weights);
     [0, 1, 2, 3].map(|i| (0..6).map(|k| shape[k] * f64::from(colors[k][i])).sum::<f64>() as f32)

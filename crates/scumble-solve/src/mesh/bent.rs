@@ -3,24 +3,22 @@
 //! What is solved on straight elements is painted on bent ones: a place in an element goes along with its edges, and takes its
 //! colour with it.
 
-use std::array;
-
-use kurbo::{Point, Rect, Vec2};
+use kurbo::{Point, Rect};
 use scumble_core::{Bends, HalfEdge, SideId, Triangulation};
 
 use super::MeshSolver;
 use crate::field::{Field, FieldTriangle};
 use crate::quadratic;
-use crate::scene::bounds;
 
 impl MeshSolver {
     /// What comes near a part of the page, in du, of the field of the last solve; edges bend as curves do.
     pub fn bent(&self, bends: &Bends, part_du: Rect) -> Field {
-        let mut triangles = Vec::new();
-        let mut all = self.field.triangles.iter();
+        let (mut triangles, mut next) = (Vec::new(), 0);
         for region in &self.regions {
-            for (i, triangle) in all.by_ref().take(region.emitted_count()).enumerate() {
-                if bounds([&triangle.corners]).is_some_and(|around| around.overlaps(part_du)) {
+            for i in 0..region.emitted_count() {
+                let triangle = &self.field.triangles[next];
+                next += 1;
+                if meets(triangle, part_du) {
                     let (element, weights) = region.part(i);
                     Bent { mesh: &self.mesh, bends, element, weights, triangle }.push_to(&mut triangles);
                 }
@@ -28,6 +26,15 @@ impl MeshSolver {
         }
         Field { blend: self.field.blend, triangles }
     }
+}
+
+/// Whether a triangle comes near a part of the page.
+fn meets(triangle: &FieldTriangle, part_du: Rect) -> bool {
+    let [a, b, c] = triangle.corners;
+    let is_within = |i: usize, from: f64, to: f64| {
+        f64::from(a[i].min(b[i]).min(c[i])) <= to && f64::from(a[i].max(b[i]).max(c[i])) >= from
+    };
+    is_within(0, part_du.x0, part_du.x1) && is_within(1, part_du.y0, part_du.y1)
 }
 
 /// A triangle of the field, and where it is in its element of the mesh.
@@ -50,18 +57,21 @@ struct Spot {
 impl Bent<'_> {
     /// Fans out from a hub to the knots of the edges that bend.
     fn push_to(&self, triangles: &mut Vec<FieldTriangle>) {
-        let corners = [0, 1, 2].map(|k| self.corner(k));
-        let knots = [0, 1, 2].map(|k| self.knots(k));
-        if knots.iter().all(Vec::is_empty) {
-            return triangles.push(FieldTriangle { corners: corners.map(single), ..*self.triangle });
+        let (mut rim, mut corners) = (Vec::new(), [0; 4]);
+        for k in 0..3 {
+            rim.push(self.corner(k));
+            self.push_knots(k, &mut rim);
+            corners[k + 1] = rim.len();
         }
-        let hub = hub(&corners, &knots);
-        let rim: Vec<_> = (0..3).flat_map(|k| [&corners[k..=k], &knots[k]].concat()).collect();
-        for (i, &from) in rim.iter().enumerate() {
-            let spots = [hub, from, rim[(i + 1) % rim.len()]];
-            let [a, b, c] = spots.map(|spot| spot.at);
+        if rim.len() == 3 {
+            let corners = [single(rim[0]), single(rim[1]), single(rim[2])];
+            return triangles.push(FieldTriangle { corners, ..*self.triangle });
+        }
+        let hub = hub(&rim, corners);
+        for i in 0..rim.len() {
+            let spots = [hub, rim[i], rim[(i + 1) % rim.len()]];
             // Where the hub is a corner, what lies beside it is flat.
-            if (b - a).cross(c - a) > 0.0 {
+            if (spots[1].at - hub.at).cross(spots[2].at - hub.at) > 0.0 {
                 triangles.push(self.between(spots));
             }
         }
@@ -70,53 +80,62 @@ impl Bent<'_> {
     /// Where corner `k` is: it may lie in the middle of a side.
     fn corner(&self, k: usize) -> Spot {
         let [x, y] = self.triangle.corners[k].map(f64::from);
-        let off_du = self.along([k; 2]).map_or(Vec2::ZERO, |along| self.bends.off_du(along.side, along.from));
-        Spot { weights: array::from_fn(|i| f64::from(u8::from(i == k))), at: Point::new(x, y) + off_du }
+        let mut spot = Spot { weights: [0.0; 3], at: Point::new(x, y) };
+        spot.weights[k] = 1.0;
+        if let Some(Along { side, from, .. }) = self.along([k; 2]) {
+            spot.at += self.bends.off_du(side, from);
+        }
+        spot
     }
 
-    /// Those between corner `k` and the next one.
-    fn knots(&self, k: usize) -> Vec<Spot> {
+    /// Adds the knots between corner `k` and the next one.
+    fn push_knots(&self, k: usize, rim: &mut Vec<Spot>) {
         let next = (k + 1) % 3;
-        let Some(Along { side, ends: [a, b], from, to }) = self.along([k, next]) else { return Vec::new() };
-        let within = self.bends.knots(side).filter(|&part| part > from && part < to);
-        let spot = |part: f64| {
-            let mut weights = [0.0; 3];
-            weights[next] = (part - from) / (to - from);
-            weights[k] = 1.0 - weights[next];
-            Spot { weights, at: a.lerp(b, part) + self.bends.off_du(side, part) }
-        };
-        within.map(spot).collect()
+        let Some(Along { side, ends: [a, b], from, to }) = self.along([k, next]) else { return };
+        for i in 0..self.bends.knot_count(side) {
+            let part = self.bends.knot(side, i);
+            if part > from && part < to {
+                let mut weights = [0.0; 3];
+                weights[next] = (part - from) / (to - from);
+                weights[k] = 1.0 - weights[next];
+                rim.push(Spot { weights, at: a.lerp(b, part) + self.bends.off_du(side, part) });
+            }
+        }
     }
 
     /// The side that two corners lie on, if they do.
     fn along(&self, corners: [usize; 2]) -> Option<Along> {
         let [from, to] = corners.map(|k| self.weights[k]);
-        let edges = (0..3).filter(|i| from[(i + 2) % 3] == 0.0 && to[(i + 2) % 3] == 0.0);
-        edges.into_iter().find_map(|i| {
+        for i in 0..3 {
+            let [next, across] = [(i + 1) % 3, (i + 2) % 3];
             let edge = HalfEdge::of(self.element, i);
-            let [from, to] = [from, to].map(|weights| f64::from(weights[(i + 1) % 3]));
-            Some(Along { side: self.mesh.side(edge)?, ends: self.mesh.segment(edge), from, to })
-        })
+            if let Some(side) = self.mesh.side(edge)
+                && from[across] == 0.0
+                && to[across] == 0.0
+            {
+                let [from, to] = [from[next].into(), to[next].into()];
+                return Some(Along { side, ends: self.mesh.segment(edge), from, to });
+            }
+        }
+        None
     }
 
     /// The part of it between three places.
     fn between(&self, spots: [Spot; 3]) -> FieldTriangle {
-        let [a, b, c] = spots.map(|spot| spot.weights);
-        let colors = [a, b, c, middle(a, b), middle(b, c), middle(c, a)];
-        let side_edges = [[a, b], [b, c], [c, a]].map(|ends| self.is_side(ends));
-        FieldTriangle {
-            corners: spots.map(single),
-            colors: colors.map(|weights| quadratic::color(&self.triangle.colors, weights)),
-            side_edges: (0..).zip(side_edges).map(|(i, is_side)| u32::from(is_side) << i).sum(),
+        let mut part = FieldTriangle { corners: spots.map(single), ..FieldTriangle::default() };
+        for i in 0..3 {
+            let [a, b] = [spots[i].weights, spots[(i + 1) % 3].weights];
+            part.colors[i] = quadratic::color(&self.triangle.colors, a);
+            part.colors[3 + i] = quadratic::color(&self.triangle.colors, middle(a, b));
+            part.side_edges |= u32::from(self.is_side(a, b)) << i;
         }
+        part
     }
 
     /// Whether what lies between two places is on one of its edges that are sides.
-    fn is_side(&self, [a, b]: [[f64; 3]; 2]) -> bool {
-        (0..3).any(|i| {
-            let across = (i + 2) % 3;
-            self.triangle.side_edges >> i & 1 == 1 && a[across] == 0.0 && b[across] == 0.0
-        })
+    fn is_side(&self, a: [f64; 3], b: [f64; 3]) -> bool {
+        let is_on = |i: usize| a[(i + 2) % 3] == 0.0 && b[(i + 2) % 3] == 0.0;
+        (0..3).any(|i| self.triangle.side_edges >> i & 1 == 1 && is_on(i))
     }
 }
 
@@ -130,18 +149,20 @@ struct Along {
     to: f64,
 }
 
-/// The corner across from the one edge that bends, or else the centroid.
-fn hub(corners: &[Spot; 3], knots: &[Vec<Spot>; 3]) -> Spot {
-    let mut bent = (0..3).filter(|&k| !knots[k].is_empty());
-    if let (Some(k), None) = (bent.next(), bent.next()) {
-        return corners[(k + 2) % 3];
+/// The corner across from the one edge that bends, or else the centroid; from where on the rim the corners are.
+fn hub(rim: &[Spot], corners: [usize; 4]) -> Spot {
+    for k in 0..3 {
+        let alone = corners[k + 1] - corners[k] + 2;
+        if alone == rim.len() {
+            return rim[corners[(k + 2) % 3]];
+        }
     }
-    let [a, b, c] = corners.map(|corner| corner.at.to_vec2());
+    let [a, b, c] = [0, 1, 2].map(|k| rim[corners[k]].at.to_vec2());
     Spot { weights: [1.0 / 3.0; 3], at: ((a + b + c) / 3.0).to_point() }
 }
 
 fn middle(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
-    array::from_fn(|i| 0.5 * (a[i] + b[i]))
+    [0, 1, 2].map(|i| 0.5 * (a[i] + b[i]))
 }
 
 fn single(spot: Spot) -> [f32; 2] {
@@ -153,7 +174,7 @@ mod tests {
     use std::iter;
 
     use super::*;
-    use kurbo::{Circle, Line, Shape};
+    use kurbo::{Circle, Line, Shape, Vec2};
     use scumble_core::{Blend, Boundary, Curve, Drawing, PlanarMap, Sampling, SoftSource};
 
     const CENTER: Point = Point::new(500.0, 500.0);
