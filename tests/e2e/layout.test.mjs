@@ -107,22 +107,25 @@ for (const browser of /** @type {const} */ (["chromium", "firefox"])) {
 
     test("on a small phone for fingers, the bar fits, what is said is whole, and rows that go on fade", async () => {
       await editor.tab.resize(320, 568);
-      const { bar, status, rows } = await editor.tab.evaluate(`{
+      await editor.tab.evaluate(`document.getElementById("unsaved").hidden = false`);
+      const { bar, status, rows, name } = await editor.tab.evaluate(`{
         const root = document.documentElement.style;
         // As the page has it for fingers.
         root.setProperty("--target", "44px");
         const status = document.getElementById("status");
         status.textContent = "Pick a colour and scribble it into the drawing";
         const shown = {
+          name: document.getElementById("drawing").scrollWidth <= document.getElementById("drawing").clientWidth,
           bar: [...document.querySelectorAll("#bar button")].map((button) => button.getBoundingClientRect().right),
           status: [status.scrollWidth <= status.clientWidth, status.scrollHeight <= status.clientHeight],
           rows: [...document.querySelectorAll("aside .row")].map((row) => [row.scrollWidth > row.clientWidth, getComputedStyle(row).maskImage]),
         };
         root.removeProperty("--target");
+        document.getElementById("unsaved").hidden = true;
         shown;
       }`);
       assert.ok(Math.max(...bar) <= 320, `${bar}`);
-      assert.deepEqual(status, [true, true]);
+      assert.deepEqual([...status, name], [true, true, true]);
       for (const [goesOn, mask] of rows) assert.ok(goesOn && mask.startsWith("linear-gradient"), `${mask}`);
     });
 

@@ -8,7 +8,7 @@ use scumble_core::{Curve, Document, Drawing, EngineKind, Srgb8, Tone, Work, exac
 use scumble_io::import_svg;
 use scumble_solve::{Field, Picture};
 use scumble_web::brush::Ink;
-use scumble_web::command::{Command, Phase, Setting, Tool, ViewChange};
+use scumble_web::command::{Arranging, Command, Phase, Setting, Tool, ViewChange};
 use scumble_web::effect::{Effect, Wanted};
 use scumble_web::painting::{Changed, Painter, Painting};
 use scumble_web::session::Session;
@@ -190,6 +190,31 @@ fn what_asked_for_a_picture_is_taken_back_and_the_one_before_is_still_there() {
         assert!(page.screen.0 != picture);
         page.assert_right();
     }
+}
+
+#[test]
+fn lines_that_come_back_are_seen_some_frames_later_and_can_be_done_without() {
+    let mut page = Page::open();
+    page.session.command(Command::Scribbles(false));
+    page.session.command(Command::Tool(Tool::Select));
+    page.pen(Phase::Down, (0.5, 0.5));
+    page.pen(Phase::Move, (1023.5, 1023.5));
+    page.session.pointer(Phase::Up, &[]);
+    page.session.command(Command::Arrange(Arranging::Delete));
+    page.rest();
+    assert_eq!(page.session.document().drawing.curves.len(), 0);
+    page.told();
+    page.session.command(Command::Undo);
+    let before = page.screen.0.clone();
+    page.session.frame(&mut page.screen);
+    assert_eq!(page.told(), Some(true));
+    assert!(page.screen.0 == before);
+    page.session.command(Command::StopMaking);
+    assert_eq!(page.session.document().drawing.curves.len(), 0, "the picture is the one without them");
+    page.session.command(Command::Undo);
+    page.rest();
+    assert_eq!(page.told(), Some(false));
+    page.assert_right();
 }
 
 #[test]

@@ -72,8 +72,10 @@ impl Session {
     }
 
     fn is_large_at_rest(&self) -> bool {
-        let Sheet { editor, picture, .. } = &self.sheet;
-        let is_large = !self.sheet.is_made() || picture.map().pieces().len() > PIECES_IN_HAND;
+        let Sheet { editor, picture, most_pieces, .. } = &self.sheet;
+        // Lines that were deleted from a large drawing may be coming back.
+        let pieces = if self.sheet.has_stale_map() { *most_pieces } else { picture.map().pieces().len() };
+        let is_large = !self.sheet.is_made() || pieces > PIECES_IN_HAND;
         is_large && !editor.is_changing_lines()
     }
 
@@ -150,12 +152,22 @@ impl Session {
                 return;
             }
         } else {
-            while self.lacks_picture() && self.sheet.editor.undo() {}
+            self.find_pictured();
         }
         (self.held, self.making) = (None, None);
         self.scribbles_changed();
         self.forget_missing();
         self.tell(Effect::MakingStopped);
+    }
+
+    /// Goes to where in the history the picture is the right one: back, or where undo has asked for another, forth.
+    fn find_pictured(&mut self) {
+        let place = self.sheet.editor.place();
+        while self.lacks_picture() && self.sheet.editor.undo() {}
+        while self.lacks_picture() && self.sheet.editor.redo() {}
+        if self.lacks_picture() {
+            self.sheet.editor.go_to(place);
+        }
     }
 
     fn show_made(&mut self, picture: Picture) {

@@ -25,6 +25,8 @@ pub(super) struct Sheet {
     pub(super) picture: Picture,
     /// The revision of the lines that the picture is made for; none where it is but a blank page so far.
     mapped: Option<u32>,
+    /// The pieces of the largest map that it has had.
+    pub(super) most_pieces: usize,
 }
 
 impl Sheet {
@@ -32,7 +34,8 @@ impl Sheet {
         let blank = Drawing::new(work.document.drawing.page);
         let drawing = replace(&mut work.document.drawing, blank);
         let editor = Editor::new(Document { drawing, ..work.document.clone() });
-        Self { number, kept: work, editor, picture, mapped: Some(0) }
+        let most_pieces = picture.map().pieces().len();
+        Self { number, kept: work, editor, picture, mapped: Some(0), most_pieces }
     }
 
     /// Work whose picture is to be made while it is shown.
@@ -78,6 +81,7 @@ impl Sheet {
 
     /// Another picture, for a revision of the lines.
     pub(super) fn take_picture(&mut self, picture: Picture, lines: u32) {
+        self.most_pieces = self.most_pieces.max(picture.map().pieces().len());
         (self.picture, self.mapped) = (picture, Some(lines));
     }
 
