@@ -183,3 +183,32 @@ impl Picture {
         })
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use kurbo::{Circle, Point, Shape};
+    use scumble_core::{Curve, ScribbleKind, Srgb8};
+
+    #[test]
+    fn what_is_seen_from_close_by_is_finer_and_from_afar_it_is_the_same() {
+        let path = Circle::new((500.0, 500.0), 30.0).to_path(1e-6);
+        let drawing = Drawing {
+            curves: vec![Curve { path, line: None }],
+            ..Drawing::new(Rect::new(0.0, 0.0, 1024.0, 1024.0))
+        };
+        let points = vec![Point::new(490.0, 500.0), Point::new(510.0, 500.0)];
+        let color = Srgb8([9; 3]).into();
+        let scribble = Scribble { color, kind: ScribbleKind::Fill, width_du: 10.0, points };
+        let document = Document { scribbles: vec![scribble], ..Document::new(drawing) };
+        let mut picture = Picture::new(&document.drawing).expect("a map");
+        let drawing = &document.drawing;
+        assert_eq!(picture.close_up(drawing, drawing.frame(), 16.0), None, "nothing is solved");
+        let count = picture.update(&document).expect("a field").triangles.len();
+        assert_eq!(picture.close_up(drawing, drawing.frame(), 2.0), None);
+        let counts = [8.0, 64.0].map(|scale| {
+            picture.close_up(drawing, drawing.frame(), scale).map_or(0, |field| field.triangles.len())
+        });
+        assert!(count < counts[0] && counts[0] < counts[1], "{count} {counts:?}");
+    }
+}

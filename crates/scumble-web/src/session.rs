@@ -22,7 +22,6 @@ use crate::solver::{Grids, Solver, SolverState, Source};
 use crate::view::Viewport;
 
 mod arranging;
-mod close;
 mod coloring;
 mod gestures;
 mod ink;
@@ -34,7 +33,6 @@ mod selecting;
 mod sheet;
 mod tools;
 
-use close::CloseUp;
 use gestures::{Held, Stroke};
 use making::Making;
 use opening::Coming;
@@ -60,8 +58,6 @@ pub struct Session {
     /// The colours of the sides, and of the sheet's shades.
     boundary: Boundary,
     field: Field,
-    /// What is shown of it from close by.
-    close_up: Option<CloseUp>,
     /// What the grid solver is given, once it is to make the picture.
     problem: Option<GridProblem>,
     layers: Layers,
@@ -135,7 +131,6 @@ impl Session {
             opened: 0,
             boundary: Boundary::default(),
             field: Field::default(),
-            close_up: None,
             problem: None,
             layers: Layers::default(),
             ink: KnownInk::default(),
@@ -251,12 +246,11 @@ impl Session {
         self.refresh_regions();
         self.refresh_ink();
         if take(&mut self.stale.view) {
-            self.refresh_close_up();
             let (blank, changed) = (Field::default(), take(&mut self.changed));
             let regions = self.regions_shown().map(Regions::field);
             let is_result = self.result_shown && regions.is_none() && !self.is_before;
             let painting = Painting {
-                field: if is_result { self.field_shown() } else { regions.unwrap_or(&blank) },
+                field: if is_result { &self.field } else { regions.unwrap_or(&blank) },
                 problem: self.problem.as_ref().filter(|_| self.source == Source::Grid && is_result),
                 layers: &self.layers,
                 view: self.viewport.view(),
@@ -294,9 +288,7 @@ impl Session {
         if lines {
             layers.add_lines(drawing, self.sheet.ink_map());
         }
-        let close_up = self.sheet.picture.close_up(drawing, drawing.frame(), px_per_du);
-        let field = close_up.unwrap_or_else(|| self.field.clone());
-        Export { layers, field, view: self.page(px_per_du) }
+        Export { layers, field: self.field.clone(), view: self.page(px_per_du) }
     }
 
     /// The whole page.

@@ -15,9 +15,6 @@ use crate::solver::{Grids, Moment, Source};
 /// While a gesture is on its way, pixels of the grid are so many times wider: then it keeps up with the pen.
 const IN_HASTE: f64 = 2.0;
 
-/// Curves bend less far than this, in du, beyond the triangles at them.
-const BEND_DU: f64 = 1.0;
-
 /// The colours of so many scribbles follow while they are dragged.
 const SCRIBBLES_IN_HAND: usize = 500;
 
@@ -102,8 +99,7 @@ impl Session {
         let blend = self.sheet.editor.document().settings.blend;
         match self.sheet.picture.mesh().solve(&self.boundary, blend) {
             Ok(field) => {
-                let within_du = self.field.changed_within(field);
-                self.changed.add_within(within_du.map(|part_du| part_du.inflate(BEND_DU, BEND_DU)));
+                self.changed.add_within(self.field.changed_within(field));
                 self.field.clone_from(field);
             }
             Err(error) => self.effects.push(Effect::Failed(error.to_string())),
