@@ -174,6 +174,9 @@ async function scribbleAll(editor, folder) {
   return ways.reduce((sum, way) => sum + way.length - 1, 0);
 }
 
+/** What stands over a table of waits. @param {string} name */
+const heading = (name) => `\n${name.padEnd(46)} median ms      95 %   largest`;
+
 /**
  * @param {string} name
  * @param {number[]} times_ms
@@ -220,7 +223,7 @@ async function startTimes(renderer) {
 }
 
 async function printStart() {
-  console.log(`\n${"a first visit".padEnd(46)} median ms      95 %   largest`);
+  console.log(heading("a first visit"));
   for (const renderer of /** @type {const} */ (["webgpu", "webgl", "cpu"])) {
     const times_ms = await startTimes(renderer);
     console.log(row(`${renderer}: until the toolbar is painted`, times_ms.map(([paint_ms]) => paint_ms)));
@@ -272,7 +275,7 @@ function timeOpening(svg) {
 }
 
 async function printOpening() {
-  console.log(`\n${"100,000 pieces are opened".padEnd(46)} median ms      95 %   largest`);
+  console.log(heading("100,000 pieces are opened"));
   for (const renderer of /** @type {const} */ (["webgpu", "webgl", "cpu"])) {
     const session = await startFor(renderer);
     try {
@@ -294,7 +297,7 @@ async function printOpening() {
 
 /** @param {string} set */
 async function printPen(set) {
-  console.log(`\n${"the pen in the page".padEnd(46)} median ms      95 %   largest`);
+  console.log(heading("the pen in the page"));
   for (const renderer of /** @type {const} */ (["webgpu", "cpu"])) {
     const { frames_ms, samples, sent } = await penTimes(set, renderer);
     console.log(row(`${renderer}: a frame's work`, frames_ms.map(([work_ms]) => work_ms)));

@@ -20,6 +20,7 @@
 //! | an order of nodes in the plane | `nearness` |
 //! | curves as pieces that meet only at nodes | [`planar_map`] |
 //! | curves between the nodes of a map | [`bends`] |
+//! | paths by where they start | [`starts`] |
 //! | samples along a stroke | `stroke` |
 //! | what a point sees | `visibility` |
 //! | how wide the ways between lines are | `clearance` |

@@ -13,11 +13,9 @@ use crate::quadratic;
 impl MeshSolver {
     /// What comes near a part of the page, in du, of the field of the last solve; edges bend as curves do.
     pub fn bent(&self, bends: &Bends, part_du: Rect) -> Field {
-        let (mut triangles, mut next) = (Vec::new(), 0);
+        let (mut triangles, mut all) = (Vec::new(), self.field.triangles.iter());
         for region in &self.regions {
-            for i in 0..region.emitted_count() {
-                let triangle = &self.field.triangles[next];
-                next += 1;
+            for (i, triangle) in all.by_ref().take(region.emitted_count()).enumerate() {
                 if meets(triangle, part_du) {
                     let (element, weights) = region.part(i);
                     Bent { mesh: &self.mesh, bends, element, weights, triangle }.push_to(&mut triangles);
@@ -57,12 +55,7 @@ struct Spot {
 impl Bent<'_> {
     /// Fans out from a hub to the knots of the edges that bend.
     fn push_to(&self, triangles: &mut Vec<FieldTriangle>) {
-        let (mut rim, mut corners) = (Vec::new(), [0; 4]);
-        for k in 0..3 {
-            rim.push(self.corner(k));
-            self.push_knots(k, &mut rim);
-            corners[k + 1] = rim.len();
-        }
+        let (rim, corners) = self.rim();
         if rim.len() == 3 {
             let corners = [single(rim[0]), single(rim[1]), single(rim[2])];
             return triangles.push(FieldTriangle { corners, ..*self.triangle });
@@ -75,6 +68,17 @@ impl Bent<'_> {
                 triangles.push(self.between(spots));
             }
         }
+    }
+
+    /// Its corners and knots in its direction of turn; and where in that list each edge begins, and the last one ends.
+    fn rim(&self) -> (Vec<Spot>, [usize; 4]) {
+        let (mut rim, mut ends) = (Vec::new(), [0; 4]);
+        for k in 0..3 {
+            rim.push(self.corner(k));
+            self.push_knots(k, &mut rim);
+            ends[k + 1] = rim.len();
+        }
+        (rim, ends)
     }
 
     /// Where corner `k` is: it may lie in the middle of a side.

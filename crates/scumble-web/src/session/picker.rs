@@ -35,7 +35,8 @@ impl Session {
         color_at(place, &Scene { paper: Some(PAPER), field: &self.field, shapes: &[] }).0
     }
 
-    /// The colours under the first points of some scribbles, by their indices in ascending order, in the picture without all of these.
+    /// The colours under the first points of some scribbles, by their indices in ascending order, in the picture without all
+    /// of these.
     pub(super) fn colors_under(&mut self, scribbles: &[usize]) -> Vec<(usize, Srgb8)> {
         if scribbles.is_empty() {
             return Vec::new();
