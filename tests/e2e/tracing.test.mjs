@@ -323,7 +323,7 @@ for (const browser of /** @type {const} */ (["chromium", "firefox"])) {
       ["cut.png", () => HALVES.subarray(0, HALVES.length - 20), /end is missing; save or download it again/],
       ["broken.png", () => Buffer.from(HALVES).fill(7, 41, 60), /a part of it was changed; save or download it again/],
       ["broken.jpg", () => uncoded(readFileSync(JPEG)), /damaged, or coded as this browser does not know it; save it again/],
-      ["huge.jpg", () => huge(readFileSync(JPEG)), /16448 × 16448 pixels; scale it down to 16,384 a side/],
+      ["huge.jpg", () => huge(readFileSync(JPEG)), /16,448 × 16,448 pixels; scale it down to 16,384 a side/],
       ["moving.gif", () => Buffer.from("GIF89a, and so on"), /GIF pictures cannot be opened; save the picture as PNG or JPEG/],
       ["nothing.jpg", () => new Uint8Array(9), /no PNG or JPEG picture/],
       ["large.jpg", () => Buffer.alloc((8 << 20) + 1, "\xff\xd8\xff", "latin1"), /larger than 8 MiB; save it with fewer pixels/],
