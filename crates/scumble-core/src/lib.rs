@@ -33,11 +33,13 @@
 //! | … as bytes that lose nothing | [`exact`] |
 //! | long work in slices | [`pace`] |
 //! | numbers as files hold them | `kept` |
+//! | numbers and points within bounds | [`clamp`] |
 //! | angles that are the same on every machine | `angle` |
 //! | sorting, small maps and disjoint sets, with little code | [`sort`], `small_map`, `sets` |
 
 mod angle;
 pub mod bends;
+pub mod clamp;
 mod clearance;
 pub mod color;
 pub mod color_model;
@@ -78,6 +80,7 @@ pub mod work;
 
 pub use angle::angle_part;
 pub use bends::Bends;
+pub use clamp::{clamped, nearest_in};
 pub use color::{Blend, BlendColor, ColorError, Paint, Rgba8, Srgb8};
 pub use color_model::ColorModel;
 pub use color_points::{Boundary, ColorPoint, SideColors, boundary, bounding};

@@ -11,6 +11,7 @@ use kurbo::{
     Size,
 };
 
+use crate::clamp::nearest_in;
 use crate::grading::graded;
 use crate::measured_path;
 use crate::planar_map::Sampling;
@@ -169,7 +170,7 @@ impl Sampler<'_> {
         let (start_du, length_du) = (self.arc_du, (ends[1] - ends[0]).hypot());
         self.arc_du += length_du;
         let Some(inside) = clip(ends, self.rect) else { return };
-        let [a, b] = inside.map(|t| LatticePoint::nearest(clamp(ends[0].lerp(ends[1], t), self.rect)));
+        let [a, b] = inside.map(|t| LatticePoint::nearest(nearest_in(self.rect, ends[0].lerp(ends[1], t))));
         if a != b {
             // Segments within one lattice point are passed over, and tear no hole into the arc.
             let before = self.stretches.last().filter(|before| inside[0] == 0.0 && before.ends[1] == a);
@@ -211,10 +212,6 @@ fn parameters(c: &CubicBez, parts: &[f64]) -> Vec<f64> {
         .collect();
     nodes.push(1.0);
     nodes
-}
-
-fn clamp(p: Point, rect: Rect) -> Point {
-    Point::new(p.x.clamp(rect.x0, rect.x1), p.y.clamp(rect.y0, rect.y1))
 }
 
 /// The part of a segment inside a rectangle, as parameters in `0..=1` (Liang & Barsky 1984).

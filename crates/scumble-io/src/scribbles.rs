@@ -8,7 +8,7 @@ use std::collections::BTreeMap;
 
 use kurbo::{Affine, Point, Rect};
 use scumble_core::drawing::LONGER_SIDE_DU;
-use scumble_core::{Drawing, Paint, PenPressure, Scribble, ScribbleKind, Shading};
+use scumble_core::{Drawing, Paint, PenPressure, Scribble, ScribbleKind, Shading, nearest_in};
 use serde::Deserialize;
 use serde::de::IgnoredAny;
 
@@ -171,8 +171,7 @@ impl Reader {
 
     /// The point itself, or the nearest one that is not far outside.
     fn within_reach(&mut self, p: Point) -> Point {
-        let reach = self.frame.inflate(REACH_DU, REACH_DU);
-        let nearest = Point::new(p.x.clamp(reach.x0, reach.x1), p.y.clamp(reach.y0, reach.y1));
+        let nearest = nearest_in(self.frame.inflate(REACH_DU, REACH_DU), p);
         self.notes.far_points += usize::from(nearest != p);
         nearest
     }

@@ -1,6 +1,7 @@
 //! The colours of a field at the centres of pixels.
 
 use kurbo::{Point, Vec2};
+use scumble_core::clamped;
 
 use crate::field::Field;
 use crate::quadratic;
@@ -29,7 +30,7 @@ pub fn colors(field: &Field, view: &View) -> Vec<[f32; 4]> {
 fn within(coordinates: [f64; 3], count: u32) -> std::ops::Range<usize> {
     let least = coordinates.iter().copied().fold(f64::INFINITY, f64::min);
     let most = coordinates.iter().copied().fold(f64::NEG_INFINITY, f64::max);
-    least.ceil().max(0.0) as usize..(most.floor() + 1.0).clamp(0.0, f64::from(count)) as usize
+    least.ceil().max(0.0) as usize..clamped(most.floor() + 1.0, [0.0, f64::from(count)]) as usize
 }
 
 /// The weights of the corners at a point of a triangle.

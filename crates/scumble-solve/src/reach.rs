@@ -5,7 +5,7 @@
 //! radius of it lies in.
 
 use kurbo::{Point, Rect};
-use scumble_core::{SoftSource, Triangulation};
+use scumble_core::{SoftSource, Triangulation, nearest_in};
 
 use crate::brush::{self, Brush};
 
@@ -69,8 +69,7 @@ impl<'a> Regions<'a> {
     /// The region of the first point, or where that is off the page, of the place on it that is nearest.
     fn at_start(&self, source: &SoftSource) -> Option<u32> {
         let first = source.points.first().copied().unwrap_or_default();
-        let Rect { x0, y0, x1, y1 } = self.bounds;
-        self.at(Point::new(first.x.clamp(x0, x1), first.y.clamp(y0, y1)), &mut 0)
+        self.at(nearest_in(self.bounds, first), &mut 0)
     }
 
     /// The first region with a radius of the stroke's length, or where there is none, the one with most of it; of

@@ -1,6 +1,6 @@
 //! What the pen draws with: the kind, colour and size of the next scribble.
 
-use scumble_core::{Paint, PenPressure, ScribbleKind, Shading, Srgb8, Tone};
+use scumble_core::{Paint, PenPressure, ScribbleKind, Shading, Srgb8, Tone, clamped};
 
 use crate::stroke::Sample;
 
@@ -163,8 +163,7 @@ impl Pressure {
 
 /// The width nearest to one that a scribble of a kind can be given, in du.
 pub(crate) fn within_sizes(width_du: f64, kind: &ScribbleKind) -> f64 {
-    let [least, most] = SIZES_DU[usize::from(*kind != ScribbleKind::Fill)];
-    width_du.round().clamp(least, most)
+    clamped(width_du.round(), SIZES_DU[usize::from(*kind != ScribbleKind::Fill)])
 }
 
 /// What the pen draws with.
@@ -237,8 +236,7 @@ impl Brush {
 
     pub(crate) fn set_size(&mut self, size_du: f64) {
         if size_du.is_finite() {
-            let [least, most] = self.mode.sizes_du();
-            self.sizes_du[self.mode.kind as usize] = size_du.round().clamp(least, most);
+            self.sizes_du[self.mode.kind as usize] = clamped(size_du.round(), self.mode.sizes_du());
         }
     }
 

@@ -6,6 +6,7 @@
 //! so that at 100% the canvas shows the pixels of the exported picture.
 
 use kurbo::{Affine, Point, Rect, Size, Vec2};
+use scumble_core::nearest_in;
 use scumble_solve::View;
 
 /// Smallest and largest zoom.
@@ -255,12 +256,10 @@ impl Viewport {
     /// The place of the page that is nearest to the middle of the canvas stays in sight.
     fn keep_in_sight(&mut self) {
         let reach = (self.size_css() / 2.0 - Size::new(KEPT_CSS, KEPT_CSS)).max(Size::ZERO) / self.zoom;
-        let Point { x, y } = self.center_du;
-        let nearest = Point::new(x.clamp(self.page.x0, self.page.x1), y.clamp(self.page.y0, self.page.y1));
+        let nearest = nearest_in(self.page, self.center_du);
         let turned_from_du = self.turned_from_du();
         let way = turned_from_du * (self.center_du - nearest).to_point();
-        let kept =
-            Point::new(way.x.clamp(-reach.width, reach.width), way.y.clamp(-reach.height, reach.height));
+        let kept = nearest_in(Rect::from_center_size(Point::ZERO, 2.0 * reach), way);
         if kept != way {
             self.center_du = nearest + (turned_from_du.inverse() * kept).to_vec2();
         }

@@ -13,7 +13,7 @@
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 use kurbo::{Affine, Point, Vec2};
-use scumble_core::{BlendColor, Boundary, Piece, PlanarMap, SideId, sort};
+use scumble_core::{BlendColor, Boundary, Piece, PlanarMap, SideId, clamped, sort};
 
 use super::constraints::Constraints;
 use super::cut_links::{Cut, Face, LEAST_FRACTION, Link};
@@ -245,7 +245,7 @@ impl Fitting<'_> {
             return width;
         }
         let weight = self.flow(corner, from, to) / (corner.value(b) - corner.value(a));
-        if weight.is_finite() && weight > 0.0 { weight.clamp(width / MOST, width * MOST) } else { width }
+        if weight.is_finite() && weight > 0.0 { clamped(weight, [width / MOST, width * MOST]) } else { width }
     }
 
     /// What flows through the face between two pixels: the difference of the conjugate at its ends, which is zero at a wall without

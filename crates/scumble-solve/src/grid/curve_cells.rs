@@ -7,7 +7,7 @@
 use std::ops::Range;
 
 use kurbo::{Line, Vec2};
-use scumble_core::{PlanarMap, sort};
+use scumble_core::{PlanarMap, clamped, sort};
 
 use crate::scene::View;
 
@@ -76,9 +76,9 @@ fn ends_in_row(Line { p0, p1 }: Line, row: u32) -> [f64; 2] {
 
 /// The whole numbers below a count whose unit intervals something between two numbers is in or close to.
 fn numbers([a, b]: [f64; 2], count: u32) -> Range<u32> {
-    let first = (a.min(b) - CLOSE_PX).floor().clamp(0.0, f64::from(count));
+    let first = clamped((a.min(b) - CLOSE_PX).floor(), [0.0, f64::from(count)]);
     let end = (a.max(b) + CLOSE_PX).floor() + 1.0;
-    first as u32..end.clamp(first, f64::from(count)) as u32
+    first as u32..clamped(end, [first, f64::from(count)]) as u32
 }
 
 #[cfg(test)]

@@ -1,7 +1,7 @@
 //! Paints a picture that was solved on pixels: as it is, save in pixels that a curve passes through. There each of the
 //! samples has the colour of the nearest pixel from whose centre no curve keeps it.
 
-use scumble_core::Srgb8;
+use scumble_core::{Srgb8, clamped};
 
 use super::canvas::{Canvas, over};
 use super::encode::Encoder;
@@ -98,8 +98,8 @@ impl PixelRange {
     /// The pixels that a line's bounding box touches.
     fn around([a, b]: [[f64; 2]; 2], picture: &GridPicture) -> Self {
         let range = |i: usize, count: u32| {
-            let first = a[i].min(b[i]).floor().clamp(0.0, f64::from(count));
-            first..(a[i].max(b[i]).floor() + 1.0).clamp(first, f64::from(count))
+            let first = clamped(a[i].min(b[i]).floor(), [0.0, f64::from(count)]);
+            first..clamped(a[i].max(b[i]).floor() + 1.0, [first, f64::from(count)])
         };
         let (columns, rows) = (range(0, picture.width_px), range(1, picture.height_px));
         Self {
