@@ -22,6 +22,7 @@ use crate::solver::{Grids, Solver, SolverState, Source};
 use crate::view::Viewport;
 
 mod arranging;
+mod close;
 mod coloring;
 mod gestures;
 mod ink;
@@ -33,6 +34,7 @@ mod selecting;
 mod sheet;
 mod tools;
 
+use close::CloseUp;
 use gestures::{Held, Stroke};
 use making::Making;
 use opening::Coming;
@@ -58,6 +60,8 @@ pub struct Session {
     /// The colours of the sides, and of the sheet's shades.
     boundary: Boundary,
     field: Field,
+    /// The same from close by, as far as it is seen.
+    close_up: Option<CloseUp>,
     /// What the grid solver is given, once it is to make the picture.
     problem: Option<GridProblem>,
     layers: Layers,
@@ -131,6 +135,7 @@ impl Session {
             opened: 0,
             boundary: Boundary::default(),
             field: Field::default(),
+            close_up: None,
             problem: None,
             layers: Layers::default(),
             ink: KnownInk::default(),
@@ -243,6 +248,7 @@ impl Session {
     /// Derives what is stale and shows it; does nothing where nothing has changed. Tells whether there is more to show.
     pub fn frame(&mut self, painter: &mut dyn Painter) -> bool {
         self.refresh_colors();
+        self.refresh_close_up();
         self.refresh_regions();
         self.refresh_ink();
         if take(&mut self.stale.view) {
@@ -250,7 +256,7 @@ impl Session {
             let regions = self.regions_shown().map(Regions::field);
             let is_result = self.result_shown && regions.is_none() && !self.is_before;
             let painting = Painting {
-                field: if is_result { &self.field } else { regions.unwrap_or(&blank) },
+                field: if is_result { self.field_shown() } else { regions.unwrap_or(&blank) },
                 problem: self.problem.as_ref().filter(|_| self.source == Source::Grid && is_result),
                 layers: &self.layers,
                 view: self.viewport.view(),
@@ -288,7 +294,9 @@ impl Session {
         if lines {
             layers.add_lines(drawing, self.sheet.ink_map());
         }
-        Export { layers, field: self.field.clone(), view: self.page(px_per_du) }
+        let close_up = self.sheet.picture.close_up(drawing, drawing.frame(), px_per_du);
+        let field = close_up.unwrap_or_else(|| self.field.clone());
+        Export { layers, field, view: self.page(px_per_du) }
     }
 
     /// The whole page.

@@ -7,6 +7,7 @@ use scumble_solve::View;
 use scumble_solve::grid::GridProblem;
 
 use super::Session;
+use super::close::CHORDS_OFF_DU;
 use super::gestures::Held;
 use crate::effect::Effect;
 use crate::regions::Regions;
@@ -99,7 +100,9 @@ impl Session {
         let blend = self.sheet.editor.document().settings.blend;
         match self.sheet.picture.mesh().solve(&self.boundary, blend) {
             Ok(field) => {
-                self.changed.add_within(self.field.changed_within(field));
+                let within_du = self.field.changed_within(field);
+                let within_du = within_du.map(|rect| rect.inflate(CHORDS_OFF_DU, CHORDS_OFF_DU));
+                self.changed.add_within(within_du);
                 self.field.clone_from(field);
             }
             Err(error) => self.effects.push(Effect::Failed(error.to_string())),

@@ -32,7 +32,8 @@ impl Session {
             self.finish_making();
         }
         self.refresh_field();
-        color_at(place, &Scene { paper: Some(PAPER), field: &self.field, shapes: &[] }).0
+        self.refresh_close_up();
+        color_at(place, &Scene { paper: Some(PAPER), field: self.field_shown(), shapes: &[] }).0
     }
 
     /// The colours under the first points of some scribbles, by their indices in ascending order, in the picture without all
@@ -59,10 +60,11 @@ impl Session {
     /// That of the scribble there, which has a rim that is not its own, or else what is painted, without the scribbles.
     fn color_shown(&mut self, place: Point) -> Paint {
         self.refresh_field();
+        self.refresh_close_up();
         self.refresh_ink();
         let (shapes, blank) = (self.layers.ink(), Field::default());
         let (_, ink) = color_at(place, &Scene { paper: None, field: &blank, shapes });
-        let field = if self.result_shown { &self.field } else { &blank };
+        let field = if self.result_shown { self.field_shown() } else { &blank };
         let (painted, _) = color_at(place, &Scene { paper: Some(PAPER), field, shapes });
         self.scribble_shown(place).filter(|_| ink < HALF).unwrap_or(painted.into())
     }

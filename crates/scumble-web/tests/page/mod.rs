@@ -11,6 +11,7 @@ use scumble_web::session::Session;
 pub(crate) const DESK: Srgb8 = Srgb8([90, 91, 92]);
 
 /// A square of 480 du within a page of 1024 by 768 du.
+#[allow(dead_code, reason = "not every test has use for it")]
 pub(crate) const SQUARE: &[u8] = br#"<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 1024 768">
     <path d="M200 150H680V630H200Z" fill="none" stroke="black" stroke-width="8"/></svg>"#;
 

@@ -1,0 +1,68 @@
+//! The picture from close by, where the pieces of curves would be seen as chords.
+
+use kurbo::Rect;
+use scumble_solve::{Field, View};
+
+use super::Session;
+use crate::solver::Source;
+
+/// Pieces are less than this off their curves, in du.
+pub(super) const CHORDS_OFF_DU: f64 = 1.0;
+
+/// What is seen is followed so much farther on each side, as a part of its size, for the next steps of a pan.
+const AHEAD: f64 = 0.25;
+
+/// The colour field of a part of the page, for views up to a scale.
+#[derive(Debug)]
+pub(super) struct CloseUp {
+    part_du: Rect,
+    px_per_du: f64,
+    field: Field,
+}
+
+impl Session {
+    /// The colours as they are seen at the scale of the canvas.
+    pub(super) fn field_shown(&self) -> &Field {
+        self.close_up.as_ref().map_or(&self.field, |close_up| &close_up.field)
+    }
+
+    /// Follows the colours and the view. The part stays as long as it serves, so that what is seen does not change under a
+    /// pan.
+    pub(super) fn refresh_close_up(&mut self) {
+        let (seen_du, px_per_du) = (seen_du(&self.viewport.view()), next_double(self.px_per_du()));
+        let serves = |it: &CloseUp| it.px_per_du == px_per_du && it.part_du.union(seen_du) == it.part_du;
+        let part_du = self.close_up.as_ref().filter(|it| serves(it)).map(|it| it.part_du);
+        let is_wanted = self.source == Source::Mesh && !self.sheet.has_stale_map();
+        if is_wanted && part_du.is_some() && !self.changed.field {
+            return;
+        }
+        let ahead_du = seen_du.inflate(AHEAD * seen_du.width(), AHEAD * seen_du.height());
+        let close_up =
+            is_wanted.then(|| self.made_close_up(part_du.unwrap_or(ahead_du), px_per_du)).flatten();
+        let is_other = close_up.is_some() && part_du.is_none();
+        if close_up.is_some() || self.close_up.is_some() {
+            self.changed.field = true;
+            self.stale.view = true;
+        }
+        if is_other || close_up.is_some() != self.close_up.is_some() {
+            self.changed.add_everywhere();
+        }
+        self.close_up = close_up;
+    }
+
+    fn made_close_up(&self, part_du: Rect, px_per_du: f64) -> Option<CloseUp> {
+        let field = self.sheet.picture.close_up(&self.document().drawing, part_du, px_per_du)?;
+        Some(CloseUp { part_du, px_per_du, field })
+    }
+}
+
+/// What a view shows.
+fn seen_du(view: &View) -> Rect {
+    let canvas_px = Rect::new(0.0, 0.0, view.width_px.into(), view.height_px.into());
+    view.px_from_du.inverse().transform_rect_bbox(canvas_px)
+}
+
+/// The least power of two that a scale does not exceed: what is made at it serves all scales down to half of it.
+fn next_double(scale: f64) -> f64 {
+    scale.log2().ceil().exp2()
+}
