@@ -22,6 +22,9 @@ const BESIDE_TIP: f64 = 0.7;
 /// The same where the line points across it.
 const AHEAD_OF_TIP: f64 = 0.3;
 
+/// A line that comes this many times closer to another one than a passage is wide does not end in that passage.
+const LOOSE: f64 = 4.0;
+
 /// How much wider a passage between a line and the border of the page counts.
 const BORDER_FACTOR: f64 = 4.0;
 
@@ -36,8 +39,7 @@ const TIP_DU: f64 = 9.0;
 pub(crate) struct Clearance {
     /// Per half-edge, in du; negative where drawn lines overlap, and without meaning on sides of curves.
     pub(crate) widths_du: Vec<f64>,
-    /// Per node at which a single piece ends the direction in which its line points.
-    pub(crate) tips: Vec<Option<Vec2>>,
+    pub(crate) tips: Tips,
     /// Per triangle the width of its widest place, in du.
     pub(crate) place_widths_du: Vec<f64>,
 }
@@ -47,7 +49,7 @@ impl Clearance {
     pub(crate) async fn measuring(map: &PlanarMap) -> Self {
         let mesh = map.triangulation();
         let triangles = 0..mesh.triangle_count();
-        let tips = tip_directions(map);
+        let tips = Tips::new(map);
         let circle_widths_du: Vec<_> = triangles.clone().map(|t| circle_width_du(map, t)).collect();
         pace::pause().await;
         let width_du = |h| match mesh.passage(h) {
@@ -162,7 +164,7 @@ pub(crate) fn is_gabriel(mesh: &Triangulation, h: HalfEdge) -> bool {
 }
 
 /// Twice the circumradius without the lines.
-fn circle_width_du(map: &PlanarMap, triangle: usize) -> f64 {
+pub(crate) fn circle_width_du(map: &PlanarMap, triangle: usize) -> f64 {
     let mesh = map.triangulation();
     let corners = mesh.corners(triangle);
     let halves_du = mesh.nodes(triangle).map(|node| map.half_width_du(node));
@@ -173,13 +175,13 @@ fn circle_width_du(map: &PlanarMap, triangle: usize) -> f64 {
 }
 
 /// What the circle through the corners of a triangle counts where these are tips.
-fn circle_factor(map: &PlanarMap, tips: &[Option<Vec2>], triangle: usize) -> f64 {
+fn circle_factor(map: &PlanarMap, tips: &Tips, triangle: usize) -> f64 {
     let mesh = map.triangulation();
     let corners = mesh.corners(triangle);
     let Some(center) = circumcenter(corners) else { return 1.0 };
     let radius_du = (center - corners[0]).hypot();
     let pairs = mesh.nodes(triangle).into_iter().zip(corners);
-    pairs.map(|(node, corner)| tip_factor(tips[node as usize], (center - corner) / radius_du)).product()
+    pairs.map(|(node, corner)| tips.factor(node, (center - corner) / radius_du, 2.0 * radius_du)).product()
 }
 
 /// `None` where the corners lie on a line.
@@ -199,7 +201,7 @@ pub(crate) fn clear_width_du(map: &PlanarMap, h: HalfEdge) -> f64 {
 }
 
 /// The length of an edge without the lines at its ends, as far as it counts.
-fn edge_width_du(map: &PlanarMap, tips: &[Option<Vec2>], h: HalfEdge) -> f64 {
+fn edge_width_du(map: &PlanarMap, tips: &Tips, h: HalfEdge) -> f64 {
     let mesh = map.triangulation();
     let [a, b] = mesh.segment(h);
     let length_du = (b - a).hypot();
@@ -209,26 +211,70 @@ fn edge_width_du(map: &PlanarMap, tips: &[Option<Vec2>], h: HalfEdge) -> f64 {
         [Some(half_du), None] | [None, Some(half_du)] => (BORDER_FACTOR * length_du - half_du).min(OPEN_DU),
         [Some(_), Some(_)] => {
             let width_du = clear_width_du(map, h);
-            let [left, right] = mesh.ends(h).map(|node| tips[node as usize]);
-            let factor = tip_factor(left, across) * tip_factor(right, -across);
+            let [left, right] = mesh.ends(h);
+            let factor = tips.factor(left, across, width_du) * tips.factor(right, -across, width_du);
             if width_du > 0.0 { width_du * factor } else { width_du }
         }
     }
 }
 
-fn tip_factor(tip: Option<Vec2>, across: Vec2) -> f64 {
-    tip.map_or(1.0, |direction| BESIDE_TIP + (AHEAD_OF_TIP - BESIDE_TIP) * direction.dot(across).max(0.0))
+/// Where lines end.
+#[derive(Clone, Debug)]
+pub(crate) struct Tips {
+    /// Per node at which a single piece ends what is known of it.
+    tips: Vec<Option<Tip>>,
 }
 
-fn tip_directions(map: &PlanarMap) -> Vec<Option<Vec2>> {
-    let points = map.triangulation().points();
-    let neighbours = Neighbours::new(map);
-    let direction = |tip: usize| {
-        let back = neighbours.walk_back(points, tip as u32)?;
-        let along = points[tip] - points[back as usize];
-        Some(along / along.hypot())
-    };
-    (0..points.len()).map(direction).collect()
+#[derive(Clone, Copy, Debug)]
+struct Tip {
+    direction: Vec2,
+    /// How far it is, from the end of the line or by way of what leads there, to the nearest drawn line beside it, in du.
+    beside_du: f64,
+}
+
+impl Tips {
+    fn new(map: &PlanarMap) -> Self {
+        let points = map.triangulation().points();
+        let (neighbours, beside_du) = (Neighbours::new(map), beside_du(map));
+        let tip = |node: usize| {
+            let way = neighbours.way_back(points, node as u32);
+            let along = points[node] - points[way.last()?.0 as usize];
+            let to_line_du = way.iter().map(|&(node, way_du)| way_du + beside_du[node as usize]);
+            let beside_du = to_line_du.fold(beside_du[node], f64::min);
+            Some(Tip { direction: along / along.hypot(), beside_du })
+        };
+        Self { tips: (0..points.len()).map(tip).collect() }
+    }
+
+    /// The direction in which the line points that ends at a node.
+    pub(crate) fn direction(&self, node: u32) -> Option<Vec2> {
+        self.tips[node as usize].map(|tip| tip.direction)
+    }
+
+    /// The direction of a line that ends at a node, loosely beside a passage of a clear width. One that comes much closer to
+    /// another line, or to its own beginning, goes on there.
+    pub(crate) fn loose(&self, node: u32, width_du: f64) -> Option<Vec2> {
+        self.tips[node as usize].filter(|tip| width_du <= LOOSE * tip.beside_du).map(|tip| tip.direction)
+    }
+
+    fn factor(&self, node: u32, across: Vec2, width_du: f64) -> f64 {
+        let part =
+            |direction: Vec2| BESIDE_TIP + (AHEAD_OF_TIP - BESIDE_TIP) * direction.dot(across).max(0.0);
+        self.loose(node, width_du).map_or(1.0, part)
+    }
+}
+
+/// Per node the clear width of the narrowest passage at it between drawn lines, in du; not less than none.
+fn beside_du(map: &PlanarMap) -> Vec<f64> {
+    let mesh = map.triangulation();
+    let mut beside_du = vec![OPEN_DU; mesh.points().len()];
+    for h in mesh.half_edges().filter(|&h| mesh.passage(h).is_some() && is_gabriel(mesh, h)) {
+        if mesh.ends(h).iter().all(|&node| map.half_width_du(node).is_some()) {
+            let beside_du = &mut beside_du[mesh.ends(h)[0] as usize];
+            *beside_du = beside_du.min(clear_width_du(map, h).max(0.0));
+        }
+    }
+    beside_du
 }
 
 /// The nodes that pieces join to each node, where there are one or two.
@@ -256,19 +302,18 @@ impl Neighbours {
         *count += 1;
     }
 
-    /// A node some way back from a tip; `None` if the node is none.
-    fn walk_back(&self, points: &[Point], tip: u32) -> Option<u32> {
-        if self.count[tip as usize] != 1 {
-            return None;
-        }
-        let step_du = |from: u32, at: u32| points[from as usize].distance(points[at as usize]);
-        let (mut from, mut at) = (tip, self.of[tip as usize][0]);
-        let mut way_du = step_du(from, at);
-        while way_du < TIP_DU && self.count[at as usize] == 2 {
+    /// The nodes back from a tip, up to some way from it, with their ways, in du; none if the node is no tip.
+    fn way_back(&self, points: &[Point], tip: u32) -> Vec<(u32, f64)> {
+        let mut way = Vec::new();
+        let (mut from, mut at, mut way_du) = (tip, self.of[tip as usize][0], 0.0);
+        let mut goes_on = self.count[tip as usize] == 1;
+        while goes_on {
+            way_du += points[from as usize].distance(points[at as usize]);
+            way.push((at, way_du));
+            goes_on = way_du < TIP_DU && self.count[at as usize] == 2;
             let [a, b] = self.of[at as usize];
             (from, at) = (at, if a == from { b } else { a });
-            way_du += step_du(from, at);
         }
-        Some(at)
+        way
     }
 }

@@ -78,7 +78,8 @@ async fn find(map: &PlanarMap, clearance: &Clearance, ratio: f64) -> Vec<Gap> {
     pace::for_each(passages, |(width_du, h, twin)| {
         let [a, b] = [h, twin].map(|h| basins.sets.find(h.triangle() as u32));
         let narrower_du = basins.width_du(a).min(basins.width_du(b)).max(0.0);
-        let is_at_tip = mesh.ends(h).iter().any(|&node| clearance.tips[node as usize].is_some());
+        let is_at_tip =
+            mesh.ends(h).iter().any(|&node| clearance.tips.loose(node, clear_width_du(map, h)).is_some());
         let ratio = if is_at_tip { ratio } else { WAIST * ratio };
         if a != b && is_gabriel(mesh, h) && width_du < ratio * narrower_du {
             let [is_wide, is_plain] =
@@ -105,7 +106,7 @@ fn means_to_reach(map: &PlanarMap, lengths_du: &[f64], h: HalfEdge) -> bool {
     let mesh = map.triangulation();
     let [a, b] = mesh.segment(h);
     let is_near = |node: u32, way: Vec2| {
-        let tip = map.clearance().tips[node as usize];
+        let tip = map.clearance().tips.direction(node);
         let length_du = way.hypot();
         length_du < REACH * lengths_du[node as usize]
             && tip.is_some_and(|direction| direction.dot(way) > POINTED * length_du)

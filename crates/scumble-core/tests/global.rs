@@ -1,7 +1,7 @@
 //! What the `Global` engine promises, on random drawings with random scribbles: the order of scribbles and all that
 //! was there before leave no trace, a stroke that grows within a room only takes, and nothing is too odd.
 
-use kurbo::{Arc, BezPath, Circle, ParamCurveNearest, Point, Rect, Shape, Stroke, Vec2};
+use kurbo::{Affine, Arc, BezPath, Circle, ParamCurveNearest, Point, Rect, Shape, Stroke, Vec2};
 use proptest::collection::vec;
 use proptest::prelude::*;
 use scumble_core::{
@@ -172,6 +172,31 @@ fn done(deed: Deed, history: &[Vec<Scribble>]) -> Vec<Scribble> {
         }
     }
     now
+}
+
+/// From one end of such a ring a passage leads straight across, and that is no gap: what ends there goes on at the other end.
+#[test]
+fn a_ring_that_is_not_quite_closed_is_filled_as_a_whole() {
+    let path = "M64 -38 C115 47 -12 124 -64 38 S13 -124 57 -34";
+    let path = BezPath::from_svg(path).expect("a path");
+    for turn in 0..12 {
+        let way = Affine::translate((500.0, 400.0)) * Affine::rotate(0.5 * f64::from(turn));
+        let map = sampled(vec![(way * path.clone(), 3.0)], 0.5, &Sampling::default());
+        let points = [(-20.0, -40.0), (20.0, -32.0)].map(|p| way * Point::from(p)).to_vec();
+        let color = Srgb8([255, 0, 0]).into();
+        let labels =
+            fresh(&map, false, &[Scribble { color, kind: ScribbleKind::Fill, width_du: 8.0, points }]);
+        let pieces = map.pieces().iter().filter(|piece| piece.curve.is_some()).count();
+        println!(
+            "gaps {:?}",
+            map.gaps()
+                .iter()
+                .map(|g| (g, g.nodes.map(|n| way.inverse() * map.triangulation().points()[n as usize])))
+                .collect::<Vec<_>>()
+        );
+        let count = labels.sides.iter().flatten().count();
+        assert!((pieces..=pieces + 2).contains(&count), "{count} sides of {pieces} pieces at turn {turn}");
+    }
 }
 
 proptest! {
