@@ -322,6 +322,8 @@ export const german = {
   "making-stopped": "Abgebrochen; die Zeichnung ist wie zuvor. „Wiederholen“ macht es noch einmal",
   "opened": ({ name }) => `${name} geöffnet`,
   "unopened": ({ name }) => `${name} ist wieder geschlossen`,
+  "no-drawing":
+    "Das ist Text, weder eine Zeichnung (SVG) noch der Link zu einer; kopiere eines davon ganz, und füge es noch einmal ein",
   "opened-first": ({ name }) => `Nur ${name} geöffnet; die anderen Dateien bitte einzeln öffnen`,
   "opened-in-part": ({ name, notes }) => `${name} geöffnet; ${inGerman(notes)}`,
   "palette-taken": ({ name, notes }) => `Die Palette hat die Farben von ${name}${notes && "; "}${inGerman(notes)}`,

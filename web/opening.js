@@ -9,7 +9,7 @@ import { say } from "./messages.js";
 import { removed } from "./recent.js";
 import { FIRST, sampleName, sampleWork } from "./samples.js";
 import { putAside } from "./storage.js";
-import { done, failed, tell } from "./toolbar.js";
+import { done, failed, tell, warn } from "./toolbar.js";
 import { checkImage } from "./tracing.js";
 
 /** The number by which work from a file knows the picture under its lines, as in `work_file.rs`. */
@@ -52,9 +52,10 @@ export class Opening {
     return this.#open({ name, handle, isBrought: true }, async (signal) => formats.open(await bytes, name, signal));
   }
 
-  /** @param {string} text a link, or SVG */
+  /** @param {string} text a link, SVG, or colours for the palette */
   text(text) {
     if (isLink(text)) return this.#link(text);
+    if (!/[<#]/.test(text)) return warn(say("no-drawing"));
     return this.file({ name: "SVG", bytes: Promise.resolve(new TextEncoder().encode(text)) });
   }
 

@@ -180,9 +180,11 @@ export class PaletteEditor {
     if (document.activeElement !== this.#name) this.#name.value = chosen.name;
     this.#name.placeholder = this.#shell.nameOf({ ...chosen, name: "" });
     this.#picker.show(chosen.color);
+    const { activeElement } = document;
     this.#buttons["remove-swatch"].disabled = this.#swatches.length < 2;
     this.#buttons.earlier.disabled = this.#chosen === 0;
     this.#buttons.later.disabled = this.#chosen === this.#swatches.length - 1;
+    if (activeElement instanceof HTMLButtonElement && activeElement.disabled) this.#focus();
   }
 
   /**

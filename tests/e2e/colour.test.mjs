@@ -283,6 +283,14 @@ for (const browser of /** @type {const} */ (["chromium", "firefox"])) {
       assert.deepEqual(editor.tab.faults, []);
     });
 
+    test("the last swatch stays, with the focus", async () => {
+      const editor = await open();
+      await openPanel(editor, "Edit palette");
+      for (let count = USUAL.length; count > 1; count--) await editor.tab.click("button", "Remove swatch");
+      assert.deepEqual(await palette(editor), USUAL.slice(-1));
+      assert.equal(await editor.tab.evaluate(`document.activeElement.getAttribute("role")`), "option");
+    });
+
     test("each change of the palette is one step", async () => {
       const editor = await open();
       await editor.click("Red");

@@ -1,5 +1,6 @@
 // The ways by which a drawing comes into the page, beside the file dialog: dropped, pasted.
 import { readFile } from "node:fs/promises";
+import assert from "node:assert/strict";
 import { before, describe, test } from "node:test";
 import { drawing, useSession } from "./harness.mjs";
 
@@ -20,10 +21,17 @@ describe("opening a drawing", () => {
   test("two files dropped at once, of which one is opened", () =>
     editor.until("Opened first.svg alone", () => editor.drop(svg, "first.svg", "second.svg")));
 
-  test("pasted text", () =>
-    editor.until("Opened", () => editor.tab.evaluate(`{
+  const paste = (/** @type {string} */ text) =>
+    editor.tab.evaluate(`{
       const data = new DataTransfer();
-      data.setData("text/plain", ${JSON.stringify(svg)});
+      data.setData("text/plain", ${JSON.stringify(text)});
       document.body.dispatchEvent(new ClipboardEvent("paste", { clipboardData: data, bubbles: true }));
-    }`)));
+    }`);
+
+  test("pasted text", () => editor.until("Opened", () => paste(svg)));
+
+  test("pasted text that is no drawing, of which it says so", async () => {
+    await paste("Dear all,");
+    assert.match(await editor.message(), /text, neither a drawing/);
+  });
 });
