@@ -63,6 +63,20 @@ const SVG = `<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 9 9"><path str
 const IS_SEEN = `!document.getElementById("busy").hidden`;
 const CANCELLED = "Opening cancelled; everything is as it was";
 
+/** Waits until the browser has one drawing alone. */
+const KEEPS_ONE = `new Promise((done) => {
+  indexedDB.open("scumble").onsuccess = ({ target: { result: database } }) => {
+    const look = () => {
+      database.transaction("entries").objectStore("entries").count().onsuccess = ({ target: { result: count } }) => {
+        if (count > 1) return setTimeout(look, 20);
+        database.close();
+        done();
+      };
+    };
+    look();
+  };
+})`;
+
 for (const browser of /** @type {const} */ (["chromium", "firefox"])) {
   describe(`progress in ${browser}`, () => {
     const session = useSession(browser);
@@ -148,6 +162,7 @@ for (const browser of /** @type {const} */ (["chromium", "firefox"])) {
       await editor.until("Opened many.svg", () => editor.drop(lines(2 * MANY), "many.svg"));
       await editor.kept();
       await editor.until("Cancelled; the drawing is as it was before", () => editor.click("Cancel"));
+      await editor.tab.evaluate(KEEPS_ONE);
       await session.reopen(editor.tab);
       assert.equal(await editor.name(), "rooms.svg");
       await editor.tab.evaluate(HOLD_FRAMES);
