@@ -314,7 +314,7 @@ export const english = {
   "making-stopped": "Cancelled; the drawing is as it was before. Redo does it again",
   "opened": ({ name }) => `Opened ${name}`,
   "unopened": ({ name }) => `${name} has been closed again`,
-  "no-drawing": "What came is text, neither a drawing (SVG) nor the link to one; copy all of either, and paste again",
+  "no-drawing": "That is text, neither a drawing (SVG) nor the link to one; copy all of either, and paste again",
   "opened-first": ({ name }) => `Opened ${name} alone; open the other files one by one`,
   "opened-in-part": ({ name, notes }) => `Opened ${name}; ${notes}`,
   "palette-taken": ({ name, notes }) => `The palette has the colours of ${name}${notes && "; "}${notes}`,

@@ -55,7 +55,8 @@ export class Opening {
   /** @param {string} text a link, SVG, or colours for the palette */
   text(text) {
     if (isLink(text)) return this.#link(text);
-    if (!/[<#]/.test(text)) return warn(say("no-drawing"));
+    // SVG has the first, colours the second; but palettes of GIMP need neither.
+    if (!/[<#]|^GIMP Palette/.test(text)) return warn(say("no-drawing"));
     return this.file({ name: "SVG", bytes: Promise.resolve(new TextEncoder().encode(text)) });
   }
 

@@ -1,6 +1,6 @@
 // The ways by which a drawing comes into the page, beside the file dialog: dropped, pasted.
-import { readFile } from "node:fs/promises";
 import assert from "node:assert/strict";
+import { readFile } from "node:fs/promises";
 import { before, describe, test } from "node:test";
 import { drawing, useSession } from "./harness.mjs";
 

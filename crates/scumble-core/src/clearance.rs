@@ -6,8 +6,9 @@
 //! clear widths: what is left beside the drawn lines.
 //!
 //! A passage at the tip of a line is more of a gap in an outline than one between two curves that go on, all the more
-//! so where the line points across it: such widths are scaled down. The border of the page is no line; passages along
-//! it count as wide.
+//! so where the line points across it: such widths are scaled down. But an end that nearly meets another line, or the
+//! other end of its own, is no tip to wider passages: an outline was closed there, not quite. The border of the page is
+//! no line; passages along it count as wide.
 
 use kurbo::{Line, ParamCurveNearest, Point, Vec2};
 
@@ -39,6 +40,7 @@ const TIP_DU: f64 = 9.0;
 pub(crate) struct Clearance {
     /// Per half-edge, in du; negative where drawn lines overlap, and without meaning on sides of curves.
     pub(crate) widths_du: Vec<f64>,
+    /// Where lines end.
     pub(crate) tips: Tips,
     /// Per triangle the width of its widest place, in du.
     pub(crate) place_widths_du: Vec<f64>,
@@ -164,7 +166,7 @@ pub(crate) fn is_gabriel(mesh: &Triangulation, h: HalfEdge) -> bool {
 }
 
 /// Twice the circumradius without the lines.
-pub(crate) fn circle_width_du(map: &PlanarMap, triangle: usize) -> f64 {
+fn circle_width_du(map: &PlanarMap, triangle: usize) -> f64 {
     let mesh = map.triangulation();
     let corners = mesh.corners(triangle);
     let halves_du = mesh.nodes(triangle).map(|node| map.half_width_du(node));
@@ -218,7 +220,7 @@ fn edge_width_du(map: &PlanarMap, tips: &Tips, h: HalfEdge) -> f64 {
     }
 }
 
-/// Where lines end.
+/// The ends of lines.
 #[derive(Clone, Debug)]
 pub(crate) struct Tips {
     /// Per node at which a single piece ends what is known of it.

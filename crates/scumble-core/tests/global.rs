@@ -187,13 +187,6 @@ fn a_ring_that_is_not_quite_closed_is_filled_as_a_whole() {
         let labels =
             fresh(&map, false, &[Scribble { color, kind: ScribbleKind::Fill, width_du: 8.0, points }]);
         let pieces = map.pieces().iter().filter(|piece| piece.curve.is_some()).count();
-        println!(
-            "gaps {:?}",
-            map.gaps()
-                .iter()
-                .map(|g| (g, g.nodes.map(|n| way.inverse() * map.triangulation().points()[n as usize])))
-                .collect::<Vec<_>>()
-        );
         let count = labels.sides.iter().flatten().count();
         assert!((pieces..=pieces + 2).contains(&count), "{count} sides of {pieces} pieces at turn {turn}");
     }

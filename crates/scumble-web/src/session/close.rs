@@ -39,13 +39,12 @@ impl Session {
         let ahead_du = seen_du.inflate(AHEAD * seen_du.width(), AHEAD * seen_du.height());
         let close_up =
             is_wanted.then(|| self.made_close_up(part_du.unwrap_or(ahead_du), px_per_du)).flatten();
-        let is_other = close_up.is_some() && part_du.is_none();
+        let is_same_part = close_up.is_some() && part_du.is_some();
         if close_up.is_some() || self.close_up.is_some() {
-            self.changed.field = true;
-            self.stale.view = true;
-        }
-        if is_other || close_up.is_some() != self.close_up.is_some() {
-            self.changed.add_everywhere();
+            (self.changed.field, self.stale.view) = (true, true);
+            if !is_same_part {
+                self.changed.add_everywhere();
+            }
         }
         self.close_up = close_up;
     }
