@@ -312,11 +312,12 @@ function desk() {
   return `#${channels.map((channel) => Number(channel).toString(16).padStart(2, "0")).join("")}`;
 }
 
-/** Tells the module the size of the canvas, in device pixels and device pixels per CSS pixel. */
+/** Tells the module the size of the canvas in device pixels, device pixels per CSS pixel, and where it lies. */
 function followSize() {
   const tellSize = () => {
     const scale = devicePixelRatio;
-    engine.command("resize", [Math.round(stage.clientWidth * scale), Math.round(stage.clientHeight * scale), scale]);
+    const { left, top } = stage.getBoundingClientRect();
+    engine.command("resize", [Math.round(stage.clientWidth * scale), Math.round(stage.clientHeight * scale), scale, left, top]);
   };
   new ResizeObserver(tellSize).observe(stage);
   window.addEventListener("resize", tellSize);

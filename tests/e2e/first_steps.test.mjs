@@ -41,8 +41,15 @@ for (const browser of /** @type {const} */ (["chromium", "firefox"])) {
       const editor = await visit();
       await editor.scribble(IN_BODY, GOLDFISH);
       assert.equal(await step(editor), 3);
+      const inBody = async () => {
+        const [place] = await editor.place([[210, 190]], GOLDFISH);
+        return place.map(Math.round);
+      };
+      const before = await inBody();
       await editor.until("That is how to colour", async () => editor.drag(await editor.place(IN_WATER, GOLDFISH)));
       assert.equal(await step(editor), 0);
+      const now = await inBody();
+      assert.ok(Math.hypot(now[0] - before[0], now[1] - before[1]) <= 1, `the drawing went from ${before} to ${now} as the guide did`);
     });
 
     test("it covers nothing of the canvas, and does not come again", async () => {

@@ -231,8 +231,8 @@ pub enum ViewChange {
     RotateReset,
     /// Left where right was.
     Mirror,
-    /// The canvas' size in device pixels, and the device pixels of one CSS pixel.
-    Resize([u32; 2], f64),
+    /// The canvas' size in device pixels, the device pixels of one CSS pixel, and the canvas' corner in the window.
+    Resize([u32; 2], f64, Point),
 }
 
 impl ViewChange {
@@ -253,9 +253,7 @@ impl ViewChange {
             Self::RotateStep { is_clockwise } => viewport.rotate_step(is_clockwise),
             Self::RotateReset => viewport.rotate_reset(),
             Self::Mirror => viewport.mirror(),
-            Self::Resize([width_px, height_px], px_per_css) => {
-                viewport.resize(width_px, height_px, px_per_css);
-            }
+            Self::Resize(size_px, px_per_css, corner_css) => viewport.resize(size_px, px_per_css, corner_css),
         }
     }
 }

@@ -74,6 +74,8 @@ pub struct Viewport {
     width_px: u32,
     height_px: u32,
     px_per_css: f64,
+    /// Where the canvas' top left corner lies in the window, in CSS pixels.
+    corner_css: Point,
     page: Rect,
     zoom: f64,
     turn: Turn,
@@ -89,6 +91,7 @@ impl Viewport {
             width_px: 1,
             height_px: 1,
             px_per_css: 1.0,
+            corner_css: Point::ZERO,
             page,
             zoom: 1.0,
             turn: Turn::default(),
@@ -99,13 +102,21 @@ impl Viewport {
         viewport
     }
 
-    /// Takes the canvas' size in device pixels and the device pixels of one CSS pixel. What is no size is ignored.
-    pub fn resize(&mut self, width_px: u32, height_px: u32, px_per_css: f64) {
-        if width_px == 0 || height_px == 0 || !px_per_css.is_finite() || px_per_css <= 0.0 {
+    /// Takes the canvas' size in device pixels, the device pixels of one CSS pixel, and where its top left corner lies in
+    /// the window, in CSS pixels. What is no size or place is ignored.
+    ///
+    /// Where a bar beside the canvas has gone, the drawing stays where it is in the window: it was under a pen.
+    pub fn resize(&mut self, [width_px, height_px]: [u32; 2], px_per_css: f64, corner_css: Point) {
+        if width_px == 0 || height_px == 0 || !px_per_css.is_finite() || px_per_css <= 0.0 || !corner_css.is_finite() {
             return;
         }
+        let before_css = self.place_css();
         (self.width_px, self.height_px, self.px_per_css) = (width_px, height_px, px_per_css);
-        if self.fitted {
+        self.corner_css = corner_css;
+        let place_css = self.place_css();
+        if has_grown_to_its_corner(before_css, place_css) {
+            self.center_du += self.way_du(place_css.center() - before_css.center());
+        } else if self.fitted {
             self.fit();
         }
         self.keep_in_sight();
@@ -249,6 +260,11 @@ impl Viewport {
         self.size_css().to_rect()
     }
 
+    /// The canvas in the window.
+    fn place_css(&self) -> Rect {
+        self.canvas_css() + self.corner_css.to_vec2()
+    }
+
     fn size_css(&self) -> Size {
         Size::new(f64::from(self.width_px), f64::from(self.height_px)) / self.px_per_css
     }
@@ -266,6 +282,12 @@ impl Viewport {
     }
 }
 
+/// Whether a canvas has grown up or to the left alone.
+fn has_grown_to_its_corner(before_css: Rect, now_css: Rect) -> bool {
+    let is_fixed = (now_css.max_x() - before_css.max_x()).hypot(now_css.max_y() - before_css.max_y()) < 1.0;
+    is_fixed && now_css.union(before_css) == now_css
+}
+
 fn within_range(zoom: f64) -> f64 {
     zoom.clamp(ZOOM_RANGE[0], ZOOM_RANGE[1])
 }
@@ -276,7 +298,7 @@ mod tests {
 
     fn viewport() -> Viewport {
         let mut viewport = Viewport::new(Rect::new(0.0, 0.0, 1024.0, 768.0));
-        viewport.resize(1600, 1200, 2.0);
+        viewport.resize([1600, 1200], 2.0, Point::ZERO);
         viewport
     }
 
@@ -290,9 +312,30 @@ mod tests {
         let shown = viewport.css_from_du().transform_rect_bbox(Rect::new(0.0, 0.0, 1024.0, 768.0));
         assert!(close(shown.center(), Point::new(400.0, 300.0), 0.5), "{shown}");
         assert!((shown.y0 - MARGIN_CSS).abs() <= 0.5 && shown.x0 >= MARGIN_CSS, "{shown}");
-        viewport.resize(800, 600, 1.0);
+        viewport.resize([800, 600], 1.0, Point::ZERO);
         assert_eq!(viewport.view().width_px, 800);
         assert!(close(viewport.css_from_du() * viewport.page.center(), Point::new(400.0, 300.0), 0.5));
+    }
+
+    #[test]
+    fn the_drawing_stays_in_the_window_as_a_bar_beside_it_goes_and_fits_again_with_the_window() {
+        for pan in [Vec2::ZERO, Vec2::new(30.0, -50.0)] {
+            let mut viewport = viewport();
+            let below = Point::new(60.0, 40.0);
+            viewport.resize([800, 560], 1.0, below);
+            viewport.pan(pan);
+            let place_css = viewport.css_from_du() * Point::ZERO + below.to_vec2();
+            let zoom = viewport.zoom();
+            viewport.resize([860, 600], 1.0, Point::ZERO);
+            assert_eq!(viewport.zoom(), zoom);
+            assert!(close(viewport.css_from_du() * Point::ZERO, place_css, 1.0), "at {pan}");
+        }
+        let mut viewport = viewport();
+        viewport.resize([800, 560], 1.0, Point::new(0.0, 40.0));
+        viewport.resize([800, 600], 1.0, Point::ZERO);
+        let zoom = viewport.zoom();
+        viewport.resize([1600, 1200], 1.0, Point::ZERO);
+        assert!(viewport.zoom() > 1.5 * zoom, "a page that nobody has moved fits a larger window");
     }
 
     #[test]
@@ -327,7 +370,7 @@ mod tests {
     #[test]
     fn at_100_percent_one_du_is_one_css_pixel_on_the_pixel_grid() {
         let mut viewport = viewport();
-        viewport.resize(801, 603, 1.0);
+        viewport.resize([801, 603], 1.0, Point::ZERO);
         viewport.pan(Vec2::new(0.3, -7.7));
         viewport.zoom_to(1.0);
         let [a, b, c, d, e, f] = viewport.view().px_from_du.as_coeffs();
@@ -400,7 +443,7 @@ mod tests {
     fn what_is_not_aslant_lies_on_the_pixel_grid() {
         for quarters in 0..4 {
             let mut viewport = viewport();
-            viewport.resize(801, 603, 1.0);
+            viewport.resize([801, 603], 1.0, Point::ZERO);
             viewport.zoom_to(1.0);
             viewport.rotate_at(Point::new(3.3, 7.7), 90.0 * f64::from(quarters));
             viewport.mirror();

@@ -53,7 +53,7 @@ impl Page {
     fn of(work: Vec<u8>) -> Self {
         let session = Session::new(Srgb8([90; 3])).expect("a blank page");
         let mut page = Self { session, screen: Screen::default() };
-        page.session.command(Command::View(ViewChange::Resize([1200, 900], 1.0)));
+        page.session.command(Command::View(ViewChange::Resize([1200, 900], 1.0, Point::ZERO)));
         page.lay(work);
         page.session.command(Command::View(ViewChange::ZoomReset));
         page.rest();

@@ -50,7 +50,7 @@ fn page_with(svg: &[u8], grids: Grids) -> (Session, Screen) {
     let drawing = import_svg(svg).expect("a drawing").drawing;
     let work = exact::write(&Work::new(Document::new(drawing)));
     session.set_grids(grids);
-    session.command(Command::View(ViewChange::Resize([1200, 900], 1.0)));
+    session.command(Command::View(ViewChange::Resize([1200, 900], 1.0, Point::ZERO)));
     session.command(Command::Open { work, notes: String::new() });
     session.command(Command::View(ViewChange::ZoomReset));
     (session, Screen::default())

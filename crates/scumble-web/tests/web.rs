@@ -53,7 +53,7 @@ async fn javascript_sees_effects_by_name_and_errors_for_what_does_not_exist() {
     ] {
         assert!(effects.contains(&name.to_owned()), "{name} is missing in {effects:?}");
     }
-    app.command("resize", &numbers(&[800.0, 600.0, 1.0])).expect("effects");
+    app.command("resize", &numbers(&[800.0, 600.0, 1.0, 0.0, 0.0])).expect("effects");
     app.pointer("down", &[400.0, 300.0, 0.5]).expect("effects");
     assert_eq!(names(&app.pointer("up", &[]).expect("effects")), ["sheet", "scribble-added"]);
     assert!(exact::read(&app.work()).is_some_and(|work| work.document.scribbles.len() == 1));
@@ -102,7 +102,7 @@ async fn a_picture_for_a_file_is_had_in_strips_with_its_field() {
 async fn a_lost_canvas_is_replaced_and_painted_from_the_document() {
     let options = object(&[("renderer", CPU.into()), ("desk", "#808080".into()), ("wake", wake().into())]);
     let app = App::create(canvas(), options).await.expect("an app");
-    app.command("resize", &numbers(&[64.0, 48.0, 1.0])).expect("effects");
+    app.command("resize", &numbers(&[64.0, 48.0, 1.0, 0.0, 0.0])).expect("effects");
     app.frame();
     assert!(names(&app.command("lost", &JsValue::NULL).expect("effects")).contains(&"lost".to_owned()));
     let fresh = canvas();
