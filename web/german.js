@@ -85,6 +85,10 @@ export const german = {
   "did-hide": "Linien verborgen",
   "did-show": "Linien wieder gezeigt",
   "did-repaint": "Farbfeld umgefärbt",
+  "did-add-swatch": "Farbfeld hinzugefügt",
+  "did-remove-swatch": "Farbfeld entfernt",
+  "did-name-swatch": "Farbfeld umbenannt",
+  "did-take-palette": "Palette übernommen",
   "did-fade": "Vorlage anders gedeckt",
   "show-lines": "Linien zeigen",
   "show-scribbles": "Kritzel zeigen",
@@ -219,6 +223,8 @@ export const german = {
   "swatch-there": ({ name }) => `${name} war schon in der Palette`,
   "swatch-removed": ({ name }) => `${name} aus der Palette entfernt`,
   "palette-sorted": "Palette sortiert",
+  "swatch-moved": ({ name, place }) => `${name} ist Nummer ${place} der Palette`,
+  "swatch-recoloured": ({ name }) => `${name} in der Palette und bei allem, was damit gemalt ist`,
   "brush-size": "Pinselgröße",
   "canvas": "Leinwand",
   "canvas-instructions":
@@ -377,6 +383,8 @@ export const german = {
 const EDITED = {
   resized: (things) => `${things} in anderer Größe`,
   moved: (things) => `${things} verschoben`,
+  widened: (things) => `${things} mit anderer Pinselgröße`,
+  reshaded: (things) => `${things} anders getönt`,
   recoloured: (things) => `${things} umgefärbt`,
   duplicated: (things) => `${things} verdoppelt`,
   forward: (things) => `${things} nach vorn geholt`,

@@ -77,6 +77,10 @@ export const english = {
   "did-hide": "Lines hidden",
   "did-show": "Lines shown again",
   "did-repaint": "Swatch recoloured",
+  "did-add-swatch": "Swatch added",
+  "did-remove-swatch": "Swatch removed",
+  "did-name-swatch": "Swatch renamed",
+  "did-take-palette": "Palette taken",
   "did-fade": "Tracing image faded",
   "show-lines": "Show lines",
   "show-scribbles": "Show scribbles",
@@ -211,6 +215,8 @@ export const english = {
   "swatch-there": ({ name }) => `${name} was in the palette already`,
   "swatch-removed": ({ name }) => `${name} removed from the palette`,
   "palette-sorted": "Palette sorted",
+  "swatch-moved": ({ name, place }) => `${name} is number ${place} of the palette`,
+  "swatch-recoloured": ({ name }) => `${name} in the palette, and all that is painted with it`,
   "brush-size": "Brush size",
   "canvas": "Canvas",
   "canvas-instructions":
@@ -366,6 +372,8 @@ export const english = {
 const EDITED = {
   resized: (things) => `${things} resized`,
   moved: (things) => `${things} moved`,
+  widened: (things) => `${things} with another brush size`,
+  reshaded: (things) => `${things} shaded otherwise`,
   recoloured: (things) => `${things} recoloured`,
   duplicated: (things) => `${things} duplicated`,
   forward: (things) => `${things} brought forward`,

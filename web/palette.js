@@ -73,7 +73,7 @@ export class PaletteEditor {
     const added = { color, name: "" };
     if (known < 0) this.#set([...swatches, added]);
     this.#choose(known < 0 ? swatches.length : known);
-    this.#shell.done(this.#shell.say(known < 0 ? "swatch-added" : "swatch-there", { name: this.#shell.nameOf(this.#swatches[this.#chosen]) }));
+    this.#tell(known < 0 ? "swatch-added" : "swatch-there");
   }
 
   #tools() {
@@ -132,8 +132,10 @@ export class PaletteEditor {
   #settle() {
     if (this.#from === undefined) return;
     const isBrush = this.#from === this.#shell.color();
+    const isOther = this.#from !== this.#swatches[this.#chosen].color;
     this.#from = undefined;
     this.#shell.command("settle");
+    if (isOther) this.#tell("swatch-recoloured");
     // Who scribbles with the swatch goes on with it.
     if (isBrush) this.#shell.command("color", this.#swatches[this.#chosen].color);
   }
@@ -159,6 +161,7 @@ export class PaletteEditor {
     moved.splice(to, 0, this.#swatches[from]);
     this.#chosen = to;
     this.#set(moved);
+    this.#tell("swatch-moved", { place: to + 1 });
   }
 
   /** @param {(numbers: number[]) => number[]} key of a colour's OKLCH; the first number that differs decides */
@@ -170,6 +173,16 @@ export class PaletteEditor {
     this.#chosen = sorted.indexOf(chosen);
     this.#set(sorted);
     this.#shell.done(this.#shell.say("palette-sorted"));
+  }
+
+  /**
+   * Says what became of the chosen swatch.
+   * @param {string} key
+   * @param {object} [more] that the message names
+   */
+  #tell(key, more) {
+    const { done, say, nameOf } = this.#shell;
+    done(say(key, { name: nameOf(this.#swatches[this.#chosen]), ...more }));
   }
 
   #render() {

@@ -243,7 +243,8 @@ impl Editor {
     pub fn set_palette(&mut self, palette: Vec<Swatch>) {
         self.commit_scribble();
         if palette != self.document.palette {
-            self.change(Deed::Palette, Change::SetPalette(palette));
+            let deed = Deed::of_palette(&self.document.palette, &palette);
+            self.change(deed, Change::SetPalette(palette));
         }
     }
 

@@ -474,6 +474,31 @@ fn another_palette_is_a_gesture_of_its_own() {
 }
 
 #[test]
+fn the_history_tells_what_was_done_to_the_palette() {
+    let mut editor = editor();
+    let swatch = |rgb, name: &str| Swatch { color: Paint::Color(Srgb8(rgb)), name: name.into() };
+    let [red, blue] = [swatch([200, 0, 0], ""), swatch([0, 0, 200], "Sea")];
+    let sky = Swatch { name: "Sky".into(), ..blue.clone() };
+    let green = swatch([0, 200, 0], "");
+    for palette in
+        [vec![red.clone()], vec![red.clone(), blue.clone()], vec![blue, red.clone()], vec![sky, red.clone()]]
+    {
+        editor.set_palette(palette);
+    }
+    editor.set_palette(vec![red]);
+    editor.set_palette(vec![green]);
+    let deeds = [
+        Deed::SwatchAdded,
+        Deed::SwatchAdded,
+        Deed::Sorted,
+        Deed::SwatchNamed,
+        Deed::SwatchRemoved,
+        Deed::Palette,
+    ];
+    assert_eq!(editor.deeds().collect::<Vec<_>>(), deeds);
+}
+
+#[test]
 fn a_picture_under_the_lines_comes_and_goes_by_gestures() {
     let mut editor = editor();
     let tracing = |editor: &Editor| editor.document().tracing;

@@ -236,6 +236,11 @@ pub enum ViewChange {
 }
 
 impl ViewChange {
+    /// Whether it is about the middle of the canvas, wherever the pen is.
+    pub(crate) fn is_leap(self) -> bool {
+        self.is_turn() || matches!(self, Self::ZoomIn | Self::ZoomOut | Self::ZoomReset | Self::Fit)
+    }
+
     /// Whether it is a turn that a key asks for, of which people are told.
     pub(crate) fn is_turn(self) -> bool {
         matches!(self, Self::RotateStep { .. } | Self::RotateReset | Self::Mirror)

@@ -160,6 +160,10 @@ pub enum Edit {
     Moved,
     /// It is larger or smaller.
     Resized,
+    /// It is drawn wider or narrower.
+    Widened,
+    /// It shades otherwise.
+    Reshaded,
     /// It has another colour.
     Recolored,
     /// There is more of it.

@@ -12,7 +12,7 @@ use scumble_solve::grid::GridProblem;
 use scumble_solve::{Field, Picture, View};
 
 use crate::brush::{Brush, Ink};
-use crate::command::{Command, Setting, Tool};
+use crate::command::{Command, Setting, Tool, ViewChange};
 use crate::effect::{Effect, State, TracingState, Wanted};
 use crate::layers::{KnownInk, Layers};
 use crate::painting::{Changed, Export, PAPER, Painter, Painting};
@@ -235,13 +235,20 @@ impl Session {
             Command::Regions(shown) => self.show_regions(shown),
             Command::Before(shown) => self.show_before(shown),
             Command::Desk(desk) => self.set_desk(desk),
-            Command::View(change) => {
-                change.apply(&mut self.viewport);
-                self.stale.view = true;
-                if change.is_turn() {
-                    self.tell(Effect::Turned(self.viewport.turn()));
-                }
-            }
+            Command::View(change) => self.change_view(change),
+        }
+    }
+
+    fn change_view(&mut self, change: ViewChange) {
+        let is_pen_down = self.held.is_some() || self.sheet.editor.is_scribbling();
+        // The drawing does not leap away from under a pen that is down: a stroke would go on elsewhere.
+        if is_pen_down && change.is_leap() {
+            return;
+        }
+        change.apply(&mut self.viewport);
+        self.stale.view = true;
+        if change.is_turn() {
+            self.tell(Effect::Turned(self.viewport.turn()));
         }
     }
 

@@ -107,7 +107,12 @@ impl Viewport {
     ///
     /// Where a bar beside the canvas has gone, the drawing stays where it is in the window: it was under a pen.
     pub fn resize(&mut self, [width_px, height_px]: [u32; 2], px_per_css: f64, corner_css: Point) {
-        if width_px == 0 || height_px == 0 || !px_per_css.is_finite() || px_per_css <= 0.0 || !corner_css.is_finite() {
+        if width_px == 0
+            || height_px == 0
+            || !px_per_css.is_finite()
+            || px_per_css <= 0.0
+            || !corner_css.is_finite()
+        {
             return;
         }
         let before_css = self.place_css();

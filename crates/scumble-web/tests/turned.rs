@@ -182,3 +182,32 @@ fn what_it_is_turned_to_is_told_once() {
     page.view(ViewChange::RotateAt(Point::ORIGIN, 3.0));
     assert!(!page.session.take_effects().iter().any(|effect| matches!(effect, Effect::Turned(_))));
 }
+
+#[test]
+fn a_page_that_is_to_turn_or_leap_waits_for_the_pen_to_be_lifted() {
+    let mut page = Page::open(SQUARE);
+    page.session.command(Command::Color(RED.into()));
+    let leaps = [
+        ViewChange::Mirror,
+        ViewChange::RotateStep { is_clockwise: true },
+        ViewChange::ZoomIn,
+        ViewChange::Fit,
+    ];
+    for (phase, place) in [Phase::Down, Phase::Move, Phase::Move, Phase::Up].into_iter().zip([0, 1, 2, 2]) {
+        let at = Point::from(ACROSS[place]);
+        let before = page.session.css_from_du();
+        page.pen(phase, ACROSS[place]);
+        for leap in leaps.into_iter().filter(|_| phase != Phase::Up) {
+            page.view(leap);
+            assert_eq!(page.session.css_from_du() * at, before * at, "{leap:?}");
+        }
+    }
+    let ends = [ACROSS[0], ACROSS[2]].map(Point::from);
+    let drawn = points(&page);
+    assert_close(drawn[0], ends[0]);
+    assert_close(*drawn.last().expect("an end"), ends[1]);
+    assert!(drawn.iter().all(|point| point.y <= 341.0), "{drawn:?}");
+    let before = page.session.css_from_du();
+    page.view(ViewChange::Mirror);
+    assert_ne!(page.session.css_from_du(), before);
+}

@@ -1,5 +1,8 @@
 //! What a gesture did, for a list of what can be undone.
 
+use std::cmp::Ordering;
+
+use crate::palette::Swatch;
 use crate::scribble::Scribble;
 use crate::settings::Settings;
 use crate::tracing::Tracing;
@@ -45,6 +48,14 @@ pub enum Deed {
     Blend,
     /// Colours spread, or no longer do.
     Spread,
+    /// The palette has more swatches.
+    SwatchAdded,
+    /// It has fewer.
+    SwatchRemoved,
+    /// Swatches have other names.
+    SwatchNamed,
+    /// Swatches are in another order.
+    Sorted,
     /// There is another palette.
     Palette,
     /// A swatch has another colour, and all that was painted with it.
@@ -73,6 +84,19 @@ impl Deed {
             Self::Spread
         } else {
             Self::GapClosing
+        }
+    }
+
+    /// What made one palette the other.
+    pub(super) fn of_palette(before: &[Swatch], after: &[Swatch]) -> Self {
+        let is_in = |palette: &[Swatch], of: &[Swatch]| of.iter().all(|swatch| palette.contains(swatch));
+        let has_same_colors = || before.iter().zip(after).all(|(a, b)| a.color == b.color);
+        match before.len().cmp(&after.len()) {
+            Ordering::Less if is_in(after, before) => Self::SwatchAdded,
+            Ordering::Greater if is_in(before, after) => Self::SwatchRemoved,
+            Ordering::Equal if is_in(after, before) => Self::Sorted,
+            Ordering::Equal if has_same_colors() => Self::SwatchNamed,
+            _ => Self::Palette,
         }
     }
 

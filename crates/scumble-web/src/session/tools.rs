@@ -75,6 +75,7 @@ impl Session {
         }
         let is_slid = matches!(change, ModeChange::Strength(_));
         self.change_selected(Deed::Reshaded, is_slid, |session| session.reshade_selected(change));
+        self.tell_edited(Edit::Reshaded);
     }
 
     /// Another size, which depends on the one that there is.
@@ -83,6 +84,7 @@ impl Session {
             self.brush.set_size(size_du(self.brush.size_du()));
         } else {
             self.change_selected(Deed::Widened, is_slid, |session| session.resize_selected(size_du));
+            self.tell_edited(Edit::Widened);
         }
     }
 
