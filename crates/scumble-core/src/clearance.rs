@@ -50,22 +50,22 @@ impl Clearance {
     /// Measures all passages, in slices.
     pub(crate) async fn measuring(map: &PlanarMap) -> Self {
         let mesh = map.triangulation();
-        let triangles = 0..mesh.triangle_count();
         let tips = Tips::new(map);
-        let circle_widths_du: Vec<_> = triangles.clone().map(|t| circle_width_du(map, t)).collect();
         pace::pause().await;
+        let mut circle_widths_du = Vec::with_capacity(mesh.triangle_count());
+        pace::for_each(0..mesh.triangle_count(), |t| circle_widths_du.push(circle_width_du(map, t))).await;
         let width_du = |h| match mesh.passage(h) {
             Some(_) if is_gabriel(mesh, h) => edge_width_du(map, &tips, h),
             Some(twin) => circle_widths_du[h.triangle()].min(circle_widths_du[twin.triangle()]),
             None => f64::NEG_INFINITY,
         };
-        let widths_du: Vec<_> = mesh.half_edges().map(width_du).collect();
-        pace::pause().await;
+        let mut widths_du = Vec::with_capacity(3 * mesh.triangle_count());
+        pace::for_each(mesh.half_edges(), |h| widths_du.push(width_du(h))).await;
         let place_width_du = |t| {
             let circle_du = circle_widths_du[t] * circle_factor(map, &tips, t);
             (0..3).map(|i| widths_du[HalfEdge::of(t, i).index()]).fold(circle_du, f64::max)
         };
-        let place_widths_du = triangles.map(place_width_du).collect();
+        let place_widths_du = (0..mesh.triangle_count()).map(place_width_du).collect();
         Self { widths_du, tips, place_widths_du }
     }
 

@@ -46,7 +46,7 @@ mod view;
 mod walk;
 
 use crate::engine::{Engine, Labels};
-use crate::pace::Slices;
+use crate::pace::{self, Slices};
 use crate::planar_map::PlanarMap;
 use crate::scribble::Scribble;
 use crate::triangulation::SideId;
@@ -111,27 +111,29 @@ impl Surroundings {
 }
 
 impl Engine for Progressive {
-    /// All in one.
+    /// A scribble is a slice at least.
     fn labelling<'a>(&'a mut self, map: &'a PlanarMap, scribbles: &'a [Scribble]) -> Slices<'a, Labels> {
-        Slices::new(async { self.labels(map, scribbles) })
+        Slices::new(self.labels(map, scribbles))
     }
 }
 
 impl Progressive {
-    fn labels(&mut self, map: &PlanarMap, scribbles: &[Scribble]) -> Labels {
+    async fn labels(&mut self, map: &PlanarMap, scribbles: &[Scribble]) -> Labels {
         self.labels.resize(map.side_count(), None);
         let mut around = self.surroundings.take().unwrap_or_else(|| Surroundings::new(map));
-        let unchanged = self.follow(map, &mut around, scribbles);
+        pace::pause_after(map.side_count()).await;
+        let unchanged = self.follow(map, &mut around, scribbles).await;
         self.take_back(unchanged);
         for i in unchanged..scribbles.len() {
             self.apply(map, &around.outline, i);
+            pace::pause().await;
         }
         self.surroundings = Some(around);
         Labels { sides: self.labels.clone(), closed_gaps: self.closed_gaps(map) }
     }
 
     /// Brings the reaches up to date; gives the number of scribbles before the first that changed.
-    fn follow(&mut self, map: &PlanarMap, around: &mut Surroundings, scribbles: &[Scribble]) -> usize {
+    async fn follow(&mut self, map: &PlanarMap, around: &mut Surroundings, scribbles: &[Scribble]) -> usize {
         let same = self.reaches.iter().zip(scribbles).take_while(|(reach, s)| reach.points() == s.points);
         let unchanged = same.count();
         let mut old: Vec<_> = self.reaches.drain(unchanged..).map(Some).collect();
@@ -148,6 +150,7 @@ impl Progressive {
                 reach
             });
             self.reaches.push(reach);
+            pace::pause().await;
         }
         unchanged
     }

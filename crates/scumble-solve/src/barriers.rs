@@ -1,6 +1,7 @@
 //! What no colour passes in a mesh: the sides of curves, the frame, and gaps that are closed.
 
-use scumble_core::{HalfEdge, Triangulation, pace};
+use scumble_core::pace::{self, Pace};
+use scumble_core::{HalfEdge, Triangulation};
 
 /// A triangle that is in no region yet.
 const NONE: u32 = u32::MAX;
@@ -30,23 +31,25 @@ impl Barriers<'_> {
     /// The regions of a set of triangles that ascends, by the first triangle of each; their triangles ascend.
     pub(crate) async fn regions(self, triangles: &[u32]) -> Vec<Vec<u32>> {
         let mut region_of = vec![NONE; self.mesh.triangle_count()];
-        let mut regions = Vec::new();
+        let (mut regions, mut pace) = (Vec::new(), Pace::default());
         for &t in triangles {
             if region_of[t as usize] == NONE {
-                self.flood(t, regions.len() as u32, &mut region_of);
-                regions.push(Vec::new());
+                let count = self.flood(t, regions.len() as u32, &mut region_of).await;
+                regions.push(Vec::with_capacity(count));
+                pace.work(count).await;
             }
         }
-        pace::pause_after(triangles.len()).await;
         triangles.iter().for_each(|&t| regions[region_of[t as usize] as usize].push(t));
         regions
     }
 
-    /// Marks all that is reached from a triangle.
-    fn flood(self, first: u32, region: u32, region_of: &mut [u32]) {
-        let mut stack = vec![first as usize];
+    /// Marks all that is reached from a triangle, and says how many triangles that are.
+    async fn flood(self, first: u32, region: u32, region_of: &mut [u32]) -> usize {
+        let (mut stack, mut count) = (vec![first as usize], 0);
         region_of[first as usize] = region;
-        while let Some(t) = stack.pop() {
+        pace::repeat(|| {
+            let Some(t) = stack.pop() else { return false };
+            count += 1;
             for twin in (0..3).filter_map(|i| self.passage(HalfEdge::of(t, i))) {
                 let next = twin.triangle();
                 if region_of[next] == NONE {
@@ -54,6 +57,9 @@ impl Barriers<'_> {
                     stack.push(next);
                 }
             }
-        }
+            true
+        })
+        .await;
+        count
     }
 }

@@ -119,23 +119,28 @@ impl MeshSolver {
 
     async fn analysing(&mut self, boundary: &Boundary) {
         self.close_gaps(&boundary.closed_gaps).await;
-        let reaches = self.reaches(&boundary.sources);
+        let reaches = self.reaches(&boundary.sources).await;
         let mut pace = Pace::default();
         for (i, region) in (0..).zip(&mut self.regions) {
             let shading = boundary.sources.iter().zip(&reaches);
             let shading = shading.filter(|(_, reach)| reach.meets(&self.mesh, i, region.triangles()));
             let sources: Vec<_> = shading.map(|(source, _)| source.clone()).collect();
             region.analyse(&self.mesh, &boundary.sides, &sources).await;
-            pace.work(region.triangles().len()).await;
+            pace.work((1 + reaches.len()) * region.triangles().len()).await;
         }
     }
 
-    fn reaches(&self, sources: &[SoftSource]) -> Vec<Reach> {
+    async fn reaches(&self, sources: &[SoftSource]) -> Vec<Reach> {
         if sources.is_empty() {
             return Vec::new();
         }
         let regions = Regions::new(&self.mesh, &mut self.regions.iter().map(Region::triangles));
-        sources.iter().map(|source| regions.reach(source)).collect()
+        let mut reaches = Vec::with_capacity(sources.len());
+        for source in sources {
+            pace::pause().await;
+            reaches.push(regions.reach(source));
+        }
+        reaches
     }
 
     /// Numbers the regions anew that have a part in a gap which was closed or opened.
@@ -240,7 +245,7 @@ impl MeshSolver {
         let counts: Vec<_> = self.regions.iter().map(Region::emitted_count).collect();
         let mut before = mem::replace(&mut self.emitted, counts);
         before.resize(self.emitted.len(), 0);
-        move_parts(&mut self.field.triangles, &before, &self.emitted);
+        move_parts(&mut self.field.triangles, &before, &self.emitted).await;
         pace::pause_after(self.field.triangles.len()).await;
         let mut pace = Pace::default();
         let mut rest = &mut self.field.triangles[..];
@@ -249,7 +254,7 @@ impl MeshSolver {
             let (own, others) = rest.split_at_mut(self.emitted[i]);
             let is_new = before[i] != own.len();
             if is_changed[i] || is_new {
-                region.emit(barriers, is_new, own);
+                region.emit(barriers, is_new, own).await;
             }
             pace.work(own.len()).await;
             rest = others;
@@ -269,9 +274,11 @@ async fn ordered(mut regions: Vec<Dofs>, ranks: &[[u32; 3]]) -> Vec<Region> {
 }
 
 /// Makes room in a list for other parts: those that are as long as before move to where they begin now.
-fn move_parts(list: &mut Vec<FieldTriangle>, before: &[usize], now: &[usize]) {
+async fn move_parts(list: &mut Vec<FieldTriangle>, before: &[usize], now: &[usize]) {
     let total: usize = now.iter().sum();
-    list.resize(total.max(list.len()), FieldTriangle::default());
+    let missing = list.len()..total;
+    list.reserve(missing.len());
+    pace::for_each(missing, |_| list.push(FieldTriangle::default())).await;
     let mut starts = [0; 2];
     let mut to_the_right = Vec::new();
     for (&before, &now) in before.iter().zip(now) {
@@ -325,7 +332,7 @@ mod tests {
         };
         for [before, now] in [[before, now], [now, before]] {
             let mut moved = list(&before);
-            move_parts(&mut moved, &before, &now);
+            pace::now(Slices::new(move_parts(&mut moved, &before, &now)));
             assert_eq!(moved.len(), now.iter().sum());
             let expected = list(&now);
             let kept =

@@ -2,8 +2,8 @@
 
 use kurbo::{Circle, Line, Rect, Shape};
 use scumble_core::pace::Slices;
-use scumble_core::{Curve, Document, Drawing, Scribble, ScribbleKind, Settings, Srgb8};
-use scumble_solve::Picture;
+use scumble_core::{Curve, Document, Drawing, EngineKind, Scribble, ScribbleKind, Settings, Shading, Srgb8};
+use scumble_solve::{Field, Picture};
 
 /// Circles with a line in each that leaves gaps, and scribbles, one of them across lines.
 fn document(spread: bool) -> Document {
@@ -29,22 +29,63 @@ fn document(spread: bool) -> Document {
     Document { scribbles, settings, ..Document::new(drawing) }
 }
 
+/// What comes of a document in slices, and between how many pauses.
+fn in_slices(document: &Document) -> (Field, usize) {
+    let mut pauses = 0;
+    let mut slices = Slices::new(async {
+        let mut picture = Picture::mapping(&document.drawing).await.expect("a map");
+        picture.updating(document).await.expect("a field").clone()
+    });
+    loop {
+        match slices.go_on() {
+            Ok(field) => return (field, pauses),
+            Err(left) => (slices, pauses) = (left, pauses + 1),
+        }
+    }
+}
+
+fn at_once(document: &Document) -> Field {
+    let mut picture = Picture::new(&document.drawing).expect("a map");
+    picture.update(document).expect("a field").clone()
+}
+
 #[test]
 fn a_picture_that_is_made_in_slices_is_the_one_that_is_made_at_once() {
     for document in [false, true].map(document) {
-        let mut at_once = Picture::new(&document.drawing).expect("a map");
-        let mut slices = Slices::new(async {
-            let mut picture = Picture::mapping(&document.drawing).await.expect("a map");
-            picture.updating(&document).await.expect("a field").clone()
-        });
-        let mut pauses = 0;
-        let field = loop {
-            match slices.go_on() {
-                Ok(field) => break field,
-                Err(left) => (slices, pauses) = (left, pauses + 1),
-            }
-        };
+        let (field, pauses) = in_slices(&document);
         assert!(pauses > 50, "{pauses}");
-        assert!(field == *at_once.update(&document).expect("a field"));
+        assert!(field == at_once(&document));
     }
+}
+
+#[test]
+fn shades_are_made_in_slices_of_their_own() {
+    let plain = document(false);
+    let mut shaded = plain.clone();
+    for (scribble, crosses) in plain.scribbles.iter().zip([false, true, false]) {
+        let kind = ScribbleKind::Shade(Shading { crosses, ..Shading::default() });
+        shaded.scribbles.push(Scribble { kind, width_du: 40.0, ..scribble.clone() });
+    }
+    let [(_, without), (field, with)] = [&plain, &shaded].map(in_slices);
+    assert!(with > without + 10, "{with} pauses with shades, {without} without");
+    assert!(field == at_once(&shaded));
+}
+
+#[test]
+fn each_scribble_of_the_progressive_engine_is_a_slice_at_least() {
+    let all = document(false);
+    let settings = Settings { engine: EngineKind::Progressive, ..all.settings };
+    let first = Document { scribbles: all.scribbles[..1].to_vec(), settings, ..all.clone() };
+    let all = Document { settings, ..all };
+    let labelled = |document: &Document| {
+        let mut picture = Picture::new(&document.drawing).expect("a map");
+        let mut slices = picture.coloring(&document.scribbles, &[], &document.settings);
+        let mut pauses = 0;
+        while let Err(left) = slices.go_on() {
+            (slices, pauses) = (left, pauses + 1);
+        }
+        pauses
+    };
+    assert!(labelled(&all) >= labelled(&first) + all.scribbles.len() - 1);
+    assert!(in_slices(&all).0 == at_once(&all));
 }

@@ -124,8 +124,7 @@ impl Numbers<'_> {
     async fn region(&mut self, triangles: Vec<u32>) -> Dofs {
         self.next = 0;
         pace::for_each(&triangles, |&t| half_edges(&[t]).for_each(|h| self.number_sector(h))).await;
-        half_edges(&triangles).for_each(|h| self.number_middle(h));
-        pace::pause_after(triangles.len()).await;
+        pace::for_each(&triangles, |&t| half_edges(&[t]).for_each(|h| self.number_middle(h))).await;
         let of_element = triangles.iter().map(|&t| self.of_triangle[t as usize]).collect();
         let sides = self.sides(&triangles);
         pace::pause_after(triangles.len()).await;

@@ -5,7 +5,7 @@
 
 use std::mem;
 
-use scumble_core::{BlendColor, SoftSource};
+use scumble_core::{BlendColor, SoftSource, pace};
 
 use super::SolveError;
 use super::cells::Cells;
@@ -37,11 +37,14 @@ const MOST_WEIGHT: f64 = 1e6;
 
 impl Layer {
     /// That of sources over a region of some cells; of a layer before it, it takes what is still the same.
-    pub(super) fn new(coarse: &Cells, sources: &[SoftSource], before: Option<Self>) -> Self {
+    pub(super) async fn new(coarse: &Cells, sources: &[SoftSource], before: Option<Self>) -> Self {
         let brushes: Vec<_> = sources.iter().map(Brush::new).collect();
-        let region = refine::refine(coarse, &brushes);
+        let region = refine::refine(coarse, &brushes).await;
         let mut known = before.map_or_else(Vec::new, |layer| layer.strokes);
-        let strokes = sources.iter().map(|source| Stroke::new(source, &region, &mut known)).collect();
+        let mut strokes = Vec::with_capacity(sources.len());
+        for source in sources {
+            strokes.push(Stroke::new(source, &region, &mut known).await);
+        }
         Self { region, strokes, covers: Vec::new(), is_solved: false }
     }
 
@@ -77,18 +80,22 @@ impl Layer {
     }
 
     /// Finds how much the strokes cover that are new, in some memory for a factor.
-    pub(super) fn factor(&mut self, memory: &mut Vec<f64>) -> Result<(), SolveError> {
-        self.strokes.iter_mut().try_for_each(|stroke| stroke.solve(memory))
+    pub(super) async fn factor(&mut self, memory: &mut Vec<f64>) -> Result<(), SolveError> {
+        for stroke in &mut self.strokes {
+            stroke.solve(memory).await?;
+        }
+        Ok(())
     }
 
     /// Adds up what the strokes do if that is not known, and says whether it was not.
-    pub(super) fn solve(&mut self) -> bool {
+    pub(super) async fn solve(&mut self) -> bool {
         let is_new = !mem::replace(&mut self.is_solved, true);
         if is_new {
             self.covers = vec![Cover::default(); self.region.dof_count];
             for stroke in &self.strokes {
                 let color = stroke.source().color;
-                stroke.covers().for_each(|(dof, part)| self.covers[dof as usize].add(color, part));
+                pace::for_each(stroke.covers(), |(dof, part)| self.covers[dof as usize].add(color, part))
+                    .await;
             }
         }
         is_new

@@ -4,6 +4,7 @@
 //! source's: the mesh changes little where a stroke moves a little.
 
 use kurbo::Point;
+use scumble_core::pace::Pace;
 
 use super::cells::Cells;
 use crate::brush::{Brush, Place};
@@ -46,11 +47,11 @@ pub(super) struct Shape {
 }
 
 /// Refines a region of some cells for sources.
-pub(super) fn refine(coarse: &Cells, brushes: &[Brush]) -> Refined {
+pub(super) async fn refine(coarse: &Cells, brushes: &[Brush]) -> Refined {
     let mut coarsening = 1.0;
     loop {
         let mut cells = coarse.clone();
-        if cells.refine(brushes, coarsening) {
+        if cells.refine(brushes, coarsening).await {
             return cells.refined();
         }
         coarsening *= 1.5;
@@ -59,10 +60,10 @@ pub(super) fn refine(coarse: &Cells, brushes: &[Brush]) -> Refined {
 
 impl Cells {
     /// Bisects all that is too large; `false` where that is too much.
-    fn refine(&mut self, brushes: &[Brush], coarsening: f64) -> bool {
+    async fn refine(&mut self, brushes: &[Brush], coarsening: f64) -> bool {
         let most = self.cells.len() + MAX_FINER;
         for brush in brushes {
-            let mut i = 0;
+            let (mut i, mut pace) = (0, Pace::default());
             while i < self.cells.len() {
                 while self.is_too_large(i, brush, coarsening) {
                     if self.cells.len() >= most {
@@ -71,6 +72,7 @@ impl Cells {
                     self.bisect(i);
                 }
                 i += 1;
+                pace.work(1).await;
             }
         }
         true

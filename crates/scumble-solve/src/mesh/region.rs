@@ -98,10 +98,10 @@ impl Region {
                 self.base.analyse(mesh, &is_colored).await;
             }
         }
-        self.shade(mesh, sources);
+        self.shade(mesh, sources).await;
     }
 
-    fn shade(&mut self, mesh: &Triangulation, sources: &[SoftSource]) {
+    async fn shade(&mut self, mesh: &Triangulation, sources: &[SoftSource]) {
         let is_known = self.layer.as_ref().map_or(sources.is_empty(), |layer| layer.is_of(sources));
         if is_known || self.layer.as_mut().is_some_and(|layer| layer.recolor(sources)) {
             return;
@@ -110,7 +110,7 @@ impl Region {
         let before = self.layer.take();
         if !sources.is_empty() {
             let cells = self.cells.get_or_insert_with(|| Cells::new(mesh, &self.base.dofs));
-            self.layer = Some(Layer::new(cells, sources, before));
+            self.layer = Some(Layer::new(cells, sources, before).await);
         }
     }
 
@@ -123,7 +123,10 @@ impl Region {
         if self.coloring == Coloring::Blended {
             self.base.factor(mesh, memory).await?;
         }
-        self.layer.as_mut().map_or(Ok(()), |layer| layer.factor(memory))
+        match &mut self.layer {
+            Some(layer) => layer.factor(memory).await,
+            None => Ok(()),
+        }
     }
 
     /// Computes the values if anything changed, and says whether it did. The systems are factored.
@@ -138,7 +141,10 @@ impl Region {
             self.values =
                 if values.is_empty() { Vec::new() } else { system.places().iter().map(value).collect() };
         }
-        let is_shaded_anew = self.layer.as_mut().is_some_and(Layer::solve);
+        let is_shaded_anew = match &mut self.layer {
+            Some(layer) => layer.solve().await,
+            None => false,
+        };
         is_new || is_shaded_anew || !self.is_shaped
     }
 
@@ -162,23 +168,31 @@ impl Region {
     }
 
     /// Writes its triangles, as many as there are, or their colours alone where the rest is there since the last time.
-    pub(super) fn emit(&mut self, barriers: Barriers<'_>, is_new: bool, triangles: &mut [FieldTriangle]) {
+    pub(super) async fn emit(
+        &mut self,
+        barriers: Barriers<'_>,
+        is_new: bool,
+        triangles: &mut [FieldTriangle],
+    ) {
         if is_new || !self.is_shaped {
-            self.emit_shapes(barriers, triangles);
+            self.emit_shapes(barriers, triangles).await;
             self.is_shaped = true;
         }
         match &self.layer {
-            None => (0..).zip(triangles).for_each(|(i, triangle)| triangle.colors = self.colors(i)),
-            Some(layer) => self.emit_shaded(layer, triangles),
+            None => {
+                pace::for_each((0..).zip(triangles), |(i, triangle)| triangle.colors = self.colors(i)).await;
+            }
+            Some(layer) => self.emit_shaded(layer, triangles).await,
         }
     }
 
-    fn emit_shapes(&self, barriers: Barriers<'_>, triangles: &mut [FieldTriangle]) {
+    async fn emit_shapes(&self, barriers: Barriers<'_>, triangles: &mut [FieldTriangle]) {
         let single = |p: Point| [p.x as f32, p.y as f32];
-        for (i, triangle) in triangles.iter_mut().enumerate() {
+        pace::for_each((0..).zip(triangles), |(i, triangle)| {
             let (corners, side_edges) = self.shape(barriers, i);
             (triangle.corners, triangle.side_edges) = (corners.map(single), side_edges);
-        }
+        })
+        .await;
     }
 
     /// The corners of one of its triangles in the field, and which of its edges bound the region.
@@ -192,14 +206,15 @@ impl Region {
     }
 
     /// Lays the layer over the colours.
-    fn emit_shaded(&self, layer: &Layer, triangles: &mut [FieldTriangle]) {
+    async fn emit_shaded(&self, layer: &Layer, triangles: &mut [FieldTriangle]) {
         let paper = (self.coloring == Coloring::Paper).then_some([0.0; 4]);
         let given = self.given.iter().flatten().flatten().copied();
         let range = range(given.chain(layer.colors()).chain(paper));
-        for (i, triangle) in triangles.iter_mut().enumerate() {
+        pace::for_each((0..).zip(triangles), |(i, triangle)| {
             let under = self.colors_of_part(&layer.shapes()[i]);
             triangle.colors = covered(under, &layer.covers(i), range);
-        }
+        })
+        .await;
     }
 
     /// The colours of one of its triangles, without what lies over them.

@@ -7,7 +7,7 @@ use std::{array, iter};
 
 use kurbo::Point;
 use scumble_core::SoftSource;
-use scumble_core::pace::{Slices, now};
+use scumble_core::pace;
 
 use super::SolveError;
 use super::dofs::Unknowns;
@@ -54,9 +54,9 @@ struct Patch {
 impl Stroke {
     /// The stroke of a source in a refined region; one of those that there were before, where nothing of it has changed but its
     /// colour.
-    pub(super) fn new(source: &SoftSource, region: &Refined, before: &mut Vec<Self>) -> Self {
+    pub(super) async fn new(source: &SoftSource, region: &Refined, before: &mut Vec<Self>) -> Self {
         let brush = Brush::new(source);
-        let patch = Patch::new(&brush, region);
+        let patch = Patch::new(&brush, region).await;
         let dofs = distinct(&patch.dofs, region.dof_count);
         let is_same = |stroke: &Self| stroke.is_alike(source) && stroke.corners == patch.corners;
         let known = before.iter().position(is_same).map(|i| before.swap_remove(i));
@@ -64,7 +64,7 @@ impl Stroke {
         match known {
             Some(known) => Self { source, dofs, ..known },
             None => {
-                let problem = Some(Problem::new(&brush, &patch, &dofs, region));
+                let problem = Some(Problem::new(&brush, &patch, &dofs, region).await);
                 Self { source, corners: patch.corners, dofs, problem, covers: Vec::new() }
             }
         }
@@ -94,12 +94,12 @@ impl Stroke {
 
     /// Solves what is not solved yet, in some memory for a factor. What fails is there to fail again: a stroke that could not be
     /// solved is never taken for one that covers nothing.
-    pub(super) fn solve(&mut self, memory: &mut Vec<f64>) -> Result<(), SolveError> {
+    pub(super) async fn solve(&mut self, memory: &mut Vec<f64>) -> Result<(), SolveError> {
         if let Some(problem) = &mut self.problem {
-            problem.factor(&self.corners, memory)?;
+            problem.factor(&self.corners, memory).await?;
         }
         if let Some(problem) = self.problem.take() {
-            self.covers = problem.solve(memory);
+            self.covers = problem.solve(memory).await;
         }
         Ok(())
     }
@@ -113,10 +113,10 @@ fn distinct(dofs: &[[u32; 6]], count: usize) -> Vec<u32> {
 }
 
 impl Patch {
-    fn new(brush: &Brush, region: &Refined) -> Self {
+    async fn new(brush: &Brush, region: &Refined) -> Self {
         let mut patch = Self::default();
         let mut near = Vec::new();
-        for (i, (shape, dofs)) in (0..).zip(region.shapes.iter().zip(&region.dofs)) {
+        pace::for_each((0..).zip(region.shapes.iter().zip(&region.dofs)), |(i, (shape, dofs))| {
             let (middle, spread_du) = brush::around(shape.corners);
             brush.near(middle, spread_du, &mut near);
             if !near.is_empty() {
@@ -124,7 +124,8 @@ impl Patch {
                 patch.corners.push(shape.corners);
                 patch.dofs.push(*dofs);
             }
-        }
+        })
+        .await;
         patch
     }
 
@@ -142,8 +143,8 @@ impl Patch {
 }
 
 impl Problem {
-    fn new(brush: &Brush, patch: &Patch, dofs: &[u32], region: &Refined) -> Self {
-        let (masses, loads) = integrals(brush, &patch.corners);
+    async fn new(brush: &Brush, patch: &Patch, dofs: &[u32], region: &Refined) -> Self {
+        let (masses, loads) = integrals(brush, &patch.corners).await;
         let mut unknowns = Unknowns::of_elements(patch.dofs.clone());
         unknowns.order();
         let mut place_of = vec![0; region.dof_count];
@@ -153,23 +154,23 @@ impl Problem {
         let mut is_rim = vec![false; unknowns.count];
         dofs.iter().for_each(|&dof| is_rim[place_of[dof as usize] as usize] = is_beyond[dof as usize]);
         let element = |i| matrix(&patch.corners, &masses, i);
-        let system = now(Slices::new(System::new(&unknowns, &element, &is_rim)));
+        let system = System::new(&unknowns, &element, &is_rim).await;
         let loads =
             loads.into_iter().map(|(element, values)| (unknowns.of_element[element], values)).collect();
         let places = dofs.iter().map(|&dof| place_of[dof as usize]).collect();
         Self { system, masses, places, loads }
     }
 
-    fn factor(&mut self, corners: &[[Point; 3]], memory: &mut Vec<f64>) -> Result<(), SolveError> {
+    async fn factor(&mut self, corners: &[[Point; 3]], memory: &mut Vec<f64>) -> Result<(), SolveError> {
         let masses = &self.masses;
-        now(Slices::new(self.system.factor(&|i| matrix(corners, masses, i), memory)))
+        self.system.factor(&|i| matrix(corners, masses, i), memory).await
     }
 
     /// How much is covered at the unknowns; gives the memory of the factor back. It is factored.
-    fn solve(self, memory: &mut Vec<f64>) -> Vec<f64> {
+    async fn solve(self, memory: &mut Vec<f64>) -> Vec<f64> {
         let loads = self.loads.iter().map(|&(dofs, values)| (dofs, values, [1.0, 0.0, 0.0, 0.0]));
         let sums = self.system.right_hand_sides(iter::empty(), loads);
-        let values = now(Slices::new(self.system.solve(sums))).unwrap_or_default();
+        let values = self.system.solve(sums).await.unwrap_or_default();
         let places = self.system.places();
         let cover = |&place: &u32| {
             values.get(places[place as usize] as usize).map_or(0.0, |value| value[0].clamp(0.0, 1.0))
@@ -181,10 +182,11 @@ impl Problem {
 }
 
 /// What the terms of the equation besides Laplace's are on each element; and on the right-hand side, where that is anything.
-fn integrals(brush: &Brush, corners: &[[Point; 3]]) -> (Vec<Matrix>, Vec<(usize, [f64; 6])>) {
+async fn integrals(brush: &Brush, corners: &[[Point; 3]]) -> (Vec<Matrix>, Vec<(usize, [f64; 6])>) {
     let quadrature = Quadrature::new();
     let (mut near, mut loads) = (Vec::new(), Vec::new());
-    let mass = |(i, &corners): (usize, &[Point; 3])| {
+    let mut masses = Vec::with_capacity(corners.len());
+    pace::for_each(corners.iter().enumerate(), |(i, &corners)| {
         let (middle, spread_du) = brush::around(corners);
         brush.near(middle, spread_du, &mut near);
         let pulls = quadrature.places(corners).map(|p| pull(brush, p, &near));
@@ -192,9 +194,9 @@ fn integrals(brush: &Brush, corners: &[[Point; 3]]) -> (Vec<Matrix>, Vec<(usize,
         if strengths != [0.0; PLACES] {
             loads.push((i, quadrature.load(corners, &strengths)));
         }
-        quadrature.mass(corners, &array::from_fn(|k| pulls[k][0] + pulls[k][1]))
-    };
-    let masses = corners.iter().enumerate().map(mass).collect();
+        masses.push(quadrature.mass(corners, &array::from_fn(|k| pulls[k][0] + pulls[k][1])));
+    })
+    .await;
     (masses, loads)
 }
 
