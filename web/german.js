@@ -88,6 +88,7 @@ export const german = {
   "did-add-swatch": "Farbfeld hinzugefügt",
   "did-remove-swatch": "Farbfeld entfernt",
   "did-name-swatch": "Farbfeld umbenannt",
+  "did-order-swatches": "Palette in anderer Reihenfolge",
   "did-take-palette": "Palette übernommen",
   "did-fade": "Vorlage anders gedeckt",
   "show-lines": "Linien zeigen",
@@ -224,7 +225,7 @@ export const german = {
   "swatch-removed": ({ name }) => `${name} aus der Palette entfernt`,
   "palette-sorted": "Palette sortiert",
   "swatch-moved": ({ name, place }) => `${name} ist Nummer ${place} der Palette`,
-  "swatch-recoloured": ({ name }) => `${name} in der Palette und bei allem, was damit gemalt ist`,
+  "swatch-recoloured": ({ name }) => `Umgefärbt zu ${name}: das Farbfeld und alles, was damit gemalt ist`,
   "brush-size": "Pinselgröße",
   "canvas": "Leinwand",
   "canvas-instructions":

@@ -80,6 +80,7 @@ export const english = {
   "did-add-swatch": "Swatch added",
   "did-remove-swatch": "Swatch removed",
   "did-name-swatch": "Swatch renamed",
+  "did-order-swatches": "Palette in another order",
   "did-take-palette": "Palette taken",
   "did-fade": "Tracing image faded",
   "show-lines": "Show lines",
@@ -216,7 +217,7 @@ export const english = {
   "swatch-removed": ({ name }) => `${name} removed from the palette`,
   "palette-sorted": "Palette sorted",
   "swatch-moved": ({ name, place }) => `${name} is number ${place} of the palette`,
-  "swatch-recoloured": ({ name }) => `${name} in the palette, and all that is painted with it`,
+  "swatch-recoloured": ({ name }) => `Recoloured to ${name}: the swatch, and all that is painted with it`,
   "brush-size": "Brush size",
   "canvas": "Canvas",
   "canvas-instructions":

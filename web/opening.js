@@ -55,8 +55,8 @@ export class Opening {
   /** @param {string} text a link, SVG, or colours for the palette */
   text(text) {
     if (isLink(text)) return this.#link(text);
-    // SVG has the first, colours the second; but palettes of GIMP need neither.
-    if (!/[<#]|^GIMP Palette/.test(text)) return warn(say("no-drawing"));
+    // SVG has the first, lists of colours the second; a palette of GIMP may have neither.
+    if (!/[<#]|^\s*GIMP Palette/.test(text)) return warn(say("no-drawing"));
     return this.file({ name: "SVG", bytes: Promise.resolve(new TextEncoder().encode(text)) });
   }
 

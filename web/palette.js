@@ -108,8 +108,13 @@ export class PaletteEditor {
     this.#file.value = "";
   }
 
-  /** @param {Swatch[]} swatches */
-  #set(swatches) {
+  /**
+   * @param {Swatch[]} swatches
+   * @param {number} [chosen] which of them is
+   */
+  #set(swatches, chosen = this.#chosen) {
+    this.#settle();
+    this.#chosen = chosen;
     this.#shell.command("palette", flat(swatches));
     this.follow();
   }
@@ -159,8 +164,7 @@ export class PaletteEditor {
     if (to < 0 || to >= this.#swatches.length || to === from) return;
     const moved = this.#swatches.filter((_, i) => i !== from);
     moved.splice(to, 0, this.#swatches[from]);
-    this.#chosen = to;
-    this.#set(moved);
+    this.#set(moved, to);
     this.#tell("swatch-moved", { place: to + 1 });
   }
 
@@ -170,8 +174,7 @@ export class PaletteEditor {
     const keyed = this.#swatches.map((swatch) => ({ swatch, key: key(this.#shell.numbers("oklch", swatch.color)) }));
     keyed.sort((a, b) => a.key.reduce((order, number, i) => order || number - b.key[i], 0));
     const sorted = keyed.map(({ swatch }) => swatch);
-    this.#chosen = sorted.indexOf(chosen);
-    this.#set(sorted);
+    this.#set(sorted, sorted.indexOf(chosen));
     this.#shell.done(this.#shell.say("palette-sorted"));
   }
 

@@ -65,7 +65,8 @@ impl Clearance {
             let circle_du = circle_widths_du[t] * circle_factor(map, &tips, t);
             (0..3).map(|i| widths_du[HalfEdge::of(t, i).index()]).fold(circle_du, f64::max)
         };
-        let place_widths_du = (0..mesh.triangle_count()).map(place_width_du).collect();
+        let mut place_widths_du = Vec::with_capacity(mesh.triangle_count());
+        pace::for_each(0..mesh.triangle_count(), |t| place_widths_du.push(place_width_du(t))).await;
         Self { widths_du, tips, place_widths_du }
     }
 

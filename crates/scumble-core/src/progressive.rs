@@ -111,7 +111,7 @@ impl Surroundings {
 }
 
 impl Engine for Progressive {
-    /// A scribble is a slice at least.
+    /// Each scribble that is followed or applied anew takes a slice or more.
     fn labelling<'a>(&'a mut self, map: &'a PlanarMap, scribbles: &'a [Scribble]) -> Slices<'a, Labels> {
         Slices::new(self.labels(map, scribbles))
     }

@@ -490,7 +490,7 @@ fn the_history_tells_what_was_done_to_the_palette() {
     let deeds = [
         Deed::SwatchAdded,
         Deed::SwatchAdded,
-        Deed::Sorted,
+        Deed::SwatchesOrdered,
         Deed::SwatchNamed,
         Deed::SwatchRemoved,
         Deed::Palette,

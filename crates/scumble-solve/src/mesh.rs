@@ -122,11 +122,15 @@ impl MeshSolver {
         let reaches = self.reaches(&boundary.sources).await;
         let mut pace = Pace::default();
         for (i, region) in (0..).zip(&mut self.regions) {
-            let shading = boundary.sources.iter().zip(&reaches);
-            let shading = shading.filter(|(_, reach)| reach.meets(&self.mesh, i, region.triangles()));
-            let sources: Vec<_> = shading.map(|(source, _)| source.clone()).collect();
+            let mut sources = Vec::new();
+            for (source, reach) in boundary.sources.iter().zip(&reaches) {
+                if reach.meets(&self.mesh, i, region.triangles()) {
+                    sources.push(source.clone());
+                }
+                pace.work(region.triangles().len()).await;
+            }
             region.analyse(&self.mesh, &boundary.sides, &sources).await;
-            pace.work((1 + reaches.len()) * region.triangles().len()).await;
+            pace.work(region.triangles().len()).await;
         }
     }
 

@@ -113,7 +113,7 @@ fn view_change(name: &str, args: &JsValue) -> Option<ViewChange> {
         "resize" => {
             let [width_px, height_px, px_per_css, left_css, top_css] = numbers(args)?;
             let corner_css = Point::new(left_css, top_css);
-            ViewChange::Resize([width_px as u32, height_px as u32], px_per_css, corner_css)
+            ViewChange::Resize { size_px: [width_px as u32, height_px as u32], px_per_css, corner_css }
         }
         _ => return None,
     })

@@ -231,8 +231,15 @@ pub enum ViewChange {
     RotateReset,
     /// Left where right was.
     Mirror,
-    /// The canvas' size in device pixels, the device pixels of one CSS pixel, and the canvas' corner in the window.
-    Resize([u32; 2], f64, Point),
+    /// The canvas has a size and a place.
+    Resize {
+        /// Width and height in device pixels.
+        size_px: [u32; 2],
+        /// Device pixels of one CSS pixel.
+        px_per_css: f64,
+        /// Its top left corner in the window, in CSS pixels.
+        corner_css: Point,
+    },
 }
 
 impl ViewChange {
@@ -258,7 +265,9 @@ impl ViewChange {
             Self::RotateStep { is_clockwise } => viewport.rotate_step(is_clockwise),
             Self::RotateReset => viewport.rotate_reset(),
             Self::Mirror => viewport.mirror(),
-            Self::Resize(size_px, px_per_css, corner_css) => viewport.resize(size_px, px_per_css, corner_css),
+            Self::Resize { size_px, px_per_css, corner_css } => {
+                viewport.resize(size_px, px_per_css, corner_css);
+            }
         }
     }
 }

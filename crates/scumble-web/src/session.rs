@@ -240,9 +240,8 @@ impl Session {
     }
 
     fn change_view(&mut self, change: ViewChange) {
-        let is_pen_down = self.held.is_some() || self.sheet.editor.is_scribbling();
-        // The drawing does not leap away from under a pen that is down: a stroke would go on elsewhere.
-        if is_pen_down && change.is_leap() {
+        // The drawing does not leap away from under a pen that is down: what it does would go on elsewhere.
+        if self.is_pen_down() && change.is_leap() {
             return;
         }
         change.apply(&mut self.viewport);
@@ -377,9 +376,13 @@ impl Session {
 
     /// Ends the drag of a slider, not what the pen does meanwhile.
     fn settle(&mut self) {
-        if self.held.is_none() && !self.sheet.editor.is_scribbling() {
+        if !self.is_pen_down() {
             self.sheet.editor.commit();
         }
+    }
+
+    fn is_pen_down(&self) -> bool {
+        self.held.is_some() || self.sheet.editor.is_scribbling()
     }
 
     fn scribbles_changed(&mut self) {

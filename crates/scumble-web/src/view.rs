@@ -22,6 +22,9 @@ const MARGIN_CSS: f64 = 24.0;
 /// So much of the page stays in sight however the view is moved, in CSS pixels.
 const KEPT_CSS: f64 = 64.0;
 
+/// A canvas' far corner that moves less is where it was, in CSS pixels: its size comes in whole pixels, its place does not.
+const FAR_CORNER_CSS: f64 = 1.5;
+
 /// Keys rotate to the next multiple of this, in degrees.
 const STEP_DEGREES: f64 = 15.0;
 
@@ -105,24 +108,24 @@ impl Viewport {
     /// Takes the canvas' size in device pixels, the device pixels of one CSS pixel, and where its top left corner lies in
     /// the window, in CSS pixels. What is no size or place is ignored.
     ///
-    /// Where a bar beside the canvas has gone, the drawing stays where it is in the window: it was under a pen.
-    pub fn resize(&mut self, [width_px, height_px]: [u32; 2], px_per_css: f64, corner_css: Point) {
-        if width_px == 0
-            || height_px == 0
-            || !px_per_css.is_finite()
-            || px_per_css <= 0.0
-            || !corner_css.is_finite()
-        {
+    /// Where a bar above or to the left of the canvas comes or goes, the drawing stays where it is in the window: it is
+    /// under a pen. But a page that fits goes on doing so where there is less room.
+    pub fn resize(&mut self, size_px: [u32; 2], px_per_css: f64, corner_css: Point) {
+        let is_size = !size_px.contains(&0) && px_per_css > 0.0 && px_per_css.is_finite();
+        if !is_size || !corner_css.is_finite() {
             return;
         }
         let before_css = self.place_css();
-        (self.width_px, self.height_px, self.px_per_css) = (width_px, height_px, px_per_css);
-        self.corner_css = corner_css;
+        ([self.width_px, self.height_px], self.px_per_css, self.corner_css) =
+            (size_px, px_per_css, corner_css);
         let place_css = self.place_css();
-        if has_grown_to_its_corner(before_css, place_css) {
-            self.center_du += self.way_du(place_css.center() - before_css.center());
-        } else if self.fitted {
+        let is_beside_bar =
+            (place_css.x1 - before_css.x1).hypot(place_css.y1 - before_css.y1) < FAR_CORNER_CSS;
+        let has_shrunk = place_css.x0 > before_css.x0 || place_css.y0 > before_css.y0;
+        if self.fitted && (!is_beside_bar || has_shrunk) {
             self.fit();
+        } else if is_beside_bar {
+            self.center_du += self.way_du(place_css.center() - before_css.center());
         }
         self.keep_in_sight();
     }
@@ -287,12 +290,6 @@ impl Viewport {
     }
 }
 
-/// Whether a canvas has grown up or to the left alone.
-fn has_grown_to_its_corner(before_css: Rect, now_css: Rect) -> bool {
-    let is_fixed = (now_css.max_x() - before_css.max_x()).hypot(now_css.max_y() - before_css.max_y()) < 1.0;
-    is_fixed && now_css.union(before_css) == now_css
-}
-
 fn within_range(zoom: f64) -> f64 {
     zoom.clamp(ZOOM_RANGE[0], ZOOM_RANGE[1])
 }
@@ -324,16 +321,21 @@ mod tests {
 
     #[test]
     fn the_drawing_stays_in_the_window_as_a_bar_beside_it_goes_and_fits_again_with_the_window() {
-        for pan in [Vec2::ZERO, Vec2::new(30.0, -50.0)] {
+        for (way, below) in [(None, (60.0, 40.0)), (Some(Vec2::new(30.0, -50.0)), (60.0, 40.4))] {
             let mut viewport = viewport();
-            let below = Point::new(60.0, 40.0);
+            let below = Point::from(below);
             viewport.resize([800, 560], 1.0, below);
-            viewport.pan(pan);
+            way.into_iter().for_each(|way| viewport.pan(way));
             let place_css = viewport.css_from_du() * Point::ZERO + below.to_vec2();
             let zoom = viewport.zoom();
             viewport.resize([860, 600], 1.0, Point::ZERO);
             assert_eq!(viewport.zoom(), zoom);
-            assert!(close(viewport.css_from_du() * Point::ZERO, place_css, 1.0), "at {pan}");
+            assert!(close(viewport.css_from_du() * Point::ZERO, place_css, 1.0), "{way:?}");
+            way.into_iter().for_each(|way| viewport.pan(way));
+            let place_css = viewport.css_from_du() * Point::ZERO;
+            viewport.resize([800, 560], 1.0, below);
+            let came_css = viewport.css_from_du() * Point::ZERO + below.to_vec2();
+            assert!(close(came_css, place_css, 1.0), "{way:?}, as the bar comes again");
         }
         let mut viewport = viewport();
         viewport.resize([800, 560], 1.0, Point::new(0.0, 40.0));

@@ -1,5 +1,6 @@
 //! Which solver makes the picture on the canvas, and what its painter is given for that.
 
+use kurbo::Point;
 use scumble_core::{Document, PlanarMap, Sampling, Srgb8, Work, exact};
 use scumble_io::import_svg;
 use scumble_solve::grid::Constraints;
@@ -50,14 +51,18 @@ fn page_with(svg: &[u8], grids: Grids) -> (Session, Screen) {
     let drawing = import_svg(svg).expect("a drawing").drawing;
     let work = exact::write(&Work::new(Document::new(drawing)));
     session.set_grids(grids);
-    session.command(Command::View(ViewChange::Resize([1200, 900], 1.0, Point::ZERO)));
+    session.command(Command::View(ViewChange::Resize {
+        size_px: [1200, 900],
+        px_per_css: 1.0,
+        corner_css: Point::ZERO,
+    }));
     session.command(Command::Open { work, notes: String::new() });
     session.command(Command::View(ViewChange::ZoomReset));
     (session, Screen::default())
 }
 
 fn draw(session: &mut Session, phase: Phase, [x, y]: [f64; 2]) {
-    let p = session.css_from_du() * kurbo::Point::new(x, y);
+    let p = session.css_from_du() * Point::new(x, y);
     session.pointer(phase, &[p.x as f32, p.y as f32, 1.0]);
 }
 

@@ -184,7 +184,7 @@ fn what_it_is_turned_to_is_told_once() {
 }
 
 #[test]
-fn a_page_that_is_to_turn_or_leap_waits_for_the_pen_to_be_lifted() {
+fn a_page_neither_turns_nor_leaps_under_a_pen_that_is_down() {
     let mut page = Page::open(SQUARE);
     page.session.command(Command::Color(RED.into()));
     let leaps = [

@@ -55,7 +55,7 @@ pub enum Deed {
     /// Swatches have other names.
     SwatchNamed,
     /// Swatches are in another order.
-    Sorted,
+    SwatchesOrdered,
     /// There is another palette.
     Palette,
     /// A swatch has another colour, and all that was painted with it.
@@ -89,13 +89,13 @@ impl Deed {
 
     /// What made one palette the other.
     pub(super) fn of_palette(before: &[Swatch], after: &[Swatch]) -> Self {
-        let is_in = |palette: &[Swatch], of: &[Swatch]| of.iter().all(|swatch| palette.contains(swatch));
+        let has_all = |palette: &[Swatch], of: &[Swatch]| of.iter().all(|swatch| palette.contains(swatch));
         let has_same_colors = || before.iter().zip(after).all(|(a, b)| a.color == b.color);
         match before.len().cmp(&after.len()) {
-            Ordering::Less if is_in(after, before) => Self::SwatchAdded,
-            Ordering::Greater if is_in(before, after) => Self::SwatchRemoved,
-            Ordering::Equal if is_in(after, before) => Self::Sorted,
+            Ordering::Less if has_all(after, before) => Self::SwatchAdded,
+            Ordering::Greater if has_all(before, after) => Self::SwatchRemoved,
             Ordering::Equal if has_same_colors() => Self::SwatchNamed,
+            Ordering::Equal if has_all(after, before) => Self::SwatchesOrdered,
             _ => Self::Palette,
         }
     }

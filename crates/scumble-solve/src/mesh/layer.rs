@@ -5,7 +5,8 @@
 
 use std::mem;
 
-use scumble_core::{BlendColor, SoftSource, pace};
+use scumble_core::pace::{self, Pace};
+use scumble_core::{BlendColor, SoftSource};
 
 use super::SolveError;
 use super::cells::Cells;
@@ -44,6 +45,7 @@ impl Layer {
         let mut strokes = Vec::with_capacity(sources.len());
         for source in sources {
             strokes.push(Stroke::new(source, &region, &mut known).await);
+            pace::pause().await;
         }
         Self { region, strokes, covers: Vec::new(), is_solved: false }
     }
@@ -92,10 +94,11 @@ impl Layer {
         let is_new = !mem::replace(&mut self.is_solved, true);
         if is_new {
             self.covers = vec![Cover::default(); self.region.dof_count];
+            let mut pace = Pace::default();
             for stroke in &self.strokes {
                 let color = stroke.source().color;
-                pace::for_each(stroke.covers(), |(dof, part)| self.covers[dof as usize].add(color, part))
-                    .await;
+                stroke.covers().for_each(|(dof, part)| self.covers[dof as usize].add(color, part));
+                pace.work(stroke.unknown_count()).await;
             }
         }
         is_new

@@ -62,8 +62,9 @@ impl Cells {
     /// Bisects all that is too large; `false` where that is too much.
     async fn refine(&mut self, brushes: &[Brush], coarsening: f64) -> bool {
         let most = self.cells.len() + MAX_FINER;
+        let mut pace = Pace::default();
         for brush in brushes {
-            let (mut i, mut pace) = (0, Pace::default());
+            let mut i = 0;
             while i < self.cells.len() {
                 while self.is_too_large(i, brush, coarsening) {
                     if self.cells.len() >= most {

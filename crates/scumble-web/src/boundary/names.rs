@@ -73,7 +73,7 @@ pub(super) fn deed_key(deed: Deed) -> &'static str {
         Deed::SwatchAdded => "did-add-swatch",
         Deed::SwatchRemoved => "did-remove-swatch",
         Deed::SwatchNamed => "did-name-swatch",
-        Deed::Sorted => "palette-sorted",
+        Deed::SwatchesOrdered => "did-order-swatches",
         Deed::Palette => "did-take-palette",
         Deed::Repainted => "did-repaint",
         Deed::Traced => "tracing",

@@ -241,7 +241,11 @@ impl Session {
     }
 
     pub(super) fn tell_edited(&mut self, edit: Edit) {
-        let [scribbles, lines] = [self.selected_scribbles().len(), self.selected_curves().len()];
+        let scribbles = match edit {
+            Edit::Reshaded => self.selected_shades().len(),
+            _ => self.selected_scribbles().len(),
+        };
+        let lines = self.selected_curves().len();
         self.tell(Effect::Edited { edit, scribbles, lines });
     }
 }

@@ -42,8 +42,8 @@ impl Session {
             self.brush.set_ink(ink);
         }
         self.set_tool(Tool::Select);
-        self.change_selected(Deed::Recolored, is_sought, |session| session.recolor_selected(ink));
-        self.tell_edited(Edit::Recolored);
+        let deed = (Deed::Recolored, Edit::Recolored);
+        self.change_selected(deed, is_sought, |session| session.recolor_selected(ink));
     }
 
     /// A colour in the place of the one that was sought last.
@@ -74,8 +74,8 @@ impl Session {
             change.apply(&mut self.brush.mode);
         }
         let is_slid = matches!(change, ModeChange::Strength(_));
-        self.change_selected(Deed::Reshaded, is_slid, |session| session.reshade_selected(change));
-        self.tell_edited(Edit::Reshaded);
+        let deed = (Deed::Reshaded, Edit::Reshaded);
+        self.change_selected(deed, is_slid, |session| session.reshade_selected(change));
     }
 
     /// Another size, which depends on the one that there is.
@@ -83,13 +83,14 @@ impl Session {
         if self.selected_scribbles().is_empty() {
             self.brush.set_size(size_du(self.brush.size_du()));
         } else {
-            self.change_selected(Deed::Widened, is_slid, |session| session.resize_selected(size_du));
-            self.tell_edited(Edit::Widened);
+            let deed = (Deed::Widened, Edit::Widened);
+            self.change_selected(deed, is_slid, |session| session.resize_selected(size_du));
         }
     }
 
-    /// A change of what is selected, which is a gesture of its own unless a slider makes it.
-    fn change_selected(&mut self, deed: Deed, is_slid: bool, change: impl FnOnce(&mut Self)) {
+    /// A change of what is selected, as it is called in the history and told. It is a gesture of its own unless a slider makes
+    /// it.
+    fn change_selected(&mut self, (deed, edit): (Deed, Edit), is_slid: bool, change: impl FnOnce(&mut Self)) {
         // What the pen has hold of is a gesture in hand.
         if self.held.is_some() {
             return;
@@ -104,5 +105,6 @@ impl Session {
         if !is_slid {
             self.sheet.editor.commit();
         }
+        self.tell_edited(edit);
     }
 }

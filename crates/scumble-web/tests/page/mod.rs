@@ -63,7 +63,7 @@ pub(crate) struct Page {
 impl Page {
     pub(crate) fn open(svg: &[u8]) -> Self {
         let mut page = Self { session: Session::new(DESK).expect("a blank page"), canvas: Canvas::default() };
-        page.view(ViewChange::Resize([1200, 900], 1.0, Point::ZERO));
+        page.view(ViewChange::Resize { size_px: [1200, 900], px_per_css: 1.0, corner_css: Point::ZERO });
         page.session.command(open(svg, &[]));
         page.view(ViewChange::ZoomReset);
         page
