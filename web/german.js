@@ -224,6 +224,7 @@ export const german = {
   "swatch-there": ({ name }) => `${name} war schon in der Palette`,
   "swatch-removed": ({ name }) => `${name} aus der Palette entfernt`,
   "palette-sorted": "Palette sortiert",
+  "swatch-renamed": ({ name }) => `${name} heißt das Farbfeld jetzt`,
   "swatch-moved": ({ name, place }) => `${name} ist Nummer ${place} der Palette`,
   "swatch-recoloured": ({ name }) => `Umgefärbt zu ${name}: das Farbfeld und alles, was damit gemalt ist`,
   "brush-size": "Pinselgröße",

@@ -216,6 +216,7 @@ export const english = {
   "swatch-there": ({ name }) => `${name} was in the palette already`,
   "swatch-removed": ({ name }) => `${name} removed from the palette`,
   "palette-sorted": "Palette sorted",
+  "swatch-renamed": ({ name }) => `${name} is the name of the swatch now`,
   "swatch-moved": ({ name, place }) => `${name} is number ${place} of the palette`,
   "swatch-recoloured": ({ name }) => `Recoloured to ${name}: the swatch, and all that is painted with it`,
   "brush-size": "Brush size",

@@ -52,12 +52,21 @@ export class Opening {
     return this.#open({ name, handle, isBrought: true }, async (signal) => formats.open(await bytes, name, signal));
   }
 
-  /** @param {string} text a link, SVG, or colours for the palette */
+  /** @param {string} text a link, SVG, a colour, or colours for the palette */
   text(text) {
     if (isLink(text)) return this.#link(text);
+    const [, digits] = /^\s*#([\da-f]{3}|[\da-f]{6})\s*$/i.exec(text) ?? [];
+    if (digits) return this.#color(digits.toLowerCase());
     // SVG has the first, lists of colours the second; a palette of GIMP may have neither.
     if (!/[<#]|^\s*GIMP Palette/.test(text)) return warn(say("no-drawing"));
     return this.file({ name: "SVG", bytes: Promise.resolve(new TextEncoder().encode(text)) });
+  }
+
+  /** @param {string} digits three or six, of which each of three stands for two */
+  #color(digits) {
+    const color = `#${digits.length === 3 ? digits.replace(/./g, "$&$&") : digits}`;
+    this.#engine.command("color", color);
+    done(say("picked", { color }));
   }
 
   /**

@@ -147,7 +147,9 @@ export class PaletteEditor {
 
   #rename() {
     const name = this.#name.value.trim();
+    if (name === this.#swatches[this.#chosen].name) return;
     this.#set(this.#swatches.map((swatch, i) => (i === this.#chosen ? { ...swatch, name } : swatch)));
+    this.#tell("swatch-renamed");
   }
 
   #remove() {

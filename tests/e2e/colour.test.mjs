@@ -271,7 +271,7 @@ for (const browser of /** @type {const} */ (["chromium", "firefox"])) {
       assert.deepEqual(await palette(editor), [...USUAL, "#804020"]);
       await editor.tab.press("Escape");
       await openPanel(editor, "Edit palette");
-      await write(editor, NAME, "Fur");
+      await editor.until("Fur is the name", () => write(editor, NAME, "Fur"));
       assert.deepEqual(await palette(editor), [...USUAL, "Fur"]);
       await editor.tab.click("option", "Orange");
       await editor.until("Orange removed", () => editor.tab.click("button", "Remove swatch"));

@@ -30,6 +30,14 @@ describe("opening a drawing", () => {
 
   test("pasted text", () => editor.until("Opened", () => paste(svg)));
 
+  test("a pasted colour is the brush's from then on, and the palette stays", async () => {
+    const swatches = () => editor.tab.evaluate(`document.querySelectorAll('ul[aria-label="Palette"] > li').length`);
+    const before = await swatches();
+    await editor.until("Picked #ff8800", () => paste(" #F80\n"));
+    assert.equal(await editor.tab.evaluate(`document.getElementById("color").dataset.color`), "#ff8800");
+    assert.equal(await swatches(), before);
+  });
+
   test("pasted text that is no drawing, of which it says so", async () => {
     await paste("Dear all,");
     assert.match(await editor.message(), /text, neither a drawing/);

@@ -253,7 +253,7 @@ impl ViewChange {
         matches!(self, Self::RotateStep { .. } | Self::RotateReset | Self::Mirror)
     }
 
-    pub(crate) fn apply(self, viewport: &mut Viewport) {
+    pub(crate) fn apply(self, viewport: &mut Viewport, is_pen_down: bool) {
         match self {
             Self::ZoomIn => viewport.zoom_in(),
             Self::ZoomOut => viewport.zoom_out(),
@@ -266,7 +266,7 @@ impl ViewChange {
             Self::RotateReset => viewport.rotate_reset(),
             Self::Mirror => viewport.mirror(),
             Self::Resize { size_px, px_per_css, corner_css } => {
-                viewport.resize(size_px, px_per_css, corner_css);
+                viewport.resize(size_px, px_per_css, corner_css, is_pen_down);
             }
         }
     }

@@ -241,10 +241,11 @@ impl Session {
 
     fn change_view(&mut self, change: ViewChange) {
         // The drawing does not leap away from under a pen that is down: what it does would go on elsewhere.
-        if self.is_pen_down() && change.is_leap() {
+        let is_pen_down = self.is_pen_down();
+        if is_pen_down && change.is_leap() {
             return;
         }
-        change.apply(&mut self.viewport);
+        change.apply(&mut self.viewport, is_pen_down);
         self.stale.view = true;
         if change.is_turn() {
             self.tell(Effect::Turned(self.viewport.turn()));

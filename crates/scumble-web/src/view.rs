@@ -108,9 +108,9 @@ impl Viewport {
     /// Takes the canvas' size in device pixels, the device pixels of one CSS pixel, and where its top left corner lies in
     /// the window, in CSS pixels. What is no size or place is ignored.
     ///
-    /// Where a bar above or to the left of the canvas comes or goes, the drawing stays where it is in the window: it is
-    /// under a pen. But a page that fits goes on doing so where there is less room.
-    pub fn resize(&mut self, size_px: [u32; 2], px_per_css: f64, corner_css: Point) {
+    /// Under a pen that is down, the drawing stays where it is in the window; and where a bar above or to the left of the
+    /// canvas comes or goes, as it may be soon. But a page that fits goes on doing so where a bar takes room.
+    pub fn resize(&mut self, size_px: [u32; 2], px_per_css: f64, corner_css: Point, is_pen_down: bool) {
         let is_size = !size_px.contains(&0) && px_per_css > 0.0 && px_per_css.is_finite();
         if !is_size || !corner_css.is_finite() {
             return;
@@ -122,9 +122,9 @@ impl Viewport {
         let is_beside_bar =
             (place_css.x1 - before_css.x1).hypot(place_css.y1 - before_css.y1) < FAR_CORNER_CSS;
         let has_shrunk = place_css.x0 > before_css.x0 || place_css.y0 > before_css.y0;
-        if self.fitted && (!is_beside_bar || has_shrunk) {
+        if !is_pen_down && self.fitted && (!is_beside_bar || has_shrunk) {
             self.fit();
-        } else if is_beside_bar {
+        } else if is_pen_down || is_beside_bar {
             self.center_du += self.way_du(place_css.center() - before_css.center());
         }
         self.keep_in_sight();
@@ -300,7 +300,7 @@ mod tests {
 
     fn viewport() -> Viewport {
         let mut viewport = Viewport::new(Rect::new(0.0, 0.0, 1024.0, 768.0));
-        viewport.resize([1600, 1200], 2.0, Point::ZERO);
+        viewport.resize([1600, 1200], 2.0, Point::ZERO, false);
         viewport
     }
 
@@ -314,7 +314,7 @@ mod tests {
         let shown = viewport.css_from_du().transform_rect_bbox(Rect::new(0.0, 0.0, 1024.0, 768.0));
         assert!(close(shown.center(), Point::new(400.0, 300.0), 0.5), "{shown}");
         assert!((shown.y0 - MARGIN_CSS).abs() <= 0.5 && shown.x0 >= MARGIN_CSS, "{shown}");
-        viewport.resize([800, 600], 1.0, Point::ZERO);
+        viewport.resize([800, 600], 1.0, Point::ZERO, false);
         assert_eq!(viewport.view().width_px, 800);
         assert!(close(viewport.css_from_du() * viewport.page.center(), Point::new(400.0, 300.0), 0.5));
     }
@@ -324,24 +324,27 @@ mod tests {
         for (way, below) in [(None, (60.0, 40.0)), (Some(Vec2::new(30.0, -50.0)), (60.0, 40.4))] {
             let mut viewport = viewport();
             let below = Point::from(below);
-            viewport.resize([800, 560], 1.0, below);
+            viewport.resize([800, 560], 1.0, below, false);
             way.into_iter().for_each(|way| viewport.pan(way));
             let place_css = viewport.css_from_du() * Point::ZERO + below.to_vec2();
             let zoom = viewport.zoom();
-            viewport.resize([860, 600], 1.0, Point::ZERO);
+            viewport.resize([860, 600], 1.0, Point::ZERO, false);
             assert_eq!(viewport.zoom(), zoom);
             assert!(close(viewport.css_from_du() * Point::ZERO, place_css, 1.0), "{way:?}");
             way.into_iter().for_each(|way| viewport.pan(way));
             let place_css = viewport.css_from_du() * Point::ZERO;
-            viewport.resize([800, 560], 1.0, below);
+            viewport.resize([800, 560], 1.0, below, false);
             let came_css = viewport.css_from_du() * Point::ZERO + below.to_vec2();
             assert!(close(came_css, place_css, 1.0), "{way:?}, as the bar comes again");
         }
         let mut viewport = viewport();
-        viewport.resize([800, 560], 1.0, Point::new(0.0, 40.0));
-        viewport.resize([800, 600], 1.0, Point::ZERO);
+        let place_css = viewport.css_from_du() * Point::ZERO;
+        viewport.resize([1400, 900], 2.0, Point::ZERO, true);
+        assert!(close(viewport.css_from_du() * Point::ZERO, place_css, 1.0), "under a pen");
+        viewport.resize([800, 560], 1.0, Point::new(0.0, 40.0), false);
+        viewport.resize([800, 600], 1.0, Point::ZERO, false);
         let zoom = viewport.zoom();
-        viewport.resize([1600, 1200], 1.0, Point::ZERO);
+        viewport.resize([1600, 1200], 1.0, Point::ZERO, false);
         assert!(viewport.zoom() > 1.5 * zoom, "a page that nobody has moved fits a larger window");
     }
 
@@ -377,7 +380,7 @@ mod tests {
     #[test]
     fn at_100_percent_one_du_is_one_css_pixel_on_the_pixel_grid() {
         let mut viewport = viewport();
-        viewport.resize([801, 603], 1.0, Point::ZERO);
+        viewport.resize([801, 603], 1.0, Point::ZERO, false);
         viewport.pan(Vec2::new(0.3, -7.7));
         viewport.zoom_to(1.0);
         let [a, b, c, d, e, f] = viewport.view().px_from_du.as_coeffs();
@@ -450,7 +453,7 @@ mod tests {
     fn what_is_not_aslant_lies_on_the_pixel_grid() {
         for quarters in 0..4 {
             let mut viewport = viewport();
-            viewport.resize([801, 603], 1.0, Point::ZERO);
+            viewport.resize([801, 603], 1.0, Point::ZERO, false);
             viewport.zoom_to(1.0);
             viewport.rotate_at(Point::new(3.3, 7.7), 90.0 * f64::from(quarters));
             viewport.mirror();

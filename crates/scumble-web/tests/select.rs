@@ -654,3 +654,20 @@ fn the_history_names_what_was_done_and_one_goes_to_any_step_of_it() {
     page.session.command(Command::GoTo(usize::MAX));
     assert_eq!(page.session.history().1, 8);
 }
+
+#[test]
+fn a_colour_that_is_picked_while_something_is_dragged_goes_to_it_where_it_is() {
+    let mut page = two();
+    let before = page.session.document().scribbles[0].points[0];
+    page.pen(Phase::Down, (350.0, 300.0));
+    page.pen(Phase::Move, (350.0, 320.0));
+    page.pen(Phase::Move, (350.0, 330.0));
+    page.session.command(Command::Color(GREEN.into()));
+    page.pen(Phase::Move, (600.0, 600.0));
+    page.pen(Phase::Up, (600.0, 600.0));
+    assert_eq!(colors(&page), [GREEN, BLUE]);
+    let way = page.session.document().scribbles[0].points[0] - before;
+    assert!((way - Vec2::new(0.0, 30.0)).hypot() < 0.01, "{way}");
+    assert_eq!(page.session.history().0[2..], [Deed::Moved, Deed::Recolored]);
+    assert_as_if_opened(&mut page);
+}

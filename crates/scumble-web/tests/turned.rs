@@ -201,6 +201,10 @@ fn a_page_neither_turns_nor_leaps_under_a_pen_that_is_down() {
             page.view(leap);
             assert_eq!(page.session.css_from_du() * at, before * at, "{leap:?}");
         }
+        if phase != Phase::Up {
+            page.session.command(Command::Arrow(Vec2::new(1.0, 0.0), true));
+            assert_eq!(page.session.css_from_du() * at, before * at, "an arrow key");
+        }
     }
     let ends = [ACROSS[0], ACROSS[2]].map(Point::from);
     let drawn = points(&page);

@@ -31,13 +31,16 @@ impl Session {
         }
     }
 
-    /// An arrow key: moves what is selected, as it is seen, or the view where nothing is.
+    /// An arrow key: moves what is selected, as it is seen, or the view where nothing is; nothing under a pen that is down.
     pub(super) fn arrow(&mut self, direction: Vec2, is_far: bool) {
         let way = direction * if is_far { FAR } else { 1.0 };
+        if self.is_pen_down() {
+            return;
+        }
         if self.selection.is_empty() {
             self.viewport.pan(-way * STEP_CSS);
             self.stale.view = true;
-        } else if self.held.is_none() {
+        } else {
             self.slide(Deed::Moved);
             let way_du = self.viewport.way_du(way * self.viewport.zoom());
             self.transform_selected(Affine::translate(way_du));

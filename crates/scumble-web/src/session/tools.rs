@@ -13,7 +13,7 @@ impl Session {
     /// What the pen does from here on. What is selected stays so for those who only look around or pick a colour for it.
     pub(super) fn set_tool(&mut self, tool: Tool) {
         if let Some(Held::Grip(_)) = self.held {
-            self.drop_gesture();
+            self.end(&[]);
         }
         if matches!(tool, Tool::Scribble | Tool::Erase) {
             self.select(Selection::default());
