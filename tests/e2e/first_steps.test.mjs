@@ -42,8 +42,9 @@ for (const browser of /** @type {const} */ (["chromium", "firefox"])) {
       await editor.scribble(IN_BODY, GOLDFISH);
       assert.equal(await step(editor), 3);
       const inBody = async () => {
-        const [place] = await editor.place([[210, 190]], GOLDFISH);
-        return place.map(Math.round);
+        await editor.screenshot();
+        const [[[x, y]], box] = [await editor.place([[210, 190]], GOLDFISH), await editor.box()];
+        return [box.x + x, box.y + y].map(Math.round);
       };
       const before = await inBody();
       await editor.until("That is how to colour", async () => editor.drag(await editor.place(IN_WATER, GOLDFISH)));
