@@ -69,7 +69,7 @@ pub struct MeshSolver {
     /// By the first triangle of each.
     regions: Vec<Region>,
     /// Of the largest factor that was of no use any more.
-    memory: Vec<f64>,
+    memory: Vec<f32>,
     field: Field,
     /// How many triangles of the field are those of each region; none are where the regions are others.
     emitted: Vec<usize>,

@@ -5,13 +5,12 @@
 
 use std::mem;
 
-use scumble_core::BlendColor;
 use scumble_core::pace::Pace;
 
 use super::SolveError;
 use super::element::Matrix;
 use super::fronts::{Front, Fronts, NONE};
-use super::substitution;
+use super::substitution::{self, Value};
 
 /// Where a part of the region hangs on the rest by triangles without area alone, the last pivot of that part is zero
 /// but for rounding. Pivots up to this are taken as one, so that the part gets some value within the range.
@@ -26,7 +25,7 @@ const PRODUCTS: usize = 256;
 /// The columns of the pivots, front by front.
 #[derive(Debug)]
 pub(super) struct Factor {
-    entries: Vec<f64>,
+    entries: Vec<f32>,
 }
 
 impl Factor {
@@ -36,7 +35,7 @@ impl Factor {
         fronts: &Fronts,
         rows: &[[u32; 6]],
         element: &dyn Fn(usize) -> Matrix,
-        memory: &mut Vec<f64>,
+        memory: &mut Vec<f32>,
     ) -> Result<Self, SolveError> {
         let count = fronts.entry_count();
         if count > MAX_ENTRIES {
@@ -48,12 +47,12 @@ impl Factor {
         entries.try_reserve_exact(count as usize).map_err(|_| SolveError::TooLarge)?;
         let mut leftovers: Vec<Vec<f64>> = Vec::with_capacity(fronts.list.len());
         let mut places = Places { fronts, of_row: vec![NONE; fronts.row_count()], of_child: Vec::new() };
-        let mut pace = Pace::default();
+        let (mut pivots, mut pace) = (Vec::new(), Pace::default());
         for front in &fronts.list {
-            let start = entries.len();
-            entries.resize(start + front.entry_count(), 0.0);
+            pivots.clear();
+            pivots.resize(front.entry_count(), 0.0);
             let mut left = zeros(front.left_count())?;
-            let mut matrix = Dense::new(front, &mut entries[start..], &mut left);
+            let mut matrix = Dense::new(front, &mut pivots, &mut left);
             places.set(front);
             for &i in fronts.elements(front) {
                 places.add_element(&rows[i as usize], &element(i as usize), &mut matrix);
@@ -67,16 +66,17 @@ impl Factor {
                 pace.work(1 + matrix.eliminate(j)? / PRODUCTS).await;
             }
             leftovers.push(left);
+            entries.extend(pivots.iter().map(|&entry| entry as f32));
         }
         Ok(Self { entries })
     }
 
-    pub(super) fn into_memory(self) -> Vec<f64> {
+    pub(super) fn into_memory(self) -> Vec<f32> {
         self.entries
     }
 
     /// Replaces the right-hand sides by the solutions.
-    pub(super) async fn solve(&self, fronts: &Fronts, values: &mut [BlendColor]) {
+    pub(super) async fn solve(&self, fronts: &Fronts, values: &mut [Value]) {
         substitution::solve(&self.entries, fronts, values).await;
     }
 }
@@ -240,23 +240,23 @@ mod tests {
     #[test]
     fn solutions_solve_the_sum_of_the_elements_whatever_the_groups() {
         let (rows, matrices) = elements();
-        let right: Vec<BlendColor> = (0..SIZE).map(|i| [1.0, -2.0, 0.0, f64::from(i)]).collect();
+        let right: Vec<Value> = (0..SIZE).map(|i| [1.0, -2.0, 0.0, i as f32]).collect();
         for step in [1, 4, 13, SIZE] {
             let ends: Vec<_> = (1..SIZE).filter(|end| end.is_multiple_of(step)).chain([SIZE]).collect();
             let fronts = now(Slices::new(Fronts::new(&rows, &ends)));
             let mut values = right.clone();
             let factor = factor(&fronts, &rows, &|i| matrices[i]).expect("a factor");
             now(Slices::new(factor.solve(&fronts, &mut values)));
-            let mut left = vec![[0.0; 4]; SIZE as usize];
+            let mut left = vec![[0.0_f64; 4]; SIZE as usize];
             for (rows, matrix) in rows.iter().zip(&matrices) {
                 let pairs = (0..6).flat_map(|i| (0..6).map(move |j| (i, j)));
                 for (i, j) in pairs.filter(|&(i, j)| rows[i] != NONE && rows[j] != NONE) {
                     let value = values[rows[j] as usize];
-                    (0..4).for_each(|c| left[rows[i] as usize][c] += matrix[entry(i, j)] * value[c]);
+                    (0..4).for_each(|c| left[rows[i] as usize][c] += matrix[entry(i, j)] * f64::from(value[c]));
                 }
             }
             for (left, right) in left.as_flattened().iter().zip(right.as_flattened()) {
-                assert!((left - right).abs() < 1e-9, "{left} {right} in groups of {step}");
+                assert!((left - f64::from(*right)).abs() < 1e-3, "{left} {right} in groups of {step}");
             }
         }
     }

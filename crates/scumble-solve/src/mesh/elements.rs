@@ -44,7 +44,7 @@ impl Elements {
     pub(super) async fn factor(
         &mut self,
         mesh: &Triangulation,
-        memory: &mut Vec<f64>,
+        memory: &mut Vec<f32>,
     ) -> Result<(), SolveError> {
         let Some(Analysis { powers, system, .. }) = &mut self.analysis else { return Ok(()) };
         system.factor(&matrices(mesh, &self.dofs, powers), memory).await

@@ -82,7 +82,7 @@ impl Layer {
     }
 
     /// Finds how much the strokes cover that are new, in some memory for a factor.
-    pub(super) async fn factor(&mut self, memory: &mut Vec<f64>) -> Result<(), SolveError> {
+    pub(super) async fn factor(&mut self, memory: &mut Vec<f32>) -> Result<(), SolveError> {
         for stroke in &mut self.strokes {
             stroke.solve(memory).await?;
         }

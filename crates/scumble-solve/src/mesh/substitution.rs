@@ -5,11 +5,13 @@
 
 use std::array;
 
-use scumble_core::BlendColor;
 use scumble_core::pace::Pace;
 
 use super::cholesky::start;
 use super::fronts::{Front, Fronts};
+
+/// The four channels of one unknown.
+pub(super) type Value = [f32; 4];
 
 /// So many columns go together; what is left over goes one by one.
 const BLOCK: usize = 4;
@@ -18,7 +20,7 @@ const BLOCK: usize = 4;
 const ENTRIES: usize = 64;
 
 /// Replaces right-hand sides by the solutions; the entries are those of the columns of all fronts.
-pub(super) async fn solve(entries: &[f64], fronts: &Fronts, values: &mut [BlendColor]) {
+pub(super) async fn solve(entries: &[f32], fronts: &Fronts, values: &mut [Value]) {
     let mut local = Vec::new();
     let (mut end, mut pace) = (0, Pace::default());
     for front in &fronts.list {
@@ -39,11 +41,11 @@ pub(super) async fn solve(entries: &[f64], fronts: &Fronts, values: &mut [BlendC
 struct Columns<'a> {
     size: usize,
     pivot_count: usize,
-    entries: &'a [f64],
+    entries: &'a [f32],
 }
 
 impl<'a> Columns<'a> {
-    fn of(front: &Front, entries: &'a [f64]) -> Self {
+    fn of(front: &Front, entries: &'a [f32]) -> Self {
         Self { size: front.size(), pivot_count: front.pivots.len(), entries }
     }
 
@@ -52,8 +54,8 @@ impl<'a> Columns<'a> {
         self,
         front: &Front,
         boundary: &[u32],
-        values: &mut [BlendColor],
-        local: &mut Vec<BlendColor>,
+        values: &mut [Value],
+        local: &mut Vec<Value>,
     ) {
         let pivots = front.pivots.start as usize..front.pivots.end as usize;
         // Of regions that are coloured at their sides alone, that is half of the factor.
@@ -77,8 +79,8 @@ impl<'a> Columns<'a> {
         self,
         front: &Front,
         boundary: &[u32],
-        values: &mut [BlendColor],
-        local: &mut Vec<BlendColor>,
+        values: &mut [Value],
+        local: &mut Vec<Value>,
     ) {
         let pivots = front.pivots.start as usize..front.pivots.end as usize;
         local.clear();
@@ -98,10 +100,10 @@ impl<'a> Columns<'a> {
 }
 
 /// Successive columns, each from its diagonal on. The values are those of the rows of the first.
-struct Block<'a, const N: usize>([&'a [f64]; N]);
+struct Block<'a, const N: usize>([&'a [f32]; N]);
 
 impl<const N: usize> Block<'_, N> {
-    fn forwards(&self, values: &mut [BlendColor]) {
+    fn forwards(&self, values: &mut [Value]) {
         let Some((own, below)) = values.split_first_chunk_mut::<N>() else { return };
         let mut solved = *own;
         for (k, column) in self.0.iter().enumerate() {
@@ -117,7 +119,7 @@ impl<const N: usize> Block<'_, N> {
         }
     }
 
-    fn backwards(&self, values: &mut [BlendColor]) {
+    fn backwards(&self, values: &mut [Value]) {
         let Some((own, below)) = values.split_first_chunk_mut::<N>() else { return };
         let mut sums = *own;
         let columns = self.below(below.len());
@@ -132,11 +134,11 @@ impl<const N: usize> Block<'_, N> {
     }
 
     /// The columns below the block.
-    fn below(&self, count: usize) -> [&[f64]; N] {
+    fn below(&self, count: usize) -> [&[f32]; N] {
         array::from_fn(|k| &self.0[k][N - k..][..count])
     }
 }
 
-fn minus(sum: BlendColor, factor: f64, value: BlendColor) -> BlendColor {
+fn minus(sum: Value, factor: f32, value: Value) -> Value {
     [0, 1, 2, 3].map(|i| sum[i] - factor * value[i])
 }

@@ -10,6 +10,7 @@ use super::cholesky::Factor;
 use super::dofs::Unknowns;
 use super::element::{self, Matrix};
 use super::fronts::{Fronts, NONE};
+use super::substitution::Value;
 
 /// A system, analysed; and factored once its factor is asked for.
 #[derive(Debug)]
@@ -44,7 +45,7 @@ impl System {
     }
 
     /// The memory of its factor.
-    pub(super) fn into_memory(self) -> Option<Vec<f64>> {
+    pub(super) fn into_memory(self) -> Option<Vec<f32>> {
         self.factor.map(Factor::into_memory)
     }
 
@@ -57,7 +58,7 @@ impl System {
     pub(super) async fn factor(
         &mut self,
         matrix: &dyn Fn(usize) -> Matrix,
-        memory: &mut Vec<f64>,
+        memory: &mut Vec<f32>,
     ) -> Result<(), SolveError> {
         if self.factor.is_none() {
             self.factor = Some(Factor::new(&self.fronts, &self.rows, matrix, memory).await?);
@@ -100,8 +101,9 @@ impl System {
     }
 
     /// The values of all unknowns from [`System::right_hand_sides`]; `None` before the system is factored.
-    pub(super) async fn solve(&self, mut values: Vec<BlendColor>) -> Option<Vec<BlendColor>> {
+    pub(super) async fn solve(&self, sums: &[BlendColor]) -> Option<Vec<Value>> {
         let factor = self.factor.as_ref()?;
+        let mut values: Vec<Value> = sums.iter().map(|sum| sum.map(|c| c as f32)).collect();
         factor.solve(&self.fronts, &mut values[..self.fronts.row_count()]).await;
         Some(values)
     }
