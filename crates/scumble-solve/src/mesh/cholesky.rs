@@ -2,6 +2,9 @@
 //!
 //! Columns of fronts are packed: each begins at the diagonal, of which it has the inverse, and ends with the front. No
 //! sum runs along a column, so vector instructions do not change the order of any.
+//!
+//! What is kept is of single precision: less to read at each solution, and a vector for the four channels of an unknown.
+//! Along a corridor with 32 bends that is off by 0.003 of 255 levels.
 
 use std::mem;
 
@@ -16,7 +19,7 @@ use super::substitution::{self, Value};
 /// but for rounding. Pivots up to this are taken as one, so that the part gets some value within the range.
 const LEAST_PIVOT: f64 = 1e-12;
 
-/// Largest number of entries of a factor: 16 GB.
+/// Largest number of entries of a factor: 8 GB.
 const MAX_ENTRIES: u64 = i32::MAX as u64;
 
 /// So many products take as long as a column takes besides.
@@ -252,7 +255,8 @@ mod tests {
                 let pairs = (0..6).flat_map(|i| (0..6).map(move |j| (i, j)));
                 for (i, j) in pairs.filter(|&(i, j)| rows[i] != NONE && rows[j] != NONE) {
                     let value = values[rows[j] as usize];
-                    (0..4).for_each(|c| left[rows[i] as usize][c] += matrix[entry(i, j)] * f64::from(value[c]));
+                    (0..4)
+                        .for_each(|c| left[rows[i] as usize][c] += matrix[entry(i, j)] * f64::from(value[c]));
                 }
             }
             for (left, right) in left.as_flattened().iter().zip(right.as_flattened()) {

@@ -136,7 +136,7 @@ impl Region {
             let range = range(self.given.iter().flatten().flatten().copied());
             let sums = system.right_hand_sides(self.conditions(), iter::empty());
             pace::pause_after(sums.len()).await;
-            let values = system.solve(&sums).await.unwrap_or_default();
+            let values = system.solve(sums).await.unwrap_or_default();
             let value = |&place: &u32| clamped(values[place as usize].map(f64::from), range);
             self.values =
                 if values.is_empty() { Vec::new() } else { system.places().iter().map(value).collect() };

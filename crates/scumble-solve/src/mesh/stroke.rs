@@ -170,10 +170,12 @@ impl Problem {
     async fn solve(self, memory: &mut Vec<f32>) -> Vec<f64> {
         let loads = self.loads.iter().map(|&(dofs, values)| (dofs, values, [1.0, 0.0, 0.0, 0.0]));
         let sums = self.system.right_hand_sides(iter::empty(), loads);
-        let values = self.system.solve(&sums).await.unwrap_or_default();
+        let values = self.system.solve(sums).await.unwrap_or_default();
         let places = self.system.places();
         let cover = |&place: &u32| {
-            values.get(places[place as usize] as usize).map_or(0.0, |value| f64::from(value[0].clamp(0.0, 1.0)))
+            values
+                .get(places[place as usize] as usize)
+                .map_or(0.0, |value| f64::from(value[0].clamp(0.0, 1.0)))
         };
         let covers = self.places.iter().map(cover).collect();
         *memory = self.system.into_memory().unwrap_or_default();

@@ -50,13 +50,7 @@ impl<'a> Columns<'a> {
     }
 
     /// Solves for the pivots from the first on, and takes what they add to the boundary from there.
-    fn forwards(
-        self,
-        front: &Front,
-        boundary: &[u32],
-        values: &mut [Value],
-        local: &mut Vec<Value>,
-    ) {
+    fn forwards(self, front: &Front, boundary: &[u32], values: &mut [Value], local: &mut Vec<Value>) {
         let pivots = front.pivots.start as usize..front.pivots.end as usize;
         // Of regions that are coloured at their sides alone, that is half of the factor.
         if values[pivots.clone()].as_flattened().iter().all(|&value| value == 0.0) {
@@ -75,13 +69,7 @@ impl<'a> Columns<'a> {
     }
 
     /// Solves for the pivots from the last on; the values on the boundary are known.
-    fn backwards(
-        self,
-        front: &Front,
-        boundary: &[u32],
-        values: &mut [Value],
-        local: &mut Vec<Value>,
-    ) {
+    fn backwards(self, front: &Front, boundary: &[u32], values: &mut [Value], local: &mut Vec<Value>) {
         let pivots = front.pivots.start as usize..front.pivots.end as usize;
         local.clear();
         local.extend_from_slice(&values[pivots.clone()]);

@@ -78,12 +78,13 @@ impl System {
         &self,
         fixed: impl Iterator<Item = ([u32; 3], &'a [BlendColor; 3])>,
         loads: impl Iterator<Item = ([u32; 6], [f64; 6], BlendColor)>,
-    ) -> Vec<BlendColor> {
+    ) -> Vec<Value> {
         let mut values = vec![[0.0; 4]; self.place_of.len()];
         let (sums, fixed_values) = values.split_at_mut(self.fronts.row_count());
         let mut is_known = vec![false; fixed_values.len()];
         for (dofs, colors) in fixed {
-            for (dof, &value) in dofs.into_iter().zip(colors) {
+            for (dof, color) in dofs.into_iter().zip(colors) {
+                let value = color.map(|c| c as f32);
                 let i = self.place_of[dof as usize] as usize - sums.len();
                 fixed_values[i] = if is_known[i] { mean(fixed_values[i], value) } else { value };
                 is_known[i] = true;
@@ -93,7 +94,7 @@ impl System {
         for (dofs, parts, color) in loads {
             for (dof, part) in dofs.into_iter().zip(parts) {
                 if let Some(sum) = sums.get_mut(self.place_of[dof as usize] as usize) {
-                    add(sum, part, color);
+                    add(sum, part as f32, color.map(|c| c as f32));
                 }
             }
         }
@@ -101,20 +102,19 @@ impl System {
     }
 
     /// The values of all unknowns from [`System::right_hand_sides`]; `None` before the system is factored.
-    pub(super) async fn solve(&self, sums: &[BlendColor]) -> Option<Vec<Value>> {
+    pub(super) async fn solve(&self, mut values: Vec<Value>) -> Option<Vec<Value>> {
         let factor = self.factor.as_ref()?;
-        let mut values: Vec<Value> = sums.iter().map(|sum| sum.map(|c| c as f32)).collect();
         factor.solve(&self.fronts, &mut values[..self.fronts.row_count()]).await;
         Some(values)
     }
 }
 
-fn mean(a: BlendColor, b: BlendColor) -> BlendColor {
+fn mean(a: Value, b: Value) -> Value {
     [0, 1, 2, 3].map(|i| 0.5 * (a[i] + b[i]))
 }
 
-fn add(sum: &mut BlendColor, factor: f64, color: BlendColor) {
-    sum.iter_mut().zip(color).for_each(|(sum, value)| *sum += factor * value);
+fn add(sum: &mut Value, factor: f32, value: Value) {
+    sum.iter_mut().zip(value).for_each(|(sum, value)| *sum += factor * value);
 }
 
 /// The place of each unknown, and how many of them are free.
@@ -149,12 +149,12 @@ struct Couplings {
     /// Where those of each row begin, and where the last ones end.
     starts: Vec<u32>,
     /// Which of the fixed unknowns, and the entry.
-    list: Vec<(u32, f64)>,
+    list: Vec<(u32, f32)>,
 }
 
 impl Couplings {
     /// Sorts rows, places of fixed unknowns and entries by their rows.
-    async fn new(unsorted: &[(u32, u32, f64)], row_count: u32) -> Self {
+    async fn new(unsorted: &[(u32, u32, f32)], row_count: u32) -> Self {
         let mut starts = vec![0; row_count as usize + 1];
         unsorted.iter().for_each(|&(row, ..)| starts[row as usize + 1] += 1);
         for row in 0..row_count as usize {
@@ -170,7 +170,7 @@ impl Couplings {
         Self { starts, list }
     }
 
-    fn subtract(&self, fixed_values: &[BlendColor], sums: &mut [BlendColor]) {
+    fn subtract(&self, fixed_values: &[Value], sums: &mut [Value]) {
         for (sum, ends) in sums.iter_mut().zip(self.starts.windows(2)) {
             for &(fixed, entry) in &self.list[ends[0] as usize..ends[1] as usize] {
                 add(sum, -entry, fixed_values[fixed as usize]);
@@ -180,10 +180,10 @@ impl Couplings {
 }
 
 /// Collects the entries between free and fixed unknowns of an element.
-fn couple(places: &[u32; 6], rows: &[u32; 6], matrix: &Matrix, couplings: &mut Vec<(u32, u32, f64)>) {
+fn couple(places: &[u32; 6], rows: &[u32; 6], matrix: &Matrix, couplings: &mut Vec<(u32, u32, f32)>) {
     for i in (0..6).filter(|&i| rows[i] != NONE) {
         for j in (0..6).filter(|&j| rows[j] == NONE) {
-            couplings.push((rows[i], places[j], matrix[element::entry(i, j)]));
+            couplings.push((rows[i], places[j], matrix[element::entry(i, j)] as f32));
         }
     }
 }

@@ -9,9 +9,10 @@ mod grid;
 mod problem;
 
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
+use std::iter;
 
 use kurbo::{Arc, BezPath, Circle, Line, Point, Rect, Shape, Vec2};
-use problem::{Problem, at};
+use problem::{Problem, at, value_at};
 
 const CENTRE: Point = Point::new(512.0, 512.0);
 
@@ -85,7 +86,7 @@ fn parallel_lines(check: impl Fn(&Problem<'_>)) {
 
 #[test]
 fn between_two_parallel_lines_is_linear() {
-    parallel_lines(|problem| assert_level(problem.largest_error(DEFAULT_DU), 1e-4));
+    parallel_lines(|problem| assert_level(problem.largest_error(DEFAULT_DU), 1e-3));
 }
 
 /// Circles around (0, 0) and (d, 0). A Möbius map that takes the two points that are inverse to each other in
@@ -226,6 +227,34 @@ fn half_plane_with_a_barrier(check: impl Fn(&Problem<'_>, Point)) {
 #[test]
 fn half_plane_with_a_barrier_is_a_root() {
     half_plane_with_a_barrier(|problem, tip| assert_levels_at_tip(problem, tip, 0.5, 0.03));
+}
+
+/// A corridor to and fro across the page, with colours at its ends alone: nowhere else does rounding add up as much.
+#[test]
+fn along_a_corridor_of_thirty_two_bends_values_rise_evenly() {
+    let width_du = 1024.0 / 33.0;
+    let wall = |k: usize| {
+        let (y, start) = (k as f64 * width_du, if k.is_multiple_of(2) { width_du } else { 0.0 });
+        line((start, y), (start + 1024.0 - width_du, y))
+    };
+    let problem = Problem {
+        curves: iter::once(Rect::new(0.0, 0.0, 1024.0, 1024.0).to_path(1e-6))
+            .chain((1..33).map(wall))
+            .collect(),
+        side: &|curve, at, _| match curve {
+            0 if at.x == 0.0 && at.y < width_du => Some(0.0),
+            0 if at.x == 1024.0 && at.y > 1024.0 - width_du => Some(1.0),
+            _ => None,
+        },
+        exact: &|_, _| f64::NAN,
+    };
+    let field = problem.solve(DEFAULT_DU);
+    let middle = |k: usize| value_at(&field, Point::new(512.0, (k as f64 + 0.5) * width_du));
+    let step = (middle(31) - middle(1)) / 30.0;
+    for k in 1..32 {
+        let error = middle(k) - (0.5 + (k as f64 - 16.0) * step);
+        assert_level(255.0 * error.abs(), 0.02);
+    }
 }
 
 /// The colours of a diagonal's sides at a place: its lower left and its upper right one.

@@ -124,6 +124,20 @@ pub(crate) fn at(triangle: &FieldTriangle, weight: [f64; 3]) -> Point {
     (weight[0] * corners[0] + weight[1] * corners[1] + weight[2] * corners[2]).to_point()
 }
 
+/// The value at a place that a triangle of the field has within it or on its edges.
+pub(crate) fn value_at(field: &Field, p: Point) -> f64 {
+    let weights = |triangle: &FieldTriangle| {
+        let [a, b, c] =
+            [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]].map(|corner| at(triangle, corner));
+        let whole = (b - a).cross(c - a);
+        [(c - b).cross(p - b), (a - c).cross(p - c), (b - a).cross(p - a)].map(|part| part / whole)
+    };
+    let mut holders = field.triangles.iter().map(|triangle| (triangle, weights(triangle)));
+    let (triangle, weights) =
+        holders.find(|(_, weights)| weights.iter().all(|w| *w >= 0.0)).expect("a place in it");
+    value(triangle, weights)
+}
+
 fn value(triangle: &FieldTriangle, [a, b, c]: [f64; 3]) -> f64 {
     let shape = [
         a * (2.0 * a - 1.0),
