@@ -14,7 +14,7 @@ use super::fronts::{Front, Fronts};
 pub(super) type Value = [f32; 4];
 
 /// So many columns go together; what is left over goes one by one.
-const BLOCK: usize = 4;
+const BLOCK: usize = 8;
 
 /// So many entries take as long as a front takes besides.
 const ENTRIES: usize = 64;
