@@ -34,6 +34,9 @@ const WASM_OPT: [&str; 13] = [
     "--enable-simd",
 ];
 
+/// Vectors of four, which every browser with WebGPU has; a browser with WebGL 2 alone may be older than they are.
+const VECTORS: &str = "target.wasm32-unknown-unknown.rustflags=['-C', 'target-feature=+simd128']";
+
 /// What `wasm-opt` calls the only module that a build imports from.
 const SHORT_MODULE: &str = "a";
 
@@ -72,6 +75,9 @@ fn compile(name: &str) -> Result<PathBuf> {
     build.args(["build", "--profile", "web", "-p", crate_of(name), "--target", tools::WASM_TARGET]);
     if name != FILES {
         build.args(["--no-default-features", "--features", name]);
+    }
+    if name == "webgpu" {
+        build.args(["--config", VECTORS]);
     }
     run(build.arg("--target-dir").arg(&target))?;
     let file = format!("{}.wasm", crate_of(name).replace('-', "_"));
