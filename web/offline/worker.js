@@ -8,11 +8,8 @@ const worker = /** @type {ServiceWorkerGlobalScope} */ (/** @type {unknown} */ (
 const { scope } = worker.registration;
 const FOLDER = `${scope}${VERSION}/`;
 
-/** The script that pages of any version begin with. */
-const MAIN = /^v-[\da-f]+\/web\/main\.js$/;
-
 worker.addEventListener("install", (event) => event.waitUntil(install()));
-worker.addEventListener("activate", (event) => event.waitUntil(begin()));
+worker.addEventListener("activate", (event) => event.waitUntil(worker.clients.claim()));
 worker.addEventListener("message", ({ data }) => void (data === "take over" && worker.skipWaiting()));
 worker.addEventListener("fetch", (event) => {
   const { request } = event;
@@ -41,12 +38,10 @@ async function keep(cache, path, integrity) {
   await cache.put(url, response);
 }
 
-async function begin() {
-  await tidy();
-  await worker.clients.claim();
-}
-
-/** Drops the versions that no page has open; each page holds a lock that is named as its folder. */
+/**
+ * Drops the versions that no page has open; each page holds a lock that is named as its folder. Only once this worker has
+ * been asked for a page: one that the worker before it was asked for may be on its way, and holds none yet.
+ */
 async function tidy() {
   if (worker.registration.installing || worker.registration.waiting) return;
   const { held = [] } = await navigator.locks.query();
@@ -66,20 +61,5 @@ async function answer(request) {
   const url = scope + (path === "index.html" ? "" : path);
   const options = { ignoreVary: true };
   const own = await (await caches.open(FOLDER)).match(url, options);
-  return own ?? (await caches.match(url, options)) ?? (MAIN.test(path) ? begun(request) : fetch(request));
-}
-
-/** Asks for the page anew, but where that has been done already: a host that keeps failing would be asked for ever. */
-const ASK_ANEW = `
-  if (performance.getEntriesByType("navigation")[0].type !== "reload") location.reload();
-  else document.body.textContent = "Scumble could not be loaded; check the connection and load the page again. – Scumble ließ sich nicht laden; prüfe die Verbindung, und lade die Seite noch einmal.";
-`;
-
-/**
- * The script that a page begins with. Where its version has gone since the page was asked for, the page is asked for anew.
- * @param {Request} request
- */
-async function begun(request) {
-  const response = await fetch(request).catch(() => Response.error());
-  return response.ok ? response : new Response(ASK_ANEW, { headers: { "content-type": "text/javascript; charset=utf-8" } });
+  return own ?? (await caches.match(url, options)) ?? fetch(request);
 }
