@@ -3,13 +3,14 @@
 //! The sampling is that of section 4.1 of Bao & Fu 2019; what the paper then does to tell a scribble's own
 //! boundary from what it sees through gaps is left to other engines.
 
+use std::mem;
+
 use kurbo::Point;
 
 use crate::engine::{Engine, Labels};
 use crate::pace::Slices;
 use crate::planar_map::PlanarMap;
 use crate::scribble::Scribble;
-use crate::sort;
 use crate::stroke::Stroke;
 use crate::triangulation::SideId;
 use crate::visibility::visibility_polygon;
@@ -45,7 +46,7 @@ impl Sight {
 #[derive(Clone, Debug, Default)]
 struct Reach {
     stroke: Stroke,
-    /// Sorted, without repeats.
+    /// Without repeats.
     sides: Vec<SideId>,
 }
 
@@ -55,19 +56,28 @@ impl Reach {
         if !self.stroke.begins(points) {
             *self = Self::default();
         }
+        if self.stroke.points().len() == points.len() {
+            return;
+        }
+        let mut is_new = vec![true; map.side_count()];
+        self.sides.iter().for_each(|side| is_new[side.index()] = false);
         let sides = &mut self.sides;
-        self.stroke.follow(map, points, |eye, triangle| see(map, eye, triangle, sides));
-        sort::sort_copies_by_key(sides, |side| side.0.into());
-        sides.dedup();
+        self.stroke.follow(map, points, |eye, triangle| {
+            see(map, eye, triangle, |side| {
+                if mem::take(&mut is_new[side.index()]) {
+                    sides.push(side);
+                }
+            });
+        });
     }
 }
 
-/// Adds the sides whose middle is seen from a point in a triangle.
-fn see(map: &PlanarMap, eye: Point, triangle: usize, sides: &mut Vec<SideId>) {
+/// Calls `claim` with the sides whose middle is seen from a point in a triangle.
+fn see(map: &PlanarMap, eye: Point, triangle: usize, mut claim: impl FnMut(SideId)) {
     let mesh = map.triangulation();
     visibility_polygon(mesh, eye, triangle, |seen| {
         if seen.interval[0] <= 0.5 && 0.5 <= seen.interval[1] {
-            sides.extend(mesh.side(seen.half_edge));
+            mesh.side(seen.half_edge).into_iter().for_each(&mut claim);
         }
     });
 }
