@@ -44,7 +44,7 @@ mod texture;
 mod unreached;
 mod wall;
 
-pub use constraints::{Constraints, Pull};
+pub use constraints::{Constraints, Pull, Source};
 pub use covers::Covers;
 pub use curve_cells::CurveCells;
 pub use cut_links::{Cut, Face, LEAST_FRACTION, Link};

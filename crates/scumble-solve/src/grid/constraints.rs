@@ -1,6 +1,8 @@
 //! All that the grid solver knows of a drawing and its colours.
 
-use scumble_core::{Boundary, PlanarMap};
+use std::ops::Range;
+
+use scumble_core::{Boundary, PlanarMap, sort};
 
 use super::corners;
 use super::covers::Covers;
@@ -22,6 +24,15 @@ pub struct Pull {
     pub color: [f32; 4],
 }
 
+/// What the equation of a pixel has on its right side besides the colours that hold it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Source {
+    /// The pixel: row times width plus column.
+    pub pixel: u32,
+    /// Blend-space colour, times its opacity, and the opacity; some may be below zero.
+    pub color: [f32; 4],
+}
+
 /// What curves, gaps and shading scribbles make of the pixels of a picture.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Constraints {
@@ -31,10 +42,13 @@ pub struct Constraints {
     pub height_px: u32,
     /// By pixel and link, in ascending order, at most one for each link of a pixel.
     pub cuts: Vec<Cut>,
-    /// The links whose faces walls make narrower or wider, by pixel; some of them are cut.
+    /// The links whose faces walls make narrower or wider: those to the east by pixel, then those to the south; some of
+    /// them are cut.
     pub faces: Vec<Face>,
-    /// What draws pixels towards colours without a curve between, in no order; some pixels are named more than once.
+    /// What draws pixels towards colours without a curve between, by pixel; some pixels are named more than once.
     pub pulls: Vec<Pull>,
+    /// What fitting to corners adds, in no order; some pixels are named more than once.
+    pub sources: Vec<Source>,
     /// What shading scribbles lay over the picture; none where nothing shades.
     pub covers: Option<Covers>,
 }
@@ -48,9 +62,11 @@ impl Constraints {
         let (cuts, faces) = cut_links::cut_links(map, boundary, view);
         let (width_px, height_px) = (view.width_px, view.height_px);
         let covers = Covers::new(map, boundary, view)?;
-        let mut all = Self { width_px, height_px, cuts, faces, pulls: Vec::new(), covers };
+        let (pulls, sources) = (Vec::new(), Vec::new());
+        let mut all = Self { width_px, height_px, cuts, faces, pulls, sources, covers };
         let regions = PixelRegions::new(map.triangulation(), boundary, view);
-        all.pulls = unreached::pulls(&regions, &all);
+        let pulls = unreached::pulls(&regions, &all);
+        all.add_pulls(pulls);
         Ok(all)
     }
 
@@ -59,6 +75,48 @@ impl Constraints {
     pub fn fitted(mut self, map: &PlanarMap, boundary: &Boundary, view: &View) -> Self {
         corners::fit(&mut self, map, boundary, view);
         self
+    }
+
+    /// The number of a pixel of the picture.
+    pub(super) fn pixel(&self, [x, y]: [i64; 2]) -> u32 {
+        (y * i64::from(self.width_px) + x) as u32
+    }
+
+    /// The numbers of the cuts of neighbouring pixels.
+    pub(super) fn cuts_of(&self, pixels: &Range<u32>) -> Range<usize> {
+        let first = |pixel: u32| self.cuts.partition_point(|cut| cut.pixel < pixel);
+        first(pixels.start)..first(pixels.end)
+    }
+
+    /// The faces of the links of neighbouring pixels, to the east or to the south.
+    pub(super) fn faces_of(&self, link: Link, pixels: &Range<u32>) -> &[Face] {
+        let key = |face: &Face| (face.link == Link::South, face.pixel);
+        let first = |pixel| self.faces.partition_point(|face| key(face) < (link == Link::South, pixel));
+        &self.faces[first(pixels.start)..first(pixels.end)]
+    }
+
+    /// What draws a pixel.
+    pub(super) fn pulls_of(&self, pixel: u32) -> &[Pull] {
+        let first = |pixel: u32| self.pulls.partition_point(|pull| pull.pixel < pixel);
+        &self.pulls[first(pixel)..first(pixel + 1)]
+    }
+
+    /// Adds what draws pixels.
+    pub(super) fn add_pulls(&mut self, pulls: impl IntoIterator<Item = Pull>) {
+        self.pulls.extend(pulls);
+        sort::sort_copies_by_key(&mut self.pulls, |pull| pull.pixel.into());
+    }
+
+    /// Makes faces so many times wider.
+    pub(super) fn add_faces(&mut self, faces: Vec<Face>) {
+        self.faces.extend(faces);
+        let key = |face: &Face| u64::from(face.link == Link::South) << 32 | u64::from(face.pixel);
+        sort::sort_copies_by_key(&mut self.faces, key);
+        self.faces.dedup_by(|face, first| {
+            let is_same = key(face) == key(first);
+            first.width *= if is_same { face.width } else { 1.0 };
+            is_same
+        });
     }
 
     /// Whether a link leads to another pixel of the picture.

@@ -15,7 +15,7 @@ pub struct Equation {
     pub south: f32,
     /// How strongly the pixel is held to given colours.
     pub hold: f32,
-    /// These colours, each times how strongly it holds.
+    /// These colours, each times how strongly it holds, and what is added.
     pub right: Texel,
 }
 
@@ -25,7 +25,11 @@ impl Equation {
 
     fn hold_to(&mut self, color: Texel, strength: f32) {
         self.hold += strength;
-        self.right = plus(self.right, times(color, strength));
+        self.add(times(color, strength));
+    }
+
+    fn add(&mut self, color: Texel) {
+        self.right = plus(self.right, color);
     }
 }
 
@@ -34,6 +38,7 @@ impl Constraints {
     pub fn equations(&self) -> Vec<Equation> {
         let named = self.cuts.iter().map(|cut| cut.pixel).chain(self.faces.iter().map(|face| face.pixel));
         let named = named.chain(self.pulls.iter().map(|pull| pull.pixel));
+        let named = named.chain(self.sources.iter().map(|source| source.pixel));
         let named = named.chain(self.last_column()).chain(self.last_row());
         let mut list = List::new(named, self.width_px as usize * self.height_px as usize);
         self.last_column().for_each(|pixel| list.at(pixel).east = 0.0);
@@ -41,6 +46,7 @@ impl Constraints {
         self.faces.iter().for_each(|face| *list.link(face.pixel, face.link) *= face.width);
         self.cuts.iter().for_each(|cut| list.cut(cut));
         self.pulls.iter().for_each(|pull| list.at(pull.pixel).hold_to(pull.color, pull.strength));
+        self.sources.iter().for_each(|source| list.at(source.pixel).add(source.color));
         list.equations
     }
 

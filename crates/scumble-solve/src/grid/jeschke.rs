@@ -25,7 +25,7 @@ pub struct JeschkeSolver {
 impl JeschkeSolver {
     /// With the nearest given colour at each pixel.
     pub fn new(constraints: &Constraints) -> Self {
-        let constraints = &Constraints { pulls: Vec::new(), ..constraints.clone() };
+        let constraints = &Constraints { pulls: Vec::new(), sources: Vec::new(), ..constraints.clone() };
         let (level, right) = Level::finest(constraints);
         let nearest = nearest_of(constraints, |cut| cut.color.is_some() || constraints.leads_within(cut));
         let nearest_given = nearest_of(constraints, |cut| cut.color.is_some());

@@ -91,19 +91,58 @@ fn half_coloured_sector(apex: Point, angle: f64, tilt: f64, check: impl Fn(&Prob
     check(&Problem { curves, side: &side, exact: &exact });
 }
 
-/// Wherever the corner lies among the pixels. Beside a wall without colour that is aslant, single pixels are off; but what happens at
-/// the corner is nowhere else seen. Without the fit the mean is 2 levels at tips.
+/// How a corner is turned, and its places among the pixels, which are 4 du wide: also next to the centre of one.
+fn turned_and_moved() -> impl Iterator<Item = (f64, Vec2)> {
+    let places_du = [(0.7, 1.2), (2.3, 3.1), (2.05, 2.03), (2.1, 4.05)].map(Vec2::from);
+    [0.0, 0.83, 2.5].into_iter().flat_map(move |tilt| places_du.map(|place_du| (tilt, place_du)))
+}
+
+/// Checks the largest error, which single pixels at the corner have, and the mean.
+#[track_caller]
+fn assert_corner(problem: &Problem<'_>, largest: f64, mean: f64) {
+    let errors = problem.grid_errors(SIZE_PX, |_| true);
+    assert_level(errors.iter().copied().fold(0.0, f64::max), largest);
+    assert_level(errors.iter().sum::<f64>() / errors.len() as f64, mean);
+}
+
+/// Wherever the corner lies among the pixels. Without the fit the mean is 2 levels at tips.
 #[test]
 fn corners_with_one_coloured_side_on_pixels() {
-    for (angle, mean) in [(TAU, 0.2), (1.5 * PI, 0.2), (PI, 0.07), (0.75 * PI, 0.07)] {
-        for tilt in [0.0, 2.5] {
-            for offset in [Vec2::new(0.7, 1.2), Vec2::new(2.3, 3.1)] {
-                half_coloured_sector(CENTRE + offset, angle, tilt, |problem| {
-                    let errors = problem.grid_errors(SIZE_PX, |_| true);
-                    assert_level(errors.iter().copied().fold(0.0, f64::max), 16.0);
-                    assert_level(errors.iter().sum::<f64>() / errors.len() as f64, mean);
-                });
-            }
+    for (angle, mean) in [(TAU, 0.2), (1.5 * PI, 0.1), (PI, 0.2), (0.75 * PI, 0.07)] {
+        for (tilt, offset) in turned_and_moved() {
+            half_coloured_sector(CENTRE + offset, angle, tilt, |problem| assert_corner(problem, 6.0, mean));
+        }
+    }
+}
+
+/// A part of a disk between two lines from a place, of two colours: between them what is there goes evenly with the angle.
+fn two_coloured_sector(apex: Point, angle: f64, tilt: f64, check: impl Fn(&Problem<'_>)) {
+    let radius = 400.0;
+    let turned = |p: Point| ((p - apex).atan2() - tilt).rem_euclid(TAU);
+    let exact = |p: Point, beside: Point| {
+        let near = turned(beside) + (turned(p) - turned(beside) + PI).rem_euclid(TAU) - PI;
+        near.clamp(0.0, angle) / angle
+    };
+    let side = |curve: usize, p: Point, beside: Point| {
+        // The circle is a polygon: a line may end a little beyond it.
+        let most = if curve == 0 { radius } else { radius - 1.0 };
+        let is_within = beside.distance(apex) < most && turned(beside) < angle;
+        // A line begins at a corner whose direction is none.
+        let p = if p.distance(apex) < 1.0 { beside } else { p };
+        is_within.then(|| exact(p, beside))
+    };
+    let ray = |theta: f64| line(apex.into(), (apex + radius * Vec2::from_angle(theta)).into());
+    let mut curves = vec![circle(apex, radius), ray(tilt)];
+    curves.extend((angle < TAU).then(|| ray(tilt + angle)));
+    check(&Problem { curves, side: &side, exact: &exact });
+}
+
+/// The jump at the corner is nowhere else seen. Without what the equations lack there the mean is up to 2.2 levels.
+#[test]
+fn corners_of_two_colours_on_pixels() {
+    for angle in [TAU, 1.5 * PI, PI, FRAC_PI_2, 0.4] {
+        for (tilt, offset) in turned_and_moved() {
+            two_coloured_sector(CENTRE + offset, angle, tilt, |problem| assert_corner(problem, 20.0, 0.2));
         }
     }
 }

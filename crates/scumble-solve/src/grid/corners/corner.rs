@@ -1,0 +1,128 @@
+//! A corner between two walls, and what the solution is like there.
+//!
+//! It goes as a power λ of the distance: as `r^λ sin(λθ)`, or as the cosine where no wall gives a colour, θ being counted from a
+//! wall; where the walls give two colours, what goes evenly with θ from one to the other comes on top.
+
+use std::f64::consts::{FRAC_PI_2, PI, TAU};
+
+use kurbo::{Point, Vec2};
+use scumble_core::BlendColor;
+
+use super::super::cut_links::Cut;
+use super::patch::{WAYS, center};
+
+/// Powers from this on are well enough as they are.
+const REGULAR: f64 = 0.9;
+
+/// A cut belongs to a wall of a corner that is so close by, in px.
+const NEAR_PX: f64 = 0.5;
+
+/// A wall at a node, seen from there.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Ray {
+    pub(super) node: u32,
+    pub(super) along: Vec2,
+    /// The colours of its left and its right side there.
+    pub(super) colors: [Option<BlendColor>; 2],
+}
+
+/// The plane between two walls at a corner, in px, pixel centres having whole coordinates.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Corner {
+    pub(super) tip: Point,
+    /// Along the first wall, which has a colour if one has any.
+    first: Vec2,
+    /// From that wall to the other one.
+    pub(super) angle: f64,
+    /// What these walls give there.
+    colors: [Option<BlendColor>; 2],
+    /// 1 where angles grow from that wall on as `atan2` has it, else −1.
+    pub(super) turn: f64,
+}
+
+impl Corner {
+    /// What lies between a wall at a node and the next one there.
+    pub(super) fn between(tip: Point, ray: &Ray, next: &Ray) -> Self {
+        let [left, right] = [ray.colors[0], next.colors[1]];
+        let angle = (next.along.atan2() - ray.along.atan2()).rem_euclid(TAU);
+        let angle = if angle == 0.0 { TAU } else { angle };
+        if left.is_some() || right.is_none() {
+            Self { tip, first: ray.along, angle, colors: [left, right], turn: 1.0 }
+        } else {
+            Self { tip, first: next.along, angle, colors: [right, left], turn: -1.0 }
+        }
+    }
+
+    /// Whether the solution is steep without end.
+    pub(super) fn is_singular(&self) -> bool {
+        self.power() < REGULAR
+    }
+
+    /// From the colour of the first wall to that of the other one; `None` where they are not two.
+    pub(super) fn jump(&self) -> Option<[f32; 4]> {
+        let [from, to] = [self.colors[0]?, self.colors[1]?];
+        (from != to).then(|| single([0, 1, 2, 3].map(|c| to[c] - from[c])))
+    }
+
+    /// The colour of the wall that is nearer to a direction, if it gives one.
+    pub(super) fn color_near(&self, angle: f64) -> Option<[f32; 4]> {
+        let [first, other] = self.colors;
+        let near = if angle < 0.5 * self.angle || other.is_none() { first } else { other };
+        near.map(single)
+    }
+
+    /// The direction of the wall that gives a colour.
+    pub(super) fn angle_of_color(&self, color: [f32; 4]) -> Option<f64> {
+        let walls = self.colors.into_iter().zip([0.0, self.angle]);
+        walls.into_iter().find(|(wall, _)| wall.map(single) == Some(color)).map(|(_, angle)| angle)
+    }
+
+    fn power(&self) -> f64 {
+        let [first, other] = self.colors.map(|color| color.is_some());
+        if first == other { PI / self.angle } else { FRAC_PI_2 / self.angle }
+    }
+
+    /// The direction in which a place lies, as an angle from the first wall, from 0 to 2π.
+    pub(super) fn angle_of(&self, p: Point) -> f64 {
+        let way = p - self.tip;
+        (self.turn * self.first.cross(way).atan2(self.first.dot(way))).rem_euclid(TAU)
+    }
+
+    /// By how much that angle grows on the straight way from one place to another.
+    pub(super) fn turned(&self, from: Point, to: Point) -> f64 {
+        let [from, to] = [from, to].map(|p| p - self.tip);
+        self.turn * from.cross(to).atan2(from.dot(to))
+    }
+
+    /// Whether a place lies between the walls, and is so far from both, in px.
+    pub(super) fn is_between(&self, p: Point, clear_px: f64) -> bool {
+        let (angle, length_px) = (self.angle_of(p), p.distance(self.tip));
+        let is_clear = |angle: f64| length_px * if angle < FRAC_PI_2 { angle.sin() } else { 1.0 } >= clear_px;
+        angle < self.angle && is_clear(angle) && is_clear(self.angle - angle)
+    }
+
+    /// The steep function at a place at an angle, and its conjugate.
+    pub(super) fn steep(&self, p: Point, angle: f64) -> [f64; 2] {
+        let length = p.distance(self.tip).powf(self.power());
+        let (sin, cos) = (self.power() * angle).sin_cos();
+        if self.colors[0].is_some() { [length * sin, length * cos] } else { [length * cos, -length * sin] }
+    }
+
+    pub(super) fn has_color(&self) -> bool {
+        self.colors[0].is_some()
+    }
+
+    /// Whether one of its walls is what cuts a link of a pixel.
+    pub(super) fn is_cut(&self, at: [i64; 2], cut: &Cut) -> bool {
+        let (_, way) = WAYS[cut.link as usize];
+        let crossed = center(at) + f64::from(cut.fraction) * center(way).to_vec2() - self.tip;
+        let other = Vec2::from_angle(self.first.atan2() + self.turn * self.angle);
+        let walls = [self.first / self.first.hypot(), other].into_iter().zip(self.colors);
+        let mut alike = walls.filter(|(_, color)| color.is_some() == cut.color.is_some());
+        alike.any(|(along, _)| along.cross(crossed).abs() < NEAR_PX && along.dot(crossed) > -NEAR_PX)
+    }
+}
+
+fn single(color: BlendColor) -> [f32; 4] {
+    color.map(|c| c as f32)
+}
