@@ -173,7 +173,7 @@ impl PlanarMap {
     }
 
     /// The half-edge of the triangulation that a side is.
-    pub(crate) fn half_edge(&self, side: SideId) -> Option<HalfEdge> {
+    pub fn half_edge(&self, side: SideId) -> Option<HalfEdge> {
         let half_edges = self.half_edges_of_sides.get_or_init(|| {
             let mut half_edges = vec![None; self.side_count()];
             for h in self.triangulation.half_edges() {

@@ -161,6 +161,7 @@ fn halves() -> Constraints {
         cuts: (0..64).filter(|row| *row != 21).flat_map(wall).collect(),
         faces: vec![Face { pixel: 64 * 21 + 30, link: Link::East, width: 0.03 }],
         pulls: vec![pull(64 * 5 + 5, 0.2), pull(64 * 60 + 60, 0.9)],
+        sources: Vec::new(),
         covers: None,
     }
 }
@@ -358,8 +359,9 @@ fn only_what_has_changed_is_uploaded() {
 fn costs_are_those_of_the_passes() {
     let Some(Bench { gpu, kernels }) = Bench::new() else { return };
     let costs = |side_px| {
-        let (cuts, faces, pulls) = Default::default();
-        let blank = Constraints { width_px: side_px, height_px: side_px, cuts, faces, pulls, covers: None };
+        let (cuts, faces, pulls, sources) = Default::default();
+        let [width_px, height_px] = [side_px; 2];
+        let blank = Constraints { width_px, height_px, cuts, faces, pulls, sources, covers: None };
         GpuGridSolver::costs(&gpu, &kernels, &blank).expect("costs")
     };
     // One pixel: the diagonal, the first picture, what it lacks, and no direction yet; each a pass with its textures.

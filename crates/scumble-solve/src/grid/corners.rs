@@ -3,6 +3,7 @@
 //! | noun | file |
 //! |---|---|
 //! | a corner between two walls, and what the solution is like there | `corner` |
+//! | its region | `ground` |
 //! | the pixels around it | `patch` |
 //! | weights of links that the steep function satisfies | `fit` |
 //! | what the jump lacks in the equations | `jump` |
@@ -13,31 +14,32 @@
 
 mod corner;
 mod fit;
+mod ground;
 mod jump;
 mod patch;
 
-use kurbo::Affine;
-use scumble_core::{BlendColor, Boundary, Piece, PlanarMap, SideId, sort};
+use scumble_core::{Boundary, Piece, PlanarMap, SideId, sort};
 
 use super::constraints::Constraints;
 use super::wall::centers_from_du;
 use crate::scene::View;
-use corner::{Corner, Ray};
+use corner::{Corner, Face, Ray};
+use ground::Ground;
 
 /// Fits constraints to the corners of a map.
 pub(super) fn fit(constraints: &mut Constraints, map: &PlanarMap, boundary: &Boundary, view: &View) {
-    let corners = corners(map, boundary, view);
+    let ground = Ground { map, closed_gaps: &boundary.closed_gaps, centers_from_du: centers_from_du(view) };
+    let corners = corners(&ground, boundary);
     let fractions: Vec<_> = constraints.cuts.iter().map(|cut| cut.fraction).collect();
-    fit::fit(constraints, &corners);
-    jump::supply(constraints, &fractions, &corners);
+    fit::fit(constraints, &corners, &ground);
+    jump::supply(constraints, &fractions, &corners, &ground);
 }
 
-fn corners(map: &PlanarMap, boundary: &Boundary, view: &View) -> Vec<Corner> {
-    let px_from_du = centers_from_du(view);
-    let rays = rays(map, boundary, px_from_du);
+fn corners(ground: &Ground<'_>, boundary: &Boundary) -> Vec<Corner> {
+    let rays = rays(ground, boundary);
     let mut corners = Vec::new();
     for around in rays.chunk_by(|a, b| a.node == b.node) {
-        let tip = px_from_du * map.triangulation().points()[around[0].node as usize];
+        let tip = ground.place(around[0].node);
         let nexts = around.iter().cycle().skip(1);
         corners.extend(around.iter().zip(nexts).map(|(ray, next)| Corner::between(tip, ray, next)));
     }
@@ -45,21 +47,22 @@ fn corners(map: &PlanarMap, boundary: &Boundary, view: &View) -> Vec<Corner> {
 }
 
 /// The walls at all nodes: by node, and by their angles there.
-fn rays(map: &PlanarMap, boundary: &Boundary, px_from_du: Affine) -> Vec<Ray> {
-    let colors = |side: SideId| boundary.sides.get(side.index()).copied().flatten();
-    let at = |node: u32| px_from_du * map.triangulation().points()[node as usize];
-    let both = |[start, end]: [u32; 2], [left, right]: [Option<[BlendColor; 3]>; 2]| {
-        let along = at(end) - at(start);
-        let at_end = |colors: Option<[BlendColor; 3]>, k: usize| colors.map(|colors| colors[k]);
-        let back = Ray { node: end, along: -along, colors: [at_end(right, 0), at_end(left, 2)] };
-        [Ray { node: start, along, colors: [at_end(left, 0), at_end(right, 2)] }, back]
+fn rays(ground: &Ground<'_>, boundary: &Boundary) -> Vec<Ray> {
+    let face = |side: SideId, end: usize| {
+        let colors = boundary.sides.get(side.index()).copied().flatten();
+        Face { side: Some(side), color: colors.map(|colors| colors[end]) }
+    };
+    let both = |[start, end]: [u32; 2], faces: [[Face; 2]; 2]| {
+        let along = ground.place(end) - ground.place(start);
+        [Ray { node: start, along, faces: faces[0] }, Ray { node: end, along: -along, faces: faces[1] }]
     };
     let piece = |(i, piece): (usize, &Piece)| {
-        both(piece.nodes, [false, true].map(|is_right| colors(SideId::of(i, is_right))))
+        let [left, right] = [false, true].map(|is_right| SideId::of(i, is_right));
+        both(piece.nodes, [[face(left, 0), face(right, 2)], [face(right, 0), face(left, 2)]])
     };
-    let closed = map.gaps().iter().zip(&boundary.closed_gaps).filter(|(_, closed)| **closed);
-    let gaps = closed.flat_map(|(gap, _)| both(gap.nodes, [None; 2]));
-    let mut rays: Vec<_> = map.pieces().iter().enumerate().flat_map(piece).chain(gaps).collect();
+    let closed = ground.map.gaps().iter().zip(ground.closed_gaps).filter(|(_, closed)| **closed);
+    let gaps = closed.flat_map(|(gap, _)| both(gap.nodes, [[Face::default(); 2]; 2]));
+    let mut rays: Vec<_> = ground.map.pieces().iter().enumerate().flat_map(piece).chain(gaps).collect();
     sort::sort_copies_by_key(&mut rays, |ray| sort::float(ray.along.atan2()));
     sort::sort_copies_by_key(&mut rays, |ray| ray.node.into());
     rays
@@ -67,7 +70,7 @@ fn rays(map: &PlanarMap, boundary: &Boundary, px_from_du: Affine) -> Vec<Ray> {
 
 #[cfg(test)]
 mod tests {
-    use kurbo::{BezPath, Point, Rect, Vec2};
+    use kurbo::{Affine, BezPath, Point, Rect, Vec2};
     use scumble_core::{Curve, Drawing, Sampling};
 
     use super::super::cut_links::LEAST_FRACTION;
@@ -117,11 +120,11 @@ mod tests {
             let tip_px = Point::new(30.0, 31.0) + place + Vec2::new(0.013, 0.007);
             let (map, boundary) = line(tip_px, tilt, &view);
             let constraints = Constraints::new(&map, &boundary, &view).expect("constraints");
-            let constraints = constraints.fitted(&map, &boundary, &view);
-            let corners = corners(&map, &boundary, &view);
+            let ground = Ground { map: &map, closed_gaps: &[], centers_from_du: centers_from_du(&view) };
+            let corners = corners(&ground, &boundary);
             let corner =
                 corners.iter().find(|c| c.is_singular() && c.tip.distance(tip_px) < 0.1).expect("a corner");
-            let patch = Patch::around(corner, 5.0, &constraints);
+            let patch = Patch::around(corner, 5.0, &constraints, &ground);
             // A pixel on the wall has the value of the wall, whatever it lacks.
             let is_off_wall =
                 |pixel: &&Pixel| corner.is_between(center(pixel.at), 2.0 * f64::from(LEAST_FRACTION));

@@ -127,9 +127,8 @@ fn two_coloured_sector(apex: Point, angle: f64, tilt: f64, check: impl Fn(&Probl
         // The circle is a polygon: a line may end a little beyond it.
         let most = if curve == 0 { radius } else { radius - 1.0 };
         let is_within = beside.distance(apex) < most && turned(beside) < angle;
-        // A line begins at a corner whose direction is none.
-        let p = if p.distance(apex) < 1.0 { beside } else { p };
-        is_within.then(|| exact(p, beside))
+        let along_ray = || if turned(beside) < 0.5 * angle { 0.0 } else { 1.0 };
+        is_within.then(|| if curve == 0 { exact(p, beside) } else { along_ray() })
     };
     let ray = |theta: f64| line(apex.into(), (apex + radius * Vec2::from_angle(theta)).into());
     let mut curves = vec![circle(apex, radius), ray(tilt)];
@@ -142,7 +141,7 @@ fn two_coloured_sector(apex: Point, angle: f64, tilt: f64, check: impl Fn(&Probl
 fn corners_of_two_colours_on_pixels() {
     for angle in [TAU, 1.5 * PI, PI, FRAC_PI_2, 0.4] {
         for (tilt, offset) in turned_and_moved() {
-            two_coloured_sector(CENTRE + offset, angle, tilt, |problem| assert_corner(problem, 20.0, 0.2));
+            two_coloured_sector(CENTRE + offset, angle, tilt, |problem| assert_corner(problem, 10.0, 0.05));
         }
     }
 }

@@ -6,7 +6,7 @@
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 use kurbo::{Point, Vec2};
-use scumble_core::BlendColor;
+use scumble_core::{BlendColor, SideId, sort};
 
 use super::super::cut_links::Cut;
 use super::patch::{WAYS, center};
@@ -22,8 +22,16 @@ const NEAR_PX: f64 = 0.5;
 pub(super) struct Ray {
     pub(super) node: u32,
     pub(super) along: Vec2,
-    /// The colours of its left and its right side there.
-    pub(super) colors: [Option<BlendColor>; 2],
+    /// What is on its left and on its right there.
+    pub(super) faces: [Face; 2],
+}
+
+/// One side of a wall, at a node.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Face {
+    /// `None` for a gap.
+    pub(super) side: Option<SideId>,
+    pub(super) color: Option<BlendColor>,
 }
 
 /// The plane between two walls at a corner, in px, pixel centres having whole coordinates.
@@ -38,19 +46,20 @@ pub(super) struct Corner {
     colors: [Option<BlendColor>; 2],
     /// 1 where angles grow from that wall on as `atan2` has it, else −1.
     pub(super) turn: f64,
+    /// The side of the first wall that faces the other one; `None` for that of a gap.
+    pub(super) side: Option<SideId>,
 }
 
 impl Corner {
     /// What lies between a wall at a node and the next one there.
     pub(super) fn between(tip: Point, ray: &Ray, next: &Ray) -> Self {
-        let [left, right] = [ray.colors[0], next.colors[1]];
+        let [left, right] = [ray.faces[0], next.faces[1]];
         let angle = (next.along.atan2() - ray.along.atan2()).rem_euclid(TAU);
         let angle = if angle == 0.0 { TAU } else { angle };
-        if left.is_some() || right.is_none() {
-            Self { tip, first: ray.along, angle, colors: [left, right], turn: 1.0 }
-        } else {
-            Self { tip, first: next.along, angle, colors: [right, left], turn: -1.0 }
-        }
+        let is_left_first = left.color.is_some() || right.color.is_none();
+        let (along, turn, faces) =
+            if is_left_first { (ray.along, 1.0, [left, right]) } else { (next.along, -1.0, [right, left]) };
+        Self { tip, first: along, angle, colors: faces.map(|face| face.color), turn, side: faces[0].side }
     }
 
     /// Whether the solution is steep without end.
@@ -108,10 +117,6 @@ impl Corner {
         if self.colors[0].is_some() { [length * sin, length * cos] } else { [length * cos, -length * sin] }
     }
 
-    pub(super) fn has_color(&self) -> bool {
-        self.colors[0].is_some()
-    }
-
     /// Whether one of its walls is what cuts a link of a pixel.
     pub(super) fn is_cut(&self, at: [i64; 2], cut: &Cut) -> bool {
         let (_, way) = WAYS[cut.link as usize];
@@ -121,6 +126,25 @@ impl Corner {
         let mut alike = walls.filter(|(_, color)| color.is_some() == cut.color.is_some());
         alike.any(|(along, _)| along.cross(crossed).abs() < NEAR_PX && along.dot(crossed) > -NEAR_PX)
     }
+}
+
+/// Corners, and how far the nearest one at another place is from each, or as far as asked for.
+pub(super) fn apart(corners: impl Iterator<Item = Corner>, most_px: f64) -> Vec<(Corner, f64)> {
+    let mut list: Vec<_> = corners.map(|corner| (corner, most_px)).collect();
+    sort::sort_copies_by_key(&mut list, |(corner, _)| sort::float(corner.tip.x));
+    for i in 0..list.len() {
+        for j in i + 1..list.len() {
+            let [a, b] = [list[i].0.tip, list[j].0.tip];
+            if b.x - a.x > most_px {
+                break;
+            }
+            let distance_px = a.distance(b);
+            if distance_px > 0.0 {
+                [i, j].into_iter().for_each(|k| list[k].1 = list[k].1.min(distance_px));
+            }
+        }
+    }
+    list
 }
 
 fn single(color: BlendColor) -> [f32; 4] {

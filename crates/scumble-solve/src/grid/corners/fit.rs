@@ -6,15 +6,16 @@
 //! wherever the tip lies among the pixels.
 
 use kurbo::{Point, Vec2};
-use scumble_core::{clamped, sort};
+use scumble_core::clamped;
 
 use super::super::constraints::{Constraints, Pull};
 use super::super::cut_links::{Cut, Face, LEAST_FRACTION, Link};
-use super::corner::Corner;
+use super::corner::{self, Corner};
+use super::ground::Ground;
 use super::patch::{Patch, Pixel, WAYS, beside, center};
 
 /// Pixels within this distance of a corner are fitted to it, in px.
-const REACH_PX: f64 = 6.0;
+const REACH_PX: f64 = 4.0;
 
 /// Weights become at most so many times larger or smaller.
 const MOST: f64 = 16.0;
@@ -22,7 +23,7 @@ const MOST: f64 = 16.0;
 /// What flows out of a pixel that no wall holds is taken for nothing up to here.
 const LEAST_FLOW: f64 = 0.01;
 
-/// A pixel of which no link crosses a wall is held to its colour where that takes more than this.
+/// A pixel is held to the colour of a wall where that takes more than this.
 const LEAST_HOLD: f64 = 1e-3;
 
 /// What fits constraints to corners.
@@ -36,16 +37,20 @@ struct Fit {
 }
 
 /// Fits constraints to the corners that are steep.
-pub(super) fn fit(constraints: &mut Constraints, corners: &[Corner]) {
-    let corners: Vec<_> = corners.iter().copied().filter(Corner::is_singular).collect();
+pub(super) fn fit(constraints: &mut Constraints, corners: &[Corner], ground: &Ground<'_>) {
+    let steep = corners.iter().copied().filter(Corner::is_singular);
     let mut fit = Fit::default();
-    for (corner, reach_px) in apart(corners) {
-        let patch = Patch::around(&corner, reach_px, constraints);
-        let mut fitting = Fitting { constraints, corner: &corner, patch: &patch, is_strict: true };
-        fitting.is_strict = patch.pixels.iter().all(|pixel| fitting.is_closed(pixel));
+    for (corner, apart_px) in corner::apart(steep, 2.0 * REACH_PX) {
+        // No pixel is near two at different places.
+        let reach_px = 0.5 * apart_px;
+        let patch = Patch::around(&corner, reach_px, constraints, ground);
+        let around = Around { constraints, corner: &corner, patch: &patch };
+        let strict = Weights::new(&around, true);
+        let is_closed = patch.pixels.iter().all(|pixel| strict.is_closed(pixel));
+        let weights = if is_closed { strict } else { Weights::new(&around, false) };
         for pixel in &patch.pixels {
-            fitting.fit_links(pixel, &mut fit);
-            fitting.fit_holds(pixel, &mut fit);
+            weights.fit_links(pixel, &mut fit);
+            weights.fit_holds(pixel, &mut fit);
         }
     }
     constraints.add_faces(fit.faces);
@@ -56,134 +61,44 @@ pub(super) fn fit(constraints: &mut Constraints, corners: &[Corner]) {
     }
 }
 
-/// Corners, and how far each reaches: no pixel is near two at different places.
-fn apart(mut corners: Vec<Corner>) -> impl Iterator<Item = (Corner, f64)> {
-    sort::sort_copies_by_key(&mut corners, |corner| sort::float(corner.tip.x));
-    let mut reaches_px = vec![REACH_PX; corners.len()];
-    for i in 0..corners.len() {
-        for j in i + 1..corners.len() {
-            if corners[j].tip.x - corners[i].tip.x > 2.0 * REACH_PX {
-                break;
-            }
-            let half_px = 0.5 * corners[i].tip.distance(corners[j].tip);
-            if half_px > 0.0 {
-                [i, j].into_iter().for_each(|k| reaches_px[k] = reaches_px[k].min(half_px));
-            }
-        }
-    }
-    corners.into_iter().zip(reaches_px)
-}
-
-/// Constraints that are fitted to a corner.
-struct Fitting<'a> {
+/// A corner among the pixels.
+struct Around<'a> {
     constraints: &'a Constraints,
     corner: &'a Corner,
     patch: &'a Patch,
-    /// Whether the conjugate is taken to be zero at all ends of faces that a wall without colour comes to, around its tip
-    /// too.
-    is_strict: bool,
 }
 
-impl Fitting<'_> {
-    /// Whether nothing flows out of a pixel that no wall holds.
-    fn is_closed(&self, pixel: &Pixel) -> bool {
-        let value = self.value(pixel, center(pixel.at));
-        let is_cut = WAYS.iter().any(|(link, _)| self.patch.cut(pixel.at, *link).is_some());
-        is_cut || self.flow_out(pixel, value).abs() < LEAST_FLOW
-    }
-
-    fn fit_links(&self, pixel: &Pixel, fit: &mut Fit) {
-        for link in [Link::East, Link::South] {
-            let width = self.patch.width(pixel.at, link);
-            let fitted = self.fitted(pixel, link, width);
-            if fitted != width && self.patch.cut(pixel.at, link).is_none() {
-                let pixel = self.constraints.pixel(pixel.at);
-                fit.faces.push(Face { pixel, link, width: (fitted / width) as f32 });
-            }
-        }
-    }
-
-    /// What holds a pixel to the colours of walls, such that the function of the corner is a solution there.
-    fn fit_holds(&self, pixel: &Pixel, fit: &mut Fit) {
-        let numbers = WAYS.iter().filter_map(|(link, _)| self.patch.cut(pixel.at, *link));
-        let cuts: Vec<_> = numbers.map(|number| (number, &self.constraints.cuts[number])).collect();
-        if !cuts.iter().all(|(_, cut)| self.corner.is_cut(pixel.at, cut)) {
-            return;
-        }
-        let value = self.value(pixel, center(pixel.at));
-        let strength = self.flow_out(pixel, value) / value;
-        let colored = || cuts.iter().filter(|(_, cut)| cut.color.is_some());
-        let before: f64 = colored().map(|(_, cut)| 1.0 / f64::from(cut.fraction)).sum();
-        if !(strength.is_finite() && strength > 0.0) {
-        } else if before > 0.0 {
-            let part = clamped(strength / before, [1.0 / MOST, MOST]);
-            fit.cuts.extend(colored().map(|&(number, _)| (number, part)));
-        } else if let Some(color) = self.corner.color_near(pixel.angle).filter(|_| strength > LEAST_HOLD) {
-            fit.pulls.push(Pull {
-                pixel: self.constraints.pixel(pixel.at),
-                strength: strength as f32,
-                color,
-            });
-        }
-    }
-
-    /// What flows out of a pixel through its links where the function has a value.
-    fn flow_out(&self, pixel: &Pixel, value: f64) -> f64 {
-        let open = WAYS.into_iter().filter(|(link, _)| self.patch.cut(pixel.at, *link).is_none());
-        let flows = open.map(|(link, way)| {
-            let width = self.fitted(pixel, link, self.patch.width(pixel.at, link));
-            width * (self.value(pixel, center(beside(pixel.at, way))) - value)
-        });
-        flows.sum()
-    }
-
-    /// The weight of a link that is not cut.
-    fn fitted(&self, pixel: &Pixel, link: Link, width: f64) -> f64 {
-        match self.satisfied(pixel, link) {
-            Some(weight) if weight > 0.0 => clamped(weight, [width / MOST, width * MOST]),
-            _ => width,
-        }
-    }
-
-    /// The weight of a link with which what flows through its face is right; `None` where it leads away from the corner.
-    fn satisfied(&self, pixel: &Pixel, link: Link) -> Option<f64> {
-        let (_, way) = WAYS[link as usize];
-        let to = beside(pixel.at, way);
-        self.patch.angle(to)?;
-        let difference = self.value(pixel, center(to)) - self.value(pixel, center(pixel.at));
-        Some(self.flow(pixel, to) / difference).filter(|weight| weight.is_finite())
-    }
-
-    /// The function at a place, going on from a pixel.
-    fn value(&self, from: &Pixel, to: Point) -> f64 {
-        self.at(from, [center(from.at), to])[0]
-    }
-
-    /// The function and its conjugate at the end of a way, the first place of which lies in the direction of a pixel.
-    fn at(&self, from: &Pixel, way: [Point; 2]) -> [f64; 2] {
-        self.corner.steep(way[1], from.angle + self.corner.turned(way[0], way[1]))
+impl Around<'_> {
+    /// The function and its conjugate at a place, going on straight from a pixel.
+    fn at(&self, from: &Pixel, to: Point) -> [f64; 2] {
+        self.corner.steep(to, from.angle + self.corner.turned(center(from.at), to))
     }
 
     /// What flows through the face between two pixels: the difference of the conjugate at its ends, which is zero at a wall
-    /// without colour.
-    fn flow(&self, pixel: &Pixel, to: [i64; 2]) -> f64 {
+    /// without colour. That is taken to be at all ends that such a wall comes to, around its tip too, if it is strict.
+    fn flow(&self, pixel: &Pixel, to: [i64; 2], is_strict: bool) -> f64 {
         let from = pixel.at;
         let middle = center(from).midpoint(center(to));
-        let in_middle = Pixel { angle: pixel.angle + self.corner.turned(center(from), middle), ..*pixel };
+        let angle = pixel.angle + self.corner.turned(center(from), middle);
         let across = [from[1] - to[1], to[0] - from[0]];
         let at_end = |[x, y]: [i64; 2]| {
-            let is_walled = self.meets_wall(from, to, [x, y]) || self.meets_wall(to, from, [x, y]);
+            let [one, other] = [[from, to], [to, from]].map(|ends| self.meets_wall(ends, [x, y], is_strict));
             let end = middle + 0.5 * Vec2::new(x as f64, y as f64);
-            if is_walled { 0.0 } else { self.at(&in_middle, [middle, end])[1] }
+            if one || other {
+                0.0
+            } else {
+                self.corner.steep(end, angle + self.corner.turned(middle, end))[1]
+            }
         };
         self.corner.turn * (at_end(across.map(|d| -d)) - at_end(across))
     }
 
-    /// Whether the way around an end of the face between two pixels, from the first one on, comes to a wall without colour.
-    fn meets_wall(&self, from: [i64; 2], to: [i64; 2], way: [i64; 2]) -> bool {
+    /// Whether the way around an end of the face between two pixels, from the first one on, comes to a wall without colour:
+    /// at once, or anywhere if it is strict.
+    fn meets_wall(&self, [from, to]: [[i64; 2]; 2], way: [i64; 2], is_strict: bool) -> bool {
         let [around, beyond] = [from, to].map(|at| beside(at, way));
         let steps = [[from, around], [around, beyond], [beyond, to]];
-        let steps = if self.is_strict { &steps[..] } else { &steps[..1] };
+        let steps = if is_strict { &steps[..] } else { &steps[..1] };
         let mut cuts = steps.iter().map(|[a, b]| self.cut(*a, [b[0] - a[0], b[1] - a[1]]));
         cuts.find_map(|cut| cut).is_some_and(|cut| cut.color.is_none())
     }
@@ -192,5 +107,104 @@ impl Fitting<'_> {
     fn cut(&self, from: [i64; 2], way: [i64; 2]) -> Option<&Cut> {
         let (link, _) = WAYS.into_iter().find(|(_, other)| *other == way)?;
         Some(&self.constraints.cuts[self.patch.cut(from, link)?])
+    }
+}
+
+/// What the function of a corner is at pixels, and the weights that it satisfies.
+struct Weights<'a> {
+    around: &'a Around<'a>,
+    /// By pixel.
+    values: Vec<f64>,
+    /// By pixel: of the links to the east and to the south that are not cut and do not lead away from the corner.
+    weights: Vec<[Option<f64>; 2]>,
+}
+
+impl<'a> Weights<'a> {
+    fn new(around: &'a Around<'a>, is_strict: bool) -> Self {
+        let pixels = &around.patch.pixels;
+        let values = pixels.iter().map(|pixel| around.at(pixel, center(pixel.at))[0]).collect();
+        let mut weights = Self { around, values, weights: Vec::new() };
+        weights.weights = pixels
+            .iter()
+            .zip(&weights.values)
+            .map(|(pixel, &value)| {
+                [Link::East, Link::South].map(|link| weights.satisfied(pixel, value, link, is_strict))
+            })
+            .collect();
+        weights
+    }
+
+    /// The weight of a link with which what flows through its face is right, or nearly so.
+    fn satisfied(&self, pixel: &Pixel, value: f64, link: Link, is_strict: bool) -> Option<f64> {
+        let patch = self.around.patch;
+        let to = beside(pixel.at, WAYS[link as usize].1);
+        let other = patch.pixel(to).filter(|_| patch.cut(pixel.at, link).is_none())?;
+        let weight = self.around.flow(pixel, to, is_strict) / (self.values[other] - value);
+        let width = patch.width(pixel.at, link);
+        (weight.is_finite() && weight > 0.0).then(|| clamped(weight, [width / MOST, width * MOST]))
+    }
+
+    /// The weight of a link that is not cut.
+    fn weight(&self, pixel: &Pixel, link: Link) -> f64 {
+        let patch = self.around.patch;
+        let (owner, axis) = match link {
+            Link::East | Link::South => (pixel.at, link as usize),
+            Link::West | Link::North => (beside(pixel.at, WAYS[link as usize].1), link as usize - 2),
+        };
+        let fitted = patch.pixel(owner).and_then(|owner| self.weights[owner][axis]);
+        fitted.unwrap_or_else(|| patch.width(pixel.at, link))
+    }
+
+    /// The value at the pixel to which a link leads.
+    fn beside(&self, pixel: &Pixel, link: Link) -> f64 {
+        let to = beside(pixel.at, WAYS[link as usize].1);
+        let known = self.around.patch.pixel(to).map(|other| self.values[other]);
+        known.unwrap_or_else(|| self.around.at(pixel, center(to))[0])
+    }
+
+    /// What flows out of a pixel through its links, and its value.
+    fn flow_out(&self, pixel: &Pixel) -> [f64; 2] {
+        let patch = self.around.patch;
+        let value = patch.pixel(pixel.at).map_or(0.0, |pixel| self.values[pixel]);
+        let open = WAYS.into_iter().filter(|(link, _)| patch.cut(pixel.at, *link).is_none());
+        let flows = open.map(|(link, _)| self.weight(pixel, link) * (self.beside(pixel, link) - value));
+        [flows.sum(), value]
+    }
+
+    /// Whether nothing flows out of a pixel that no wall holds.
+    fn is_closed(&self, pixel: &Pixel) -> bool {
+        let is_cut = WAYS.iter().any(|(link, _)| self.around.patch.cut(pixel.at, *link).is_some());
+        is_cut || self.flow_out(pixel)[0].abs() < LEAST_FLOW
+    }
+
+    fn fit_links(&self, pixel: &Pixel, fit: &mut Fit) {
+        for link in [Link::East, Link::South] {
+            let (width, weight) = (self.around.patch.width(pixel.at, link), self.weight(pixel, link));
+            if weight != width {
+                let pixel = self.around.constraints.pixel(pixel.at);
+                fit.faces.push(Face { pixel, link, width: (weight / width) as f32 });
+            }
+        }
+    }
+
+    /// What holds a pixel to the colours of walls, such that the function of the corner is a solution there.
+    fn fit_holds(&self, pixel: &Pixel, fit: &mut Fit) {
+        let Around { constraints, corner, patch } = self.around;
+        let numbers = WAYS.iter().filter_map(|(link, _)| patch.cut(pixel.at, *link));
+        let cuts: Vec<_> = numbers.map(|number| (number, &constraints.cuts[number])).collect();
+        if !cuts.iter().all(|(_, cut)| corner.is_cut(pixel.at, cut)) {
+            return;
+        }
+        let [flow, value] = self.flow_out(pixel);
+        let strength = flow / value;
+        let colored = || cuts.iter().filter(|(_, cut)| cut.color.is_some());
+        let before: f64 = colored().map(|(_, cut)| 1.0 / f64::from(cut.fraction)).sum();
+        if !(strength.is_finite() && strength > LEAST_HOLD) {
+        } else if before > 0.0 {
+            let part = clamped(strength / before, [1.0 / MOST, MOST]);
+            fit.cuts.extend(colored().map(|&(number, _)| (number, part)));
+        } else if let Some(color) = corner.color_near(pixel.angle) {
+            fit.pulls.push(Pull { pixel: constraints.pixel(pixel.at), strength: strength as f32, color });
+        }
     }
 }

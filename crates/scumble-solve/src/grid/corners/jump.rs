@@ -9,19 +9,31 @@ use scumble_core::clamped;
 
 use super::super::constraints::{Constraints, Source};
 use super::super::cut_links::{Cut, LEAST_FRACTION};
-use super::corner::Corner;
+use super::corner::{self, Corner};
+use super::ground::Ground;
 use super::patch::{Patch, Pixel, WAYS, beside, center};
 
 /// Farther than this from the tip pixels follow the jump well enough, in px.
 const REACH_PX: f64 = 8.0;
 
+/// Walls that do not go on as they are for so many px are not what the jump is known for; and which of their colours pixels see
+/// is chance.
+const LEAST_APART_PX: f64 = 2.0;
+
 /// Gives constraints the sources of the corners that jump. Cuts were at some places before they were fitted: `fractions`.
-pub(super) fn supply(constraints: &mut Constraints, fractions: &[f32], corners: &[Corner]) {
+pub(super) fn supply(
+    constraints: &mut Constraints,
+    fractions: &[f32],
+    corners: &[Corner],
+    ground: &Ground<'_>,
+) {
     let mut sources = Vec::new();
-    for (corner, jump) in corners.iter().filter_map(|corner| Some((corner, corner.jump()?))) {
-        let patch = Patch::around(corner, REACH_PX, constraints);
+    let special = corners.iter().copied().filter(|corner| corner.jump().is_some() || corner.is_singular());
+    for (corner, apart_px) in corner::apart(special, REACH_PX) {
+        let Some(jump) = corner.jump().filter(|_| apart_px >= LEAST_APART_PX) else { continue };
+        let patch = Patch::around(&corner, REACH_PX, constraints, ground);
         for pixel in &patch.pixels {
-            let lack = Jump { constraints, fractions, corner, patch: &patch }.lack(pixel) as f32;
+            let lack = Jump { constraints, fractions, corner: &corner, patch: &patch }.lack(pixel) as f32;
             let color = jump.map(|c| lack * c);
             sources.push(Source { pixel: constraints.pixel(pixel.at), color });
         }

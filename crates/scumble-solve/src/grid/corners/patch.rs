@@ -5,6 +5,7 @@ use kurbo::Point;
 use super::super::constraints::Constraints;
 use super::super::cut_links::Link;
 use super::corner::Corner;
+use super::ground::Ground;
 
 /// The links of a pixel, and where they lead.
 pub(super) const WAYS: [(Link, [i64; 2]); 4] =
@@ -58,7 +59,12 @@ pub(super) struct Patch {
 
 impl Patch {
     /// The pixels within a distance of the tip.
-    pub(super) fn around(corner: &Corner, reach_px: f64, constraints: &Constraints) -> Self {
+    pub(super) fn around(
+        corner: &Corner,
+        reach_px: f64,
+        constraints: &Constraints,
+        ground: &Ground<'_>,
+    ) -> Self {
         let range = |middle: f64, count: u32| {
             let [from, to] = [-1.0, 1.0].map(|side| middle + side * (reach_px + RIM_PX));
             let first = from.max(0.0).min(count.into()) as i64;
@@ -73,20 +79,17 @@ impl Patch {
             pixels: Vec::new(),
         };
         rows.for_each(|y| patch.push_row(constraints, y));
-        patch.flood(corner, reach_px);
-        if !patch.meets_colors(corner, constraints) {
-            patch.pixels.clear();
+        if let Some(first) = patch.first_pixel(corner).filter(|at| ground.leads_to(corner, center(*at))) {
+            patch.flood(corner, reach_px, first);
         }
         patch
     }
 
-    /// Whether a wall that gives a colour does so to the pixels: else they are those of another region, beyond a wall that is
-    /// nearer to the tip than they are.
-    fn meets_colors(&self, corner: &Corner, constraints: &Constraints) -> bool {
-        let cuts =
-            self.pixels.iter().flat_map(|pixel| WAYS.map(|(link, _)| (pixel.at, self.cut(pixel.at, link))));
-        let mut colored = cuts.filter_map(|(at, number)| Some((at, &constraints.cuts[number?])));
-        !corner.has_color() || colored.any(|(at, cut)| cut.color.is_some() && corner.is_cut(at, cut))
+    /// The pixel nearest to the tip that is clear of walls.
+    fn first_pixel(&self, corner: &Corner) -> Option<[i64; 2]> {
+        let distance = |at: &[i64; 2]| center(*at).distance(corner.tip);
+        let clear = self.all().filter(|at| corner.is_between(center(*at), CLEAR_PX));
+        clear.min_by(|a, b| distance(a).total_cmp(&distance(b)))
     }
 
     fn push_row(&mut self, constraints: &Constraints, y: i64) {
@@ -110,11 +113,9 @@ impl Patch {
         }
     }
 
-    /// Finds the pixels, from the one nearest to the tip that is clear of walls.
-    fn flood(&mut self, corner: &Corner, reach_px: f64) {
+    /// Finds the pixels, from one of them on.
+    fn flood(&mut self, corner: &Corner, reach_px: f64, first: [i64; 2]) {
         let distance = |at: &[i64; 2]| center(*at).distance(corner.tip);
-        let clear = self.all().filter(|at| corner.is_between(center(*at), CLEAR_PX));
-        let Some(first) = clear.min_by(|a, b| distance(a).total_cmp(&distance(b))) else { return };
         self.push(Pixel { at: first, angle: corner.angle_of(center(first)) });
         let mut next = 0;
         while let Some(&Pixel { at, angle }) = self.pixels.get(next) {
@@ -125,7 +126,7 @@ impl Patch {
                 if is_near
                     && self.width(at, link) > 0.0
                     && self.cut(at, link).is_none()
-                    && self.angle(other).is_none()
+                    && self.pixel(other).is_none()
                 {
                     self.push(Pixel { at: other, angle: angle + corner.turned(center(at), center(other)) });
                 }
@@ -151,10 +152,9 @@ impl Patch {
         usize::try_from(place).ok().filter(|&place| place < self.places.len())
     }
 
-    /// The direction of one of the pixels from the tip.
-    pub(super) fn angle(&self, at: [i64; 2]) -> Option<f64> {
-        let pixel = self.places[self.place(at)?].pixel?;
-        Some(self.pixels[pixel as usize].angle)
+    /// Which of the pixels lies at a place.
+    pub(super) fn pixel(&self, at: [i64; 2]) -> Option<usize> {
+        Some(self.places[self.place(at)?].pixel? as usize)
     }
 
     /// The number of the cut of a link.
