@@ -78,12 +78,9 @@ pub fn interpolate(level: &Level, values: &Texture, coarse: &Texture, x: i32, y:
     plus(values.load(x, y), sum)
 }
 
-/// The given colours of a coarser level, by how strongly they hold it.
+/// The given colours of a coarser level, by how strongly they hold it, and what is added.
 pub fn gather(level: &Level, coarse: &Level, right: &Texture, x: i32, y: i32) -> Texel {
     let mut sum = [0.0; 4];
-    if coarse.holds.load(x, y)[0] == 0.0 {
-        return sum;
-    }
     level.for_each_hold(coarse, x, y, |part, fx, fy| sum = plus(sum, times(right.load(fx, fy), part)));
     sum
 }
