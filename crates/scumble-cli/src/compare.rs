@@ -105,7 +105,8 @@ fn row(
         uncolor_half(picture.map(), &mut boundary);
     }
     let blend = Settings::default().blend;
-    let constraints = Constraints::new(picture.map(), &boundary, view)?;
+    let constraints =
+        Constraints::new(picture.map(), &boundary, view)?.fitted(picture.map(), &boundary, view);
     let zones = zones::zones(picture.map(), &boundary, view, SPECIAL_PX);
     let mesh = centers::colors(picture.mesh().solve(&boundary, blend)?, view);
     let mut solver = GridSolver::new(&constraints);

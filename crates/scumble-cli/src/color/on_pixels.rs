@@ -23,7 +23,7 @@ pub(super) fn paint(opened: &Opened, boundary: &Boundary, options: &ColorOptions
     let (drawing, look) = (&opened.document.drawing, &options.look);
     let view = stages::page_view(drawing, look.size_px);
     let map = opened.picture.map();
-    let constraints = Constraints::new(map, boundary, &view)?;
+    let constraints = Constraints::new(map, boundary, &view)?.fitted(map, boundary, &view);
     let pixels = solve(&constraints, options.solver)?;
     let picture = GridPicture::new(map, &view, options.settings.blend, pixels);
     let shapes = render::shapes(drawing, &opened.picture, look);

@@ -54,8 +54,7 @@ pub struct Constraints {
 }
 
 impl Constraints {
-    /// Those of a map and the colours of its sides in what a view shows. They fit what is known of the solution at corners and
-    /// tips: all of a region is nearer to the truth then.
+    /// Those of a map and the colours of its sides in what a view shows.
     ///
     /// # Errors
     /// See [`SolveError`]: where something shades.
@@ -68,8 +67,14 @@ impl Constraints {
         let regions = PixelRegions::new(map.triangulation(), boundary, view);
         let pulls = unreached::pulls(&regions, &all);
         all.add_pulls(pulls);
-        corners::fit(&mut all, map, boundary, view);
         Ok(all)
+    }
+
+    /// The same, fitted to what is known of the solution at corners and tips: all of a region is nearer to the truth then.
+    /// The page does without: it is 10 KB for every visitor, for a picture of a moment.
+    pub fn fitted(mut self, map: &PlanarMap, boundary: &Boundary, view: &View) -> Self {
+        corners::fit(&mut self, map, boundary, view);
+        self
     }
 
     /// The number of a pixel of the picture.

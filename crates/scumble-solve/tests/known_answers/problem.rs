@@ -85,7 +85,7 @@ impl Problem<'_> {
         let view = View { px_from_du, width_px: size_px, height_px: size_px };
         let boundary = self.boundary(&map);
         let constraints = Constraints::new(&map, &boundary, &view).expect("solved");
-        let mut solver = GridSolver::new(&constraints);
+        let mut solver = GridSolver::new(&constraints.fitted(&map, &boundary, &view));
         solver.solve(1e-5);
         let center = |i: u32| Point::new(f64::from(i % size_px) + 0.5, f64::from(i / size_px) + 0.5);
         let pixels = (0..).zip(solver.pixels()).filter(|(_, pixel)| pixel[3] > 0.5);
