@@ -1,45 +1,139 @@
 //! `cargo xtask test`: every check and every test, each run even where an earlier one failed, then the summary.
+//!
+//! Two of them are on their way at a time, as each waits much of the time: for a browser, a linker or a package. Each is a process
+//! of its own, whose output is shown once it has ended.
 
-use crate::process::{cargo, command, find, node, output, root, run};
+use crate::process::{cargo, command, find, node, output, root, run, run_into};
 use crate::{dist, package, samples, tools};
-use anyhow::{Result, ensure};
+use anyhow::{Result, bail, ensure};
+use std::fs;
+use std::path::PathBuf;
+use std::process::Command;
+use std::sync::{Mutex, MutexGuard, PoisonError};
+use std::thread;
 use std::time::Instant;
 
 /// How many of OpenMoji's drawings are taken, always the same ones.
 const CORPUS_SAMPLE: &str = "300";
 
+/// A check by the name that asks for it alone: `cargo xtask test NAME`.
 type Check = (&'static str, fn() -> Result<()>);
 
-const CHECKS: [Check; 9] = [
+/// One after the other, as most of them build in the same folder.
+const CHECKS: [Check; 8] = [
     ("formatting", formatting),
     ("lints", lints),
-    ("lints of the page's wasm", wasm_lints),
-    ("licences and sources", licences),
-    ("native tests", native_tests),
-    ("300 drawings of OpenMoji", corpus),
-    ("types of the page's JavaScript", javascript_types),
-    ("wasm tests in Chromium", wasm_tests),
-    ("the page in Chromium and Firefox", page_tests),
+    ("wasm-lints", wasm_lints),
+    ("licences", licences),
+    ("native-tests", native_tests),
+    ("corpus", corpus),
+    ("types", javascript_types),
+    ("wasm-tests", wasm_tests),
 ];
+
+/// The tests of the page in Chromium and Firefox, which among all checks are taken file by file.
+const PAGE: Check = ("page", page);
 
 /// Runs all checks and prints what became of each; fails if one did.
 pub(crate) fn run_all() -> Result<()> {
-    let mut summary = Vec::new();
-    let mut failed = 0;
-    for (name, check) in CHECKS {
-        println!("\n== {name}");
-        let start = Instant::now();
-        let outcome = check();
-        if let Err(error) = &outcome {
-            failed += 1;
-            eprintln!("{name}: {error:#}");
+    install_all();
+    let this = std::env::current_exe()?;
+    let (tests, outcomes) = (Mutex::new(page_tests()?), Mutex::new(Vec::new()));
+    let check = |name: &str, command: &mut Command| {
+        let outcome = checked(name, command);
+        let is_ok = outcome.is_ok;
+        locked(&outcomes).push(outcome);
+        is_ok
+    };
+    let rest = || {
+        while let Some(file) = { locked(&tests).pop() } {
+            let name = file.file_name().unwrap_or_default().to_string_lossy().into_owned();
+            check(&name, node().arg("--test").arg(file));
         }
-        let word = if outcome.is_ok() { "ok    " } else { "FAILED" };
-        summary.push(format!("{word} {name} ({} s)", start.elapsed().as_secs()));
+    };
+    // Nobody takes a test of the page before that is built, in folders of its own.
+    let mut waiting = locked(&tests);
+    thread::scope(|scope| {
+        scope.spawn(|| {
+            for (name, _) in CHECKS {
+                check(name, command(&this).args(["test", name]));
+            }
+            rest();
+        });
+        if !check("dist", command(&this).arg("dist")) {
+            waiting.clear();
+        }
+        drop(waiting);
+        rest();
+    });
+    sum_up(&outcomes.into_inner().unwrap_or_else(PoisonError::into_inner))
+}
+
+/// Runs the checks of some names.
+pub(crate) fn run_named(names: &[&str]) -> Result<()> {
+    for name in names {
+        match CHECKS.iter().chain([&PAGE]).find(|(own, _)| own == name) {
+            Some((_, check)) => check()?,
+            None => {
+                let known: Vec<_> = CHECKS.iter().chain([&PAGE]).map(|(name, _)| *name).collect();
+                bail!("there is no check {name}; there are {}", known.join(", "));
+            }
+        }
     }
-    let passed = CHECKS.len() - failed;
-    println!("\n{}\nchecks: {passed} passed, {failed} failed", summary.join("\n"));
-    ensure!(failed == 0, "{failed} of {} checks failed; see above", CHECKS.len());
+    Ok(())
+}
+
+/// Installs what several checks need, which they could not at once. What cannot be had they say themselves.
+fn install_all() {
+    for install in
+        [tools::browsers, tools::poppler, tools::npm_packages, || tools::rust_target(tools::WASM_TARGET)]
+    {
+        if let Err(error) = install() {
+            eprintln!("{error:#}");
+        }
+    }
+}
+
+fn locked<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
+    mutex.lock().unwrap_or_else(PoisonError::into_inner)
+}
+
+/// What became of a check.
+struct Outcome {
+    name: String,
+    is_ok: bool,
+    seconds: u64,
+}
+
+/// Runs a command and shows its output as a whole; it is kept in `target/checks/`.
+fn checked(name: &str, command: &mut Command) -> Outcome {
+    println!("{name} …");
+    let start = Instant::now();
+    let (is_ok, text) = logged(name, command).unwrap_or_else(|error| (false, format!("{error:#}")));
+    let outcome = Outcome { name: name.to_owned(), is_ok, seconds: start.elapsed().as_secs() };
+    println!("\n== {name}\n{text}\n{}", outcome.line());
+    outcome
+}
+
+fn logged(name: &str, command: &mut Command) -> Result<(bool, String)> {
+    let folder = root().join("target/checks");
+    fs::create_dir_all(&folder)?;
+    let log = folder.join(format!("{name}.log"));
+    let is_ok = run_into(&log, command)?;
+    Ok((is_ok, String::from_utf8_lossy(&fs::read(log)?).into_owned()))
+}
+
+impl Outcome {
+    fn line(&self) -> String {
+        format!("{} {} ({} s)", if self.is_ok { "ok    " } else { "FAILED" }, self.name, self.seconds)
+    }
+}
+
+fn sum_up(outcomes: &[Outcome]) -> Result<()> {
+    let failed = outcomes.iter().filter(|outcome| !outcome.is_ok).count();
+    let lines: Vec<_> = outcomes.iter().map(Outcome::line).collect();
+    println!("\n{}\nchecks: {} passed, {failed} failed", lines.join("\n"), outcomes.len() - failed);
+    ensure!(failed == 0, "{failed} of {} checks failed; see above", outcomes.len());
     Ok(())
 }
 
@@ -104,10 +198,15 @@ fn wasm_tests() -> Result<()> {
     Ok(())
 }
 
-fn page_tests() -> Result<()> {
+fn page() -> Result<()> {
     tools::browsers()?;
     dist::build()?;
-    let files = dist::files_in(&root().join("tests/e2e"))?;
-    let tests = files.iter().filter(|file| file.to_string_lossy().ends_with(".test.mjs"));
-    run(node().args(["--test", "--test-concurrency=1"]).args(tests))
+    run(node().args(["--test", "--test-concurrency=2"]).args(page_tests()?))
+}
+
+/// The tests of the page, each a file.
+fn page_tests() -> Result<Vec<PathBuf>> {
+    let mut files = dist::files_in(&root().join("tests/e2e"))?;
+    files.retain(|file| file.to_string_lossy().ends_with(".test.mjs"));
+    Ok(files)
 }

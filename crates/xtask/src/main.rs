@@ -18,6 +18,7 @@ use std::process::ExitCode;
 const USAGE: &str = "\
 cargo xtask serve [PORT]  build the page, serve it on this machine and print its address
 cargo xtask test          check formatting, lints, licences and types; run every test
+cargo xtask test NAME     run a check alone, for example native-tests or page
 cargo xtask dist          build the page into dist/, which any web host can serve
 cargo xtask picture       make docs/editor.png, the picture of the editor, anew
 cargo xtask golden        take the golden pictures of the page, tests/e2e/golden/, anew
@@ -42,6 +43,7 @@ fn obey(arguments: &[&str]) -> Result<()> {
     match arguments {
         ["serve", port @ ..] if port.len() <= 1 => serve(port),
         ["test"] => checks::run_all(),
+        ["test", names @ ..] => checks::run_named(names),
         ["dist"] => dist::build().map(|folder| println!("The page is in {}", folder.display())),
         ["picture"] => picture(),
         ["golden"] => golden(),

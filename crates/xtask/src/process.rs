@@ -49,6 +49,15 @@ pub(crate) fn output_of(command: &mut Command) -> Result<String> {
     Ok(String::from_utf8(output.stdout)?)
 }
 
+/// Runs the command with its output in a file, and says whether it did what it should. A pipe would stay open as long as
+/// anything that the command has left behind.
+pub(crate) fn run_into(file: &Path, command: &mut Command) -> Result<bool> {
+    let line = command_line(command);
+    let log = std::fs::File::create(file)?;
+    let status = command.stdout(log.try_clone()?).stderr(log).status();
+    Ok(status.with_context(|| format!("{line}: could not be started; is it installed?"))?.success())
+}
+
 /// What the command writes to standard output, or nothing where it cannot be started or fails.
 pub(crate) fn output(command: &mut Command) -> Option<String> {
     let output = command.stderr(Stdio::null()).output().ok()?;
