@@ -537,61 +537,6 @@ fn rubbing_is_live_and_one_step_however_often_it_goes_over() {
     assert_eq!(bytes(&page), exact);
 }
 
-/// Numbers that look random and are always the same.
-struct Dice(u64);
-
-impl Dice {
-    fn below(&mut self, count: u64) -> u64 {
-        self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-        (self.0 >> 33) % count
-    }
-
-    fn place(&mut self) -> (f64, f64) {
-        (self.below(1100) as f64 - 30.0, self.below(800) as f64 - 20.0)
-    }
-}
-
-fn something(page: &mut Page, dice: &mut Dice) {
-    let arrangings =
-        [Arranging::Forward, Arranging::Backward, Arranging::Duplicate, Arranging::Delete, Arranging::Hide];
-    let way: Vec<_> = (0..1 + dice.below(4)).map(|_| dice.place()).collect();
-    let tools = [Tool::Select, Tool::Select, Tool::Erase, Tool::Hand];
-    match dice.below(12) {
-        0 | 1 => page.stroke([RED, BLUE, GREEN][dice.below(3) as usize], &way),
-        2 => page.session.command(Command::Select(Selecting::All)),
-        3 | 4 => page.session.command(Command::Select(Selecting::Next)),
-        5 => page.session.command(Command::Arrange(arrangings[dice.below(5) as usize])),
-        6 => page
-            .session
-            .command(Command::Arrow(Vec2::new(dice.below(3) as f64 - 1.0, 1.0), dice.below(2) == 0)),
-        7 => page.session.command(Command::BrushSize(dice.below(200) as f64)),
-        8 => page.session.command(Command::EraseParts(dice.below(2) == 0)),
-        9 => page.session.command(if dice.below(2) == 0 { Command::Undo } else { Command::Redo }),
-        _ => {
-            page.session.command(Command::Tool(tools[dice.below(4) as usize]));
-            drag(page, &way);
-        }
-    }
-}
-
-#[test]
-fn whatever_is_done_the_picture_is_that_of_the_work_and_undo_leads_back() {
-    for seed in 0..4 {
-        let (mut page, mut dice) = (rooms(), Dice(seed));
-        for _ in 0..30 {
-            something(&mut page, &mut dice);
-        }
-        page.session.command(Command::Settle);
-        assert_as_if_opened(&mut page);
-        for _ in 0..60 {
-            page.session.command(Command::Undo);
-        }
-        let fresh = Page::open(ROOMS);
-        assert_eq!(bytes(&page), bytes(&fresh), "seed {seed}");
-        assert_as_if_opened(&mut page);
-    }
-}
-
 #[test]
 fn lines_that_were_changed_are_no_longer_those_of_the_sample() {
     let mut page = rooms();

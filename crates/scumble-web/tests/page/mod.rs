@@ -95,6 +95,7 @@ impl Page {
     }
 
     /// The colour on the canvas at a place in du, after a frame.
+    #[allow(dead_code, reason = "not every test has use for it")]
     pub(crate) fn color_at(&mut self, point_du: (f64, f64)) -> Srgb8 {
         self.session.frame(&mut self.canvas);
         let place_px = self.session.css_from_du() * Point::from(point_du);
@@ -102,6 +103,7 @@ impl Page {
     }
 }
 
+#[allow(dead_code, reason = "not every test has use for it")]
 pub(crate) fn pixel(picture: &Pixmap, place_px: Point) -> Srgb8 {
     let i = 4 * (place_px.y as usize * picture.width_px as usize + place_px.x as usize);
     Srgb8([picture.rgba[i], picture.rgba[i + 1], picture.rgba[i + 2]])
