@@ -120,6 +120,7 @@ mod tests {
             let tip_px = Point::new(30.0, 31.0) + place + Vec2::new(0.013, 0.007);
             let (map, boundary) = line(tip_px, tilt, &view);
             let constraints = Constraints::new(&map, &boundary, &view).expect("constraints");
+            let constraints = constraints.fitted(&map, &boundary, &view);
             let ground = Ground { map: &map, closed_gaps: &[], centers_from_du: centers_from_du(&view) };
             let corners = corners(&ground, &boundary);
             let corner =
