@@ -4,8 +4,6 @@
 //! an unknown. At the tip of a curve the sector goes all the way round, so there the two sides meet. The two triangles
 //! at an edge share the unknown in its middle, unless the edge is a side of a curve or a part of a closed gap.
 
-use std::iter;
-
 use kurbo::Vec2;
 use scumble_core::pace::{self, Pace};
 use scumble_core::{HalfEdge, SideId, Triangulation, sort};
@@ -139,11 +137,21 @@ impl Numbers<'_> {
 
     /// Gives one unknown to all corners in the sector of the node that a half-edge starts from.
     fn number_sector(&mut self, h: HalfEdge) {
-        if *self.corner(h) == NONE {
-            for corner in sector(self.barriers, h) {
-                *self.corner(corner) = self.next;
-            }
-            self.next += 1;
+        if *self.corner(h) != NONE {
+            return;
+        }
+        *self.corner(h) = self.next;
+        let barriers = self.barriers;
+        self.number_on(h, |h| barriers.passage(h.prev()));
+        self.number_on(h, |h| barriers.passage(h).map(HalfEdge::next));
+        self.next += 1;
+    }
+
+    /// Gives the same unknown to corners after the one of `h`, up to a barrier or all around.
+    fn number_on(&mut self, mut h: HalfEdge, next: impl Fn(HalfEdge) -> Option<HalfEdge>) {
+        while let Some(beside) = next(h).filter(|&beside| *self.corner(beside) == NONE) {
+            *self.corner(beside) = self.next;
+            h = beside;
         }
     }
 
@@ -195,14 +203,4 @@ fn gaps(mesh: &Triangulation, triangles: &[u32]) -> Vec<u32> {
     let mut gaps: Vec<_> = half_edges(triangles).filter_map(|h| mesh.gap(h)).collect();
     sort::sort_unique(&mut gaps);
     gaps
-}
-
-/// The half-edges that start from the same node as `h`, without a barrier between them and `h`.
-fn sector(barriers: Barriers<'_>, h: HalfEdge) -> impl Iterator<Item = HalfEdge> {
-    let clockwise = |h: HalfEdge| barriers.passage(h).map(HalfEdge::next);
-    let mut first = h;
-    while let Some(next) = clockwise(first).filter(|&next| next != h) {
-        first = next;
-    }
-    iter::successors(Some(first), move |h| barriers.passage(h.prev()).filter(|&next| next != first))
 }

@@ -5,8 +5,8 @@
 //! *boundary*, the later ones that those are coupled to. What the elimination of the pivots leaves on the boundary is
 //! added to the parent, the front that eliminates the first of these.
 
-use std::mem;
 use std::ops::Range;
+use std::{iter, mem};
 
 use scumble_core::pace::Pace;
 use scumble_core::sort;
@@ -86,23 +86,19 @@ impl Fronts {
         let (starts, elements) = by_group(rows, &group_of, ends.len());
         let mut fronts = Self { list: Vec::with_capacity(ends.len()), boundaries: Vec::new(), elements };
         let mut child_of = vec![NONE; ends.len()];
-        let mut rows_from = RowsFrom { end: 0, seen: vec![NONE; group_of.len()], keys: Vec::new() };
+        let mut rows_from = RowsFrom::of(group_of.len());
         let mut pace = Pace::default();
         for (group, &end) in ends.iter().enumerate() {
             let elements = starts[group] as usize..starts[group + 1] as usize;
-            rows_from.start(end);
+            let boundaries = || fronts.siblings(child_of[group]).map(|child| fronts.boundary(child));
+            rows_from.start(end, boundaries().max_by_key(|boundary| boundary.len()).unwrap_or_default());
             for &element in &fronts.elements[elements.clone()] {
                 rows_from.add(&rows[element as usize]);
             }
-            let mut child = child_of[group];
-            while let Some(front) = fronts.list.get(child as usize) {
-                rows_from.add(fronts.boundary(front));
-                child = front.sibling;
-            }
-            sort::sort(&mut rows_from.keys);
-            pace.work(1 + rows_from.keys.len() / KEYS).await;
+            boundaries().for_each(|boundary| rows_from.add(boundary));
             let start = fronts.boundaries.len();
-            fronts.boundaries.extend(rows_from.keys.iter().map(|&(row, _)| row as u32));
+            rows_from.append_to(&mut fronts.boundaries);
+            pace.work(1 + (fronts.boundaries.len() - start) / KEYS).await;
             let parent_row = fronts.boundaries.get(start).copied().unwrap_or(NONE);
             let parent =
                 group_of.get(parent_row as usize).and_then(|&group| child_of.get_mut(group as usize));
@@ -119,6 +115,12 @@ impl Fronts {
         fronts.merge();
         fronts.link();
         fronts
+    }
+
+    /// A front and all siblings that come after it.
+    fn siblings(&self, first: u32) -> impl Iterator<Item = &Front> {
+        let front = |i: u32| self.list.get(i as usize);
+        iter::successors(front(first), move |before| front(before.sibling))
     }
 
     pub(super) fn boundary(&self, front: &Front) -> &[u32] {
@@ -204,21 +206,43 @@ struct RowsFrom {
     end: u32,
     /// For each row the end for which it was collected last.
     seen: Vec<u32>,
-    keys: Vec<(u64, u32)>,
+    /// Those that it began with, in ascending order.
+    first: Vec<u32>,
+    /// The others, in no order, as keys.
+    others: Vec<(u64, u32)>,
 }
 
 impl RowsFrom {
-    fn start(&mut self, end: u32) {
+    fn of(row_count: usize) -> Self {
+        Self { end: 0, seen: vec![NONE; row_count], first: Vec::new(), others: Vec::new() }
+    }
+
+    /// Begins with rows that ascend.
+    fn start(&mut self, end: u32, rows: &[u32]) {
         self.end = end;
-        self.keys.clear();
+        self.others.clear();
+        self.first.clear();
+        self.first.extend_from_slice(&rows[rows.partition_point(|&row| row < end)..]);
+        self.first.iter().for_each(|&row| self.seen[row as usize] = end);
     }
 
     fn add(&mut self, rows: &[u32]) {
         for &row in rows.iter().filter(|&&row| row >= self.end && row != NONE) {
             if self.seen[row as usize] != self.end {
                 self.seen[row as usize] = self.end;
-                self.keys.push((row.into(), 0));
+                self.others.push((row.into(), 0));
             }
         }
+    }
+
+    /// Appends all of them to a list, in ascending order.
+    fn append_to(&mut self, list: &mut Vec<u32>) {
+        sort::sort(&mut self.others);
+        let mut first = self.first.iter().copied().peekable();
+        for row in self.others.iter().map(|&(row, _)| row as u32) {
+            list.extend(iter::from_fn(|| first.next_if(|&before| before < row)));
+            list.push(row);
+        }
+        list.extend(first);
     }
 }
