@@ -7,7 +7,7 @@ use scumble_core::{BlendColor, HalfEdge, SideColors, SoftSource, Triangulation, 
 
 use super::SolveError;
 use super::cells::{Cells, WHOLE};
-use super::dofs::Dofs;
+use super::dofs::{Dofs, Side};
 use super::elements::Elements;
 use super::layer::{Cover, Layer};
 use super::limit;
@@ -86,9 +86,10 @@ impl Region {
         colors: &SideColors,
         sources: &[SoftSource],
     ) {
-        let given = self.base.dofs.sides.iter().map(|side| colors.get(side.id.index()).copied().flatten());
-        if !given.clone().eq(self.given.iter().copied()) {
-            self.given = given.collect();
+        let given = |side: &Side| colors.get(side.id.index()).and_then(Option::as_ref);
+        let sides = &self.base.dofs.sides;
+        if !sides.iter().map(given).eq(self.given.iter().map(Option::as_ref)) {
+            self.given = sides.iter().map(|side| given(side).copied()).collect();
             self.is_solved = false;
         }
         if !self.is_solved {
