@@ -275,7 +275,8 @@ proptest! {
         let (colors, scaled): (SideColors, SideColors) = (mapped(&|c| c), mapped(&|c| scale * c + shift));
         for (a, b) in all_colors(&solved(&map, &colors)).zip(all_colors(&solved(&map, &scaled))) {
             for i in 0..3 {
-                prop_assert!((scale * f64::from(a[i]) + shift - f64::from(b[i])).abs() < 1e-5);
+                // Factors of single precision: up to 6e-5 seen in 1,500 drawings, a seventieth of a level.
+                prop_assert!((scale * f64::from(a[i]) + shift - f64::from(b[i])).abs() < 2e-4);
             }
         }
     }
