@@ -117,18 +117,20 @@ export class Engine {
    */
   async #prepare(work, signal) {
     this.#call((app) => app.prepare(work));
-    while (this.#goOn((app) => app.prepareOn())) {
+    let isMore;
+    do {
+      isMore = this.#goOn((app) => app.prepareOn());
       await new Promise((wake) => setTimeout(wake));
       signal.throwIfAborted();
-    }
+    } while (isMore);
   }
 
   /**
    * Goes on with long work for a while, and tells whether there is more of it.
    * @param {(app: App) => boolean} next its next slice
-   * @param {number} start_ms since when that has been
    */
-  #goOn(next, start_ms = performance.now()) {
+  #goOn(next) {
+    const start_ms = performance.now();
     while (this.#call(next) === true) if (performance.now() > start_ms + SLICE_MS) return true;
     return false;
   }
@@ -221,9 +223,9 @@ export class Engine {
     this.#frameAsked = true;
     requestAnimationFrame(() => {
       this.#frameAsked = false;
-      const start_ms = performance.now();
       this.#enter((app) => app.frame());
-      this.#goOn((app) => app.makeOn(), start_ms);
+      // Not in the frame: each may take its time.
+      if (this.isMaking) setTimeout(() => this.#goOn((app) => app.makeOn()));
     });
   }
 

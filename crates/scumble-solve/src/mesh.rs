@@ -267,14 +267,15 @@ impl MeshSolver {
 }
 
 /// Regions whose unknowns are in the order of elimination of the mesh.
-async fn ordered(mut regions: Vec<Dofs>, ranks: &[[u32; 3]]) -> Vec<Region> {
+async fn ordered(regions: Vec<Dofs>, ranks: &[[u32; 3]]) -> Vec<Region> {
     pace::pause().await;
-    let mut pace = Pace::default();
-    for region in &mut regions {
+    let (mut ordered, mut pace) = (Vec::with_capacity(regions.len()), Pace::default());
+    for mut region in regions {
         region.order(ranks).await;
         pace.work(region.triangles.len()).await;
+        ordered.push(Region::new(region));
     }
-    regions.into_iter().map(Region::new).collect()
+    ordered
 }
 
 /// Makes room in a list for other parts: those that are as long as before move to where they begin now.

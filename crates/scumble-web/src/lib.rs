@@ -4,6 +4,7 @@
 //! |---|---|
 //! | a document under gestures and commands | [`session`] |
 //! | what there is to paint | [`painting`] |
+//! | the painter on the CPU: what has changed, in strips | [`strips`] |
 //! | what the pen draws with | [`brush`] |
 //! | the way of a pen, smooth and simple | [`stroke`] |
 //! | what the page can ask for | [`command`] |
@@ -30,6 +31,7 @@ mod regions;
 mod selection;
 pub mod session;
 pub mod solver;
+pub mod strips;
 pub mod stroke;
 pub mod view;
 

@@ -3,7 +3,7 @@
 use kurbo::Rect;
 use scumble_core::Srgb8;
 use scumble_solve::grid::GridProblem;
-use scumble_solve::{Field, Part, Pixmap, Repainter, Scene, View, paint};
+use scumble_solve::{Field, Part, Pixmap, Scene, View, paint};
 
 use crate::layers::Layers;
 
@@ -72,31 +72,13 @@ impl Changed {
     }
 
     /// The pixels of a view that show it, and one more on each side.
-    fn part(&self, view: &View) -> Option<Part> {
+    pub(crate) fn part(&self, view: &View) -> Option<Part> {
         let within_px = view.px_from_du.transform_rect_bbox(self.within_du?).inflate(1.0, 1.0);
         // A cast keeps within the range of its type.
         let span = |from: f64, to: f64, end: u32| (from as u32).min(end)..(to.ceil() as u32).min(end);
         let columns = span(within_px.x0, within_px.x1, view.width_px);
         let rows = span(within_px.y0, within_px.y1, view.height_px);
         (!columns.is_empty() && !rows.is_empty()).then_some(Part { columns, rows })
-    }
-}
-
-/// The painter on the CPU, for a canvas that keeps what it has shown: it paints the part that has changed.
-#[derive(Debug, Default)]
-pub struct PartPainter {
-    shown: Option<(View, Option<Srgb8>)>,
-    painter: Repainter,
-}
-
-impl PartPainter {
-    /// The part of a painting that is not as it was the time before, and where it begins, in pixels; none where all is.
-    pub fn paint(&mut self, painting: &Painting<'_>, changed: &Changed) -> Option<([u32; 2], Pixmap)> {
-        let Painting { view, paper, .. } = *painting;
-        let is_as_before = self.shown.replace((view, paper)) == Some((view, paper));
-        let part = if is_as_before { changed.part(&view)? } else { view.whole() };
-        let corner = [part.columns.start, part.rows.start];
-        Some((corner, self.painter.paint(&painting.scene(), &view, &part)))
     }
 }
 

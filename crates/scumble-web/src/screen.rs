@@ -16,8 +16,9 @@ use web_sys::{CanvasRenderingContext2d, HtmlCanvasElement, ImageData};
 
 #[cfg(feature = "webgpu")]
 use crate::beside::BesideScreen;
-use crate::painting::{Changed, Painter, Painting, PartPainter};
+use crate::painting::{Changed, Painter, Painting};
 use crate::solver::Grids;
+use crate::strips::{Painted, StripPainter};
 
 /// The name of the painter on the CPU.
 pub const CPU: &str = "cpu";
@@ -103,10 +104,7 @@ impl Painter for Screen {
                 painter.show(painting, changed);
                 true
             }
-            Self::Cpu(screen) => {
-                screen.paint(painting, &changed);
-                true
-            }
+            Self::Cpu(screen) => screen.paint(painting, &changed),
         }
     }
 }
@@ -217,7 +215,7 @@ impl GpuScreen {
     fn resize(&mut self, view: &View) {
         if (self.config.width, self.config.height) != (view.width_px, view.height_px) {
             (self.config.width, self.config.height) = (view.width_px, view.height_px);
-            set_size(&self.canvas, view);
+            set_size(&self.canvas, [view.width_px, view.height_px]);
             self.surface.configure(&self.gpu.device, &self.config);
         }
     }
@@ -253,39 +251,38 @@ fn configuration(surface: &wgpu::Surface<'_>, gpu: &Gpu) -> Result<wgpu::Surface
 pub struct CpuScreen {
     canvas: HtmlCanvasElement,
     context: CanvasRenderingContext2d,
-    width_px: u32,
-    height_px: u32,
-    painter: PartPainter,
+    size_px: [u32; 2],
+    painter: StripPainter,
 }
 
 impl CpuScreen {
     fn open(canvas: HtmlCanvasElement) -> Result<Self, ScreenError> {
         let context = canvas.get_context("2d").ok().flatten().and_then(|context| context.dyn_into().ok());
         let context = context.ok_or_else(|| ScreenError::Canvas("no 2D context".into()))?;
-        Ok(Self { canvas, context, width_px: 0, height_px: 0, painter: PartPainter::default() })
+        Ok(Self { canvas, context, size_px: [0; 2], painter: StripPainter::default() })
     }
 
-    fn paint(&mut self, painting: &Painting<'_>, changed: &Changed) {
-        let View { width_px, height_px, .. } = painting.view;
-        if (self.width_px, self.height_px) != (width_px, height_px) {
-            (self.width_px, self.height_px) = (width_px, height_px);
-            set_size(&self.canvas, &painting.view);
+    fn paint(&mut self, painting: &Painting<'_>, changed: &Changed) -> bool {
+        let (painted, is_all) = self.painter.paint(painting, changed);
+        let size_px = self.painter.size_px();
+        if !painted.is_empty() && self.size_px != size_px {
+            self.size_px = size_px;
+            set_size(&self.canvas, size_px);
         }
-        if let Some((corner_px, pixels)) = self.painter.paint(painting, changed) {
-            self.show(corner_px, &pixels);
-        }
+        painted.iter().for_each(|painted| self.show(painted));
+        is_all
     }
 
-    fn show(&self, [x_px, y_px]: [u32; 2], Pixmap { width_px, height_px, rgba }: &Pixmap) {
+    fn show(&self, ([x_px, y_px], Pixmap { width_px, height_px, rgba }): &Painted) {
         let image = ImageData::new_with_u8_clamped_array_and_sh(Clamped(rgba), *width_px, *height_px);
         if let Ok(image) = image {
             // Fails for a detached buffer only, which a fresh one is not.
-            let _ = self.context.put_image_data(&image, x_px.into(), y_px.into());
+            let _ = self.context.put_image_data(&image, (*x_px).into(), (*y_px).into());
         }
     }
 }
 
-fn set_size(canvas: &HtmlCanvasElement, view: &View) {
-    canvas.set_width(view.width_px);
-    canvas.set_height(view.height_px);
+fn set_size(canvas: &HtmlCanvasElement, [width_px, height_px]: [u32; 2]) {
+    canvas.set_width(width_px);
+    canvas.set_height(height_px);
 }

@@ -20,8 +20,8 @@ use crate::quadratic;
 #[derive(Debug)]
 pub(super) struct Region {
     base: Elements,
-    /// The colours of its sides, as of the last look at them.
-    given: Vec<Option<[BlendColor; 3]>>,
+    /// Which of its sides have colours, and these, as of the last look at them.
+    given: Vec<(usize, [BlendColor; 3])>,
     coloring: Coloring,
     /// The colour of each unknown, where colours run into each other.
     values: Vec<[f32; 4]>,
@@ -48,7 +48,7 @@ enum Coloring {
 impl Region {
     pub(super) fn new(dofs: Dofs) -> Self {
         Self {
-            given: vec![None; dofs.sides.len()],
+            given: Vec::new(),
             base: Elements::new(dofs),
             coloring: Coloring::Paper,
             values: Vec::new(),
@@ -86,16 +86,18 @@ impl Region {
         colors: &SideColors,
         sources: &[SoftSource],
     ) {
-        let given = |side: &Side| colors.get(side.id.index()).and_then(Option::as_ref);
         let sides = &self.base.dofs.sides;
-        if !sides.iter().map(given).eq(self.given.iter().map(Option::as_ref)) {
-            self.given = sides.iter().map(|side| given(side).copied()).collect();
+        let color = |side: &Side| colors.get(side.id.index()).and_then(Option::as_ref);
+        let given = || sides.iter().enumerate().filter_map(|(i, side)| Some((i, color(side)?)));
+        if !given().eq(self.given.iter().map(|(i, colors)| (*i, colors))) {
+            self.given = given().map(|(i, colors)| (i, *colors)).collect();
             self.is_solved = false;
         }
         if !self.is_solved {
-            self.coloring = coloring(self.given.iter().flatten().flatten().copied());
+            self.coloring = coloring(self.given_colors());
             if self.coloring == Coloring::Blended {
-                let is_colored: Vec<_> = self.given.iter().map(Option::is_some).collect();
+                let mut is_colored = vec![false; sides.len()];
+                self.given.iter().for_each(|(i, _)| is_colored[*i] = true);
                 self.base.analyse(mesh, &is_colored).await;
             }
         }
@@ -134,7 +136,7 @@ impl Region {
     pub(super) async fn solve(&mut self) -> bool {
         let is_new = !mem::replace(&mut self.is_solved, true);
         if let (true, Coloring::Blended, Some(system)) = (is_new, self.coloring, self.base.system()) {
-            let range = range(self.given.iter().flatten().flatten().copied());
+            let range = range(self.given_colors());
             let sums = system.right_hand_sides(self.conditions(), iter::empty());
             pace::pause_after(sums.len()).await;
             let values = system.solve(sums).await.unwrap_or_default();
@@ -209,8 +211,7 @@ impl Region {
     /// Lays the layer over the colours.
     async fn emit_shaded(&self, layer: &Layer, triangles: &mut [FieldTriangle]) {
         let paper = (self.coloring == Coloring::Paper).then_some([0.0; 4]);
-        let given = self.given.iter().flatten().flatten().copied();
-        let range = range(given.chain(layer.colors()).chain(paper));
+        let range = range(self.given_colors().chain(layer.colors()).chain(paper));
         pace::for_each((0..).zip(triangles), |(i, triangle)| {
             let under = self.colors_of_part(&layer.shapes()[i]);
             triangle.colors = covered(under, &layer.covers(i), range);
@@ -239,10 +240,13 @@ impl Region {
             .map(|weights| quadratic::color(&colors, weights.map(f64::from)))
     }
 
+    fn given_colors(&self) -> impl Iterator<Item = BlendColor> {
+        self.given.iter().flat_map(|(_, colors)| colors).copied()
+    }
+
     /// The unknowns of the coloured sides, with their colours.
     fn conditions(&self) -> impl Iterator<Item = ([u32; 3], &[BlendColor; 3])> {
-        let sides = self.base.dofs.sides.iter().zip(&self.given);
-        sides.filter_map(|(side, given)| Some((side.dofs, given.as_ref()?)))
+        self.given.iter().map(|(i, colors)| (self.base.dofs.sides[*i].dofs, colors))
     }
 }
 

@@ -5,8 +5,9 @@ use scumble_core::{Document, Scribble, Srgb8, Work, exact};
 use scumble_io::import_svg;
 use scumble_solve::{Pixmap, paint};
 use scumble_web::command::{Command, Phase, ViewChange};
-use scumble_web::painting::{Changed, PAPER, Painter, Painting, PartPainter};
+use scumble_web::painting::{Changed, PAPER, Painter, Painting};
 use scumble_web::session::Session;
+use scumble_web::strips::{Painted, StripPainter};
 
 pub(crate) const DESK: Srgb8 = Srgb8([90, 91, 92]);
 
@@ -20,29 +21,32 @@ pub(crate) const SQUARE: &[u8] = br#"<svg xmlns="http://www.w3.org/2000/svg" vie
 pub(crate) struct Canvas {
     pub(crate) frames: Vec<Changed>,
     pub(crate) shown: Option<Pixmap>,
-    painter: PartPainter,
+    painter: StripPainter,
 }
 
 impl Painter for Canvas {
     fn paint(&mut self, painting: &Painting<'_>, changed: Changed) -> bool {
         self.frames.push(changed);
-        let whole = paint(&painting.scene(), &painting.view);
-        self.repaint(painting, &changed);
-        assert_eq!(self.shown.as_ref(), Some(&whole), "what has changed, painted alone");
-        true
+        let (painted, is_all) = self.painter.paint(painting, &changed);
+        painted.into_iter().for_each(|painted| self.show(painted));
+        if is_all {
+            let whole = paint(&painting.scene(), &painting.view);
+            assert_eq!(self.shown.as_ref(), Some(&whole), "what has changed, painted alone");
+        }
+        is_all
     }
 }
 
 impl Canvas {
-    fn repaint(&mut self, painting: &Painting<'_>, changed: &Changed) {
-        let Some(([x, y], part)) = self.painter.paint(painting, changed) else { return };
-        if [part.width_px, part.height_px] == [painting.view.width_px, painting.view.height_px] {
-            self.shown = Some(part);
-        } else if let Some(shown) = &mut self.shown {
-            for (row, pixels) in (y..).zip(part.rgba.chunks(4 * part.width_px as usize)) {
-                let first = 4 * (row * shown.width_px + x) as usize;
-                shown.rgba[first..first + pixels.len()].copy_from_slice(pixels);
-            }
+    fn show(&mut self, ([x, y], part): Painted) {
+        let [width_px, height_px] = self.painter.size_px();
+        let blank = || Pixmap { width_px, height_px, rgba: vec![0; 4 * (width_px * height_px) as usize] };
+        let shown =
+            self.shown.take().filter(|shown| [shown.width_px, shown.height_px] == [width_px, height_px]);
+        let shown = self.shown.insert(shown.unwrap_or_else(blank));
+        for (row, pixels) in (y..).zip(part.rgba.chunks(4 * part.width_px as usize)) {
+            let first = 4 * (row * width_px + x) as usize;
+            shown.rgba[first..first + pixels.len()].copy_from_slice(pixels);
         }
     }
 }
