@@ -84,9 +84,10 @@ impl Ways {
         let (room_of, room_count) = mesh.rooms();
         pace::pause().await;
         let gaps: Vec<_> = mesh.half_edges().filter(|&h| mesh.gap(h).is_some()).collect();
+        pace::pause().await;
         let regions = mesh.regions();
         pace::pause().await;
-        let rooms = Rooms::new(map, &gaps, &room_of, room_count, regions);
+        let rooms = Rooms::new(map, &gaps, &room_of, room_count, regions).await;
         pace::pause().await;
         let is_open = mesh.half_edges().map(|h| spread || mesh.gap(h).is_none()).collect();
         let are_clear = vec![false; room_count];
@@ -95,6 +96,7 @@ impl Ways {
         let lengths = costs.clone();
         let mut ways = Self { costs, lengths, room_of, rooms, are_clear, triangle_of_side, gaps, is_open };
         let gap_costs = gap_costs(map);
+        pace::pause().await;
         let bases = bases(map).await;
         pace::for_each(bases.into_iter().map(|base| base as usize).enumerate(), |(t, base)| {
             ways.are_clear[ways.room_of[t] as usize] |= map.clearance().place_widths_du[base] > 0.0;

@@ -19,7 +19,7 @@
 //! not to mean a room. Where two may go into a room, the flood decides.
 
 use super::shapes::Shapes;
-use crate::pace::Pace;
+use crate::pace::{self, Pace};
 use crate::planar_map::{Gap, PlanarMap};
 use crate::sets::Sets;
 use crate::sort;
@@ -59,7 +59,7 @@ pub(super) struct Rooms {
 
 impl Rooms {
     /// The rooms and regions that the triangles of the refined mesh belong to, and the half-edges in gaps between them.
-    pub(super) fn new(
+    pub(super) async fn new(
         map: &PlanarMap,
         gaps: &[HalfEdge],
         room_of: &[u32],
@@ -67,10 +67,12 @@ impl Rooms {
         regions: (Vec<u32>, usize),
     ) -> Self {
         let areas_du2 = areas_du2(map, room_of, room_count);
+        pace::pause().await;
         let doors = doors(map, gaps, room_of, |gap, _| gap.is_wide);
         let is_within = |door: Door| !door.iter().all(|&room| areas_du2[room as usize].is_infinite());
         let is_plain = |gap: &Gap, door| gap.is_plain && (map.is_at_border(gap.nodes) || is_within(door));
         let plain_doors = self::doors(map, gaps, room_of, is_plain);
+        pace::pause().await;
         let mut are_beside_border: Vec<bool> =
             areas_du2.iter().map(|area_du2| area_du2.is_infinite()).collect();
         for &[from, to] in &doors {
