@@ -150,7 +150,7 @@ pub(crate) fn color_spans(
     closed_gaps: &[bool],
     mut by_hand: &[ColorPoint],
 ) -> Vec<ColorSpan> {
-    let mut spans = Vec::new();
+    let (mut spans, mut colors) = (Vec::new(), Vec::new());
     for curve in 0..map.curve_count() {
         for is_left in [false, true] {
             let is_own = |p: &&ColorPoint| side_key(p.curve, p.is_left) == side_key(curve as u32, is_left);
@@ -161,7 +161,11 @@ pub(crate) fn color_spans(
                 continue;
             }
             let steps = map.steps(curve);
-            let colors: Vec<_> = steps.iter().map(|step| color_of(side(step, is_left))).collect();
+            colors.clear();
+            colors.extend(steps.iter().map(|step| color_of(side(step, is_left))));
+            if !colors.iter().any(Option::is_some) {
+                continue;
+            }
             let seam = if map.is_closed(curve) { seam(&colors) } else { 0 };
             let runs = runs(steps, &colors, seam);
             let is_parted = |run: &Run| {
