@@ -224,7 +224,13 @@ impl Region {
         match self.coloring {
             Coloring::Paper => [[0.0; 4]; 6],
             Coloring::Flat(color) => [color.map(|c| c as f32); 6],
-            Coloring::Blended => self.base.dofs.unknowns.of_element[i].map(|dof| self.values[dof as usize]),
+            // `map` of that many colours is a function of its own, which copies them.
+            Coloring::Blended => {
+                let mut colors = [[0.0; 4]; 6];
+                let dofs = self.base.dofs.unknowns.of_element[i];
+                colors.iter_mut().zip(dofs).for_each(|(color, dof)| *color = self.values[dof as usize]);
+                colors
+            }
         }
     }
 
