@@ -118,6 +118,7 @@ export class Engine {
   async #prepare(work, signal) {
     this.#call((app) => app.prepare(work));
     let isMore;
+    // The page has a turn before "open", which takes its time too.
     do {
       isMore = this.#goOn((app) => app.prepareOn());
       await new Promise((wake) => setTimeout(wake));

@@ -3,6 +3,7 @@
 //! A canvas takes one kind of context in its life. WebGPU claims it only after its device is there; WebGL cannot be
 //! had without claiming it, and after a failure wants another canvas.
 
+use js_sys::Date;
 use scumble_core::Srgb8;
 use scumble_gpu::wgpu::{self, CurrentSurfaceTexture};
 use scumble_gpu::{
@@ -18,7 +19,7 @@ use web_sys::{CanvasRenderingContext2d, HtmlCanvasElement, ImageData};
 use crate::beside::BesideScreen;
 use crate::painting::{Changed, Painter, Painting};
 use crate::solver::Grids;
-use crate::strips::{Painted, StripPainter};
+use crate::strips::{Frame, Painted, StripPainter};
 
 /// The name of the painter on the CPU.
 pub const CPU: &str = "cpu";
@@ -246,12 +247,14 @@ fn configuration(surface: &wgpu::Surface<'_>, gpu: &Gpu) -> Result<wgpu::Surface
     Ok(wgpu::SurfaceConfiguration { format, width: 0, height: 0, alpha_mode, ..config })
 }
 
+/// While a frame has not taken longer, another strip is painted.
+const FRAME_MS: f64 = 8.0;
+
 /// A canvas that the painter on the CPU fills.
 #[derive(Debug)]
 pub struct CpuScreen {
     canvas: HtmlCanvasElement,
     context: CanvasRenderingContext2d,
-    size_px: [u32; 2],
     painter: StripPainter,
 }
 
@@ -259,17 +262,17 @@ impl CpuScreen {
     fn open(canvas: HtmlCanvasElement) -> Result<Self, ScreenError> {
         let context = canvas.get_context("2d").ok().flatten().and_then(|context| context.dyn_into().ok());
         let context = context.ok_or_else(|| ScreenError::Canvas("no 2D context".into()))?;
-        Ok(Self { canvas, context, size_px: [0; 2], painter: StripPainter::default() })
+        Ok(Self { canvas, context, painter: StripPainter::default() })
     }
 
     fn paint(&mut self, painting: &Painting<'_>, changed: &Changed) -> bool {
-        let (painted, is_all) = self.painter.paint(painting, changed);
-        let size_px = self.painter.size_px();
-        if !painted.is_empty() && self.size_px != size_px {
-            self.size_px = size_px;
+        let start_ms = Date::now();
+        let Frame { size_px, parts, is_all } =
+            self.painter.paint(painting, changed, || Date::now() < start_ms + FRAME_MS);
+        if !parts.is_empty() && [self.canvas.width(), self.canvas.height()] != size_px {
             set_size(&self.canvas, size_px);
         }
-        painted.iter().for_each(|painted| self.show(painted));
+        parts.iter().for_each(|painted| self.show(painted));
         is_all
     }
 

@@ -8,8 +8,11 @@ use scumble_solve::{Part, Pixmap, Repainter, Scene, View};
 
 use crate::painting::{Changed, Painting};
 
-/// About so many triangles are painted at once: for them it takes some 20 ms.
+/// A strip has up to twice as many triangles: they take some 20 ms.
 const STRIP_TRIANGLES: usize = 32_768;
+
+/// Each strip looks at all triangles: more of them gain nothing.
+const MOST_STRIPS: usize = 32;
 
 /// Paints what is not as it was the time before.
 #[derive(Debug, Default)]
@@ -19,12 +22,9 @@ pub struct StripPainter {
     strips: Vec<Strip>,
     /// Which of them has its turn.
     next: usize,
-    /// What is there of a look until all of it can be shown.
+    /// What is there of a picture until all of it can be shown.
     hidden: Option<Vec<Painted>>,
 }
-
-/// A part of a picture, and where it begins, in pixels.
-pub type Painted = ([u32; 2], Pixmap);
 
 /// What is painted, but for its colours and shapes.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -43,42 +43,81 @@ struct Strip {
     stale: Option<Part>,
 }
 
+/// A part of a picture, and where it begins, in pixels.
+pub type Painted = ([u32; 2], Pixmap);
+
+/// What there is to show after a frame.
+#[derive(Debug)]
+pub struct Frame {
+    /// Size of the picture, in pixels; where it is another than before, the parts are all of it.
+    pub size_px: [u32; 2],
+    /// What of it is new.
+    pub parts: Vec<Painted>,
+    /// Whether there is no more to paint.
+    pub is_all: bool,
+}
+
 impl StripPainter {
-    /// Paints a strip of what has changed, and tells whether that is all. Gives what can be shown now, of pictures of the size
-    /// that [`StripPainter::size_px`] tells: all of another view or other paper comes at once.
-    pub fn paint(&mut self, painting: &Painting<'_>, changed: &Changed) -> (Vec<Painted>, bool) {
+    /// Paints a strip of what has changed, and others while there is time. Where all has changed it is shown once there is all of
+    /// it; what has changed meanwhile comes in strips.
+    pub fn paint(
+        &mut self,
+        painting: &Painting<'_>,
+        changed: &Changed,
+        has_time: impl Fn() -> bool,
+    ) -> Frame {
         let scene = painting.scene();
         let look = Look { view: painting.view, paper: painting.paper, strip_count: strip_count(&scene) };
-        // Else a view that changes with each frame would never come to be seen.
-        if self.look != Some(look) && (self.hidden.is_none() || look.strip_count == 1) {
+        if self.look != Some(look) && self.may_turn(look, changed) {
             self.turn_to(look);
         } else {
             self.note(changed);
         }
-        let painted = self.paint_next(&scene);
-        (painted, self.look == Some(look) && self.strips.iter().all(|strip| strip.stale.is_none()))
+        let mut parts = self.paint_next(&scene);
+        while self.is_stale() && has_time() {
+            parts.extend(self.paint_next(&scene));
+        }
+        let is_all = self.look == Some(look) && !self.is_stale();
+        let size_px = self.look.map_or([0; 2], |Look { view, .. }| [view.width_px, view.height_px]);
+        Frame { size_px, parts, is_all }
     }
 
-    /// Of the picture that is painted.
-    pub fn size_px(&self) -> [u32; 2] {
-        self.look.map_or([0; 2], |Look { view, .. }| [view.width_px, view.height_px])
+    /// A view that changes with each frame would never be seen if each began anew. But a field may be of what is in view alone.
+    fn may_turn(&self, look: Look, changed: &Changed) -> bool {
+        self.hidden.is_none() || changed.field || look.strip_count == 1
     }
 
     fn turn_to(&mut self, look: Look) {
         self.look = Some(look);
         self.strips = strips(&look.view, look.strip_count);
+        self.begin();
+    }
+
+    /// Everything is stale, and shown once it is painted.
+    fn begin(&mut self) {
         self.next = 0;
-        self.hidden = (!self.strips.is_empty()).then(Vec::new);
+        self.hidden = self.is_stale().then(Vec::new);
     }
 
     fn note(&mut self, changed: &Changed) {
-        let Some(part) = self.look.and_then(|look| changed.part(&look.view)) else { return };
+        let Some((view, part)) = self.look.and_then(|look| Some((look.view, changed.part(&look.view)?)))
+        else {
+            return;
+        };
         for strip in &mut self.strips {
             let of_strip = intersection(&part, &strip.part);
             strip.stale = [strip.stale.take(), of_strip].into_iter().flatten().reduce(|a, b| hull(&a, &b));
         }
+        if part == view.whole() && self.hidden.is_none() {
+            self.begin();
+        }
     }
 
+    fn is_stale(&self) -> bool {
+        self.strips.iter().any(|strip| strip.stale.is_some())
+    }
+
+    /// Paints the stale strip whose turn it is, and gives what can be shown.
     fn paint_next(&mut self, scene: &Scene<'_>) -> Vec<Painted> {
         let Some(Look { view, paper, .. }) = self.look else { return Vec::new() };
         let count = self.strips.len();
@@ -111,7 +150,8 @@ impl Strip {
 /// In how many strips a scene is painted: a power of two, so that it is seldom another.
 fn strip_count(scene: &Scene<'_>) -> usize {
     let of_shapes: usize = scene.shapes.iter().map(|shape| shape.triangles.len()).sum();
-    ((scene.field.triangles.len() + of_shapes) / STRIP_TRIANGLES).next_power_of_two()
+    let triangles = scene.field.triangles.len() + of_shapes;
+    (triangles / STRIP_TRIANGLES).next_power_of_two().min(MOST_STRIPS)
 }
 
 /// All of a view, of which nothing is painted.
@@ -166,19 +206,14 @@ mod tests {
     }
 
     impl Canvas {
-        /// A frame, which may show something; tells whether that is all.
-        fn frame(&mut self, painting: &Painting<'_>, changed: Option<Rect>) -> bool {
-            let (painted, is_all) =
-                self.painter.paint(painting, &Changed { within_du: changed, ..Changed::default() });
-            for ([x_px, y_px], part) in painted {
-                let [width_px, height_px] = self.painter.size_px();
+        /// A frame of one strip, which may show something; tells whether that is all.
+        fn frame(&mut self, painting: &Painting<'_>, changed: &Changed) -> bool {
+            let Frame { size_px: [width_px, height_px], parts, is_all } =
+                self.painter.paint(painting, changed, || false);
+            for ([x_px, y_px], part) in parts {
                 let blank =
                     || Pixmap { width_px, height_px, rgba: vec![0; 4 * (width_px * height_px) as usize] };
-                let shown = self
-                    .shown
-                    .take()
-                    .filter(|shown| [shown.width_px, shown.height_px] == [width_px, height_px]);
-                let shown = self.shown.insert(shown.unwrap_or_else(blank));
+                let shown = self.shown.get_or_insert_with(blank);
                 for (y, row) in (y_px..).zip(part.rgba.chunks(4 * part.width_px as usize)) {
                     let first = 4 * (y * width_px + x_px) as usize;
                     shown.rgba[first..first + row.len()].copy_from_slice(row);
@@ -197,33 +232,54 @@ mod tests {
         paint(&painting.scene(), &painting.view)
     }
 
+    const NOTHING: Changed =
+        Changed { field: false, problem: false, scribbles: false, ink: false, within_du: None };
+
     #[test]
     fn a_large_drawing_is_painted_in_strips_and_shown_whole() {
         let (field, layers, mut canvas) = (Field::default(), rings(), Canvas::default());
         let painting = painting(&field, &layers, 0.3);
-        let mut frames = 1;
-        while !canvas.frame(&painting, None) {
-            assert_eq!(canvas.shown, None);
-            frames += 1;
+        for changed in [NOTHING, Changed::ALL] {
+            let (before, mut frames) = (canvas.shown.clone(), 1);
+            let mut is_all = canvas.frame(&painting, &changed);
+            while !is_all {
+                assert!(canvas.shown == before);
+                is_all = canvas.frame(&painting, &NOTHING);
+                frames += 1;
+            }
+            assert!(frames > 1);
+            assert!(canvas.shown == Some(whole(&painting)));
         }
-        assert!(frames > 1);
-        assert!(canvas.shown == Some(whole(&painting)));
-        assert!(canvas.frame(&painting, None));
+        let frame = StripPainter::default().paint(&painting, &NOTHING, || true);
+        assert!(frame.is_all && frame.parts.len() > 1, "as many as there is time for");
     }
 
     #[test]
     fn a_view_that_changes_with_each_frame_is_seen_all_the_same() {
         let (field, layers, mut canvas) = (Field::default(), rings(), Canvas::default());
+        let scale = |i: u32| 0.3 + 0.01 * f64::from(i);
         let mut shown = Vec::new();
         for i in 0..12 {
-            canvas.frame(&painting(&field, &layers, 0.3 + 0.01 * f64::from(i)), None);
+            canvas.frame(&painting(&field, &layers, scale(i)), &NOTHING);
             shown.extend(canvas.shown.take());
         }
         assert!(shown.len() > 2);
-        let is_one = |picture: &Pixmap| {
-            (0..12).any(|i| *picture == whole(&painting(&field, &layers, 0.3 + 0.01 * f64::from(i))))
-        };
+        let is_one =
+            |picture: &Pixmap| (0..12).any(|i| *picture == whole(&painting(&field, &layers, scale(i))));
         assert!(shown.iter().all(is_one), "of one view, from top to bottom");
+    }
+
+    #[test]
+    fn a_view_with_a_field_of_its_own_is_not_painted_for_another() {
+        let (field, layers, mut canvas) = (Field::default(), rings(), Canvas::default());
+        canvas.frame(&painting(&field, &layers, 0.3), &NOTHING);
+        let close = painting(&field, &layers, 4.0);
+        let mut is_all = canvas.frame(&close, &Changed { field: true, ..NOTHING });
+        while !is_all {
+            assert!(canvas.shown.is_none());
+            is_all = canvas.frame(&close, &NOTHING);
+        }
+        assert!(canvas.shown == Some(whole(&close)));
     }
 
     #[test]
@@ -236,11 +292,11 @@ mod tests {
             points: vec![Point::new(30.0, 30.0), Point::new(90.0, 40.0)],
         };
         for i in 0..12 {
-            let changed = layers.set_scribbles(&[(&scribble(10.0 + f64::from(i)), false)]);
-            canvas.frame(&painting(&field, &layers, 0.3), changed);
+            let within_du = layers.set_scribbles(&[(&scribble(10.0 + f64::from(i)), false)]);
+            canvas.frame(&painting(&field, &layers, 0.3), &Changed { within_du, ..NOTHING });
         }
         assert!(canvas.shown.is_some());
-        while !canvas.frame(&painting(&field, &layers, 0.3), None) {}
+        while !canvas.frame(&painting(&field, &layers, 0.3), &NOTHING) {}
         assert!(canvas.shown == Some(whole(&painting(&field, &layers, 0.3))));
     }
 }

@@ -32,7 +32,10 @@ const CHECKS: [Check; 8] = [
 ];
 
 /// The tests of the page in Chromium and Firefox, which among all checks are taken file by file.
-const PAGE: Check = ("page", page);
+const PAGE: Check = ("page", || page(&page_tests()?));
+
+/// How the name of a file with such tests ends.
+const PAGE_TEST: &str = ".test.mjs";
 
 /// Runs all checks and prints what became of each; fails if one did.
 pub(crate) fn run_all() -> Result<()> {
@@ -69,14 +72,16 @@ pub(crate) fn run_all() -> Result<()> {
     sum_up(&outcomes.into_inner().unwrap_or_else(PoisonError::into_inner))
 }
 
-/// Runs the checks of some names.
+/// Runs the checks of some names; a test of the page has that of its file.
 pub(crate) fn run_named(names: &[&str]) -> Result<()> {
+    let known = || CHECKS.iter().chain([&PAGE]);
     for name in names {
-        match CHECKS.iter().chain([&PAGE]).find(|(own, _)| own == name) {
+        match known().find(|(own, _)| own == name) {
             Some((_, check)) => check()?,
+            None if name.ends_with(PAGE_TEST) => page(&[root().join("tests/e2e").join(name)])?,
             None => {
-                let known: Vec<_> = CHECKS.iter().chain([&PAGE]).map(|(name, _)| *name).collect();
-                bail!("there is no check {name}; there are {}", known.join(", "));
+                let known: Vec<_> = known().map(|(name, _)| *name).collect();
+                bail!("there is no check {name}; there are {}, and the files in tests/e2e", known.join(", "));
             }
         }
     }
@@ -198,15 +203,15 @@ fn wasm_tests() -> Result<()> {
     Ok(())
 }
 
-fn page() -> Result<()> {
+fn page(tests: &[PathBuf]) -> Result<()> {
     tools::browsers()?;
     dist::build()?;
-    run(node().args(["--test", "--test-concurrency=2"]).args(page_tests()?))
+    run(node().args(["--test", "--test-concurrency=2"]).args(tests))
 }
 
 /// The tests of the page, each a file.
 fn page_tests() -> Result<Vec<PathBuf>> {
     let mut files = dist::files_in(&root().join("tests/e2e"))?;
-    files.retain(|file| file.to_string_lossy().ends_with(".test.mjs"));
+    files.retain(|file| file.to_string_lossy().ends_with(PAGE_TEST));
     Ok(files)
 }

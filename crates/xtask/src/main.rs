@@ -18,7 +18,7 @@ use std::process::ExitCode;
 const USAGE: &str = "\
 cargo xtask serve [PORT]  build the page, serve it on this machine and print its address
 cargo xtask test          check formatting, lints, licences and types; run every test
-cargo xtask test NAME     run a check alone, for example native-tests or page
+cargo xtask test NAME …   run some checks alone, for example native-tests, page or select.test.mjs
 cargo xtask dist          build the page into dist/, which any web host can serve
 cargo xtask picture       make docs/editor.png, the picture of the editor, anew
 cargo xtask golden        take the golden pictures of the page, tests/e2e/golden/, anew

@@ -7,7 +7,7 @@ use scumble_solve::{Pixmap, paint};
 use scumble_web::command::{Command, Phase, ViewChange};
 use scumble_web::painting::{Changed, PAPER, Painter, Painting};
 use scumble_web::session::Session;
-use scumble_web::strips::{Painted, StripPainter};
+use scumble_web::strips::{Frame, StripPainter};
 
 pub(crate) const DESK: Srgb8 = Srgb8([90, 91, 92]);
 
@@ -27,26 +27,29 @@ pub(crate) struct Canvas {
 impl Painter for Canvas {
     fn paint(&mut self, painting: &Painting<'_>, changed: Changed) -> bool {
         self.frames.push(changed);
-        let (painted, is_all) = self.painter.paint(painting, &changed);
-        painted.into_iter().for_each(|painted| self.show(painted));
-        if is_all {
-            let whole = paint(&painting.scene(), &painting.view);
-            assert_eq!(self.shown.as_ref(), Some(&whole), "what has changed, painted alone");
-        }
-        is_all
+        let frame = self.painter.paint(painting, &changed, || true);
+        self.show(&frame);
+        let whole = paint(&painting.scene(), &painting.view);
+        assert_eq!(self.shown.as_ref(), Some(&whole), "what has changed, painted alone");
+        frame.is_all
     }
 }
 
 impl Canvas {
-    fn show(&mut self, ([x, y], part): Painted) {
-        let [width_px, height_px] = self.painter.size_px();
-        let blank = || Pixmap { width_px, height_px, rgba: vec![0; 4 * (width_px * height_px) as usize] };
-        let shown =
-            self.shown.take().filter(|shown| [shown.width_px, shown.height_px] == [width_px, height_px]);
-        let shown = self.shown.insert(shown.unwrap_or_else(blank));
-        for (row, pixels) in (y..).zip(part.rgba.chunks(4 * part.width_px as usize)) {
-            let first = 4 * (row * width_px + x) as usize;
-            shown.rgba[first..first + pixels.len()].copy_from_slice(pixels);
+    fn show(&mut self, Frame { size_px: [width_px, height_px], parts, .. }: &Frame) {
+        for ([x, y], part) in parts {
+            let blank = || Pixmap {
+                width_px: *width_px,
+                height_px: *height_px,
+                rgba: vec![0; 4 * (width_px * height_px) as usize],
+            };
+            let is_same = |shown: &Pixmap| [shown.width_px, shown.height_px] == [*width_px, *height_px];
+            let shown = self.shown.take().filter(is_same).unwrap_or_else(blank);
+            let shown = self.shown.insert(shown);
+            for (row, pixels) in (*y..).zip(part.rgba.chunks(4 * part.width_px as usize)) {
+                let first = 4 * (row * width_px + x) as usize;
+                shown.rgba[first..first + pixels.len()].copy_from_slice(pixels);
+            }
         }
     }
 }
