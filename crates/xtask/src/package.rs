@@ -17,7 +17,9 @@ pub(crate) const FILES: &str = "files";
 
 /// The features of wasm that every browser with WebGPU or WebGL 2 has; `--all-features` would use others. Functions
 /// that are called once stay functions: inlined they compress worse, by 3% of the whole.
-const WASM_OPT: [&str; 13] = [
+const WASM_OPT: [&str; 14] = [
+    "-O2",
+    // Once more, for what the first time left.
     "-O2",
     "--one-caller-inline-max-function-size=0",
     // Neighbours by name are neighbours by kind, and compress better.
