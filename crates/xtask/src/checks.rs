@@ -191,16 +191,22 @@ fn wasm_tests() -> Result<()> {
     tools::rust_target(tools::WASM_TARGET)?;
     tools::wasm_bindgen()?;
     tools::wasm_pack()?;
+    tools::geckodriver()?;
     tools::browsers()?;
-    let driver = find("chromedriver").unwrap_or_default();
-    for flavour in package::FLAVOURS {
-        let test = ["test", "--headless", "--chrome", "crates/scumble-web", "--no-default-features"];
-        let mut pack = command("wasm-pack");
-        pack.args(test).args(["--features", flavour]).env("CHROMEDRIVER", &driver);
-        // Where several things are built at once, a solve without a graphics card takes longer than the 20 s of the runner.
-        run(pack.env("WASM_BINDGEN_TEST_TIMEOUT", "120"))?;
-    }
-    Ok(())
+    wasm_tests_in("chrome", "webgpu")?;
+    // Firefox's WebGPU is of another make; its WebGL 2 is not.
+    wasm_tests_in("firefox", "webgpu")?;
+    wasm_tests_in("chrome", "webgl")
+}
+
+fn wasm_tests_in(browser: &str, flavour: &str) -> Result<()> {
+    let driver = if browser == "firefox" { "geckodriver" } else { "chromedriver" };
+    let mut pack = command("wasm-pack");
+    pack.args(["test", "--headless", &format!("--{browser}"), "crates/scumble-web"])
+        .args(["--no-default-features", "--features", flavour])
+        .env(driver.to_uppercase(), find(driver).unwrap_or_default());
+    // Where several things are built at once, a solve without a graphics card takes longer than the 20 s of the runner.
+    run(pack.env("WASM_BINDGEN_TEST_TIMEOUT", "120"))
 }
 
 fn page(tests: &[PathBuf]) -> Result<()> {

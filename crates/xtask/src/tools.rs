@@ -14,6 +14,8 @@ pub(crate) const WASI_TARGET: &str = "wasm32-wasip1";
 
 const WASM_PACK_VERSION: &str = "0.15.1";
 
+const GECKODRIVER_VERSION: &str = "0.37.1";
+
 /// Debian's packages of browsers and their drivers, each with the program in it.
 const BROWSERS: [(&str, &str); 3] =
     [("chromium", "chromium"), ("chromium-driver", "chromedriver"), ("firefox-esr", "firefox-esr")];
@@ -40,6 +42,11 @@ pub(crate) fn wasm_bindgen() -> Result<()> {
 /// `wasm-pack`, which runs the tests of a wasm crate in a browser.
 pub(crate) fn wasm_pack() -> Result<()> {
     install("wasm-pack", "wasm-pack", WASM_PACK_VERSION, &["--locked"])
+}
+
+/// `geckodriver`, through which `wasm-pack` drives Firefox; Debian's package of that comes without it.
+pub(crate) fn geckodriver() -> Result<()> {
+    install("geckodriver", "geckodriver", GECKODRIVER_VERSION, &["--locked"])
 }
 
 /// The packages of `package-lock.json`, exactly.
