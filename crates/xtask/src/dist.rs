@@ -2,7 +2,7 @@
 //!
 //! | path | what |
 //! |---|---|
-//! | `index.html` | as in the repository, but that it names files of the version's folder |
+//! | `index.html` | as in the repository, but for indentation and comments, and that it names files of the version's folder |
 //! | `worker.js` | the service worker, which keeps all files of this version |
 //! | `v-…/` | the version's folder, with all of the following; see [`version`] |
 //! | `web/` | icons, what makes the page installable, style sheet, and all scripts, minified: as one, but for those that are fetched when they are needed |

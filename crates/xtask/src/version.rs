@@ -20,7 +20,7 @@ const WORKER: &str = "web/offline/worker.js";
 
 /// Names the folder of a version by its content, and puts the page and its worker beside it.
 pub(crate) fn seal(dist: &Path, files: &Path) -> Result<()> {
-    let page = fs::read_to_string(root().join("index.html"))?;
+    let page = bare(&fs::read_to_string(root().join("index.html"))?);
     let hashes = hashes_in(files, "")?;
     let version = name(&hashes, &[page.as_bytes(), &fs::read(root().join(WORKER))?]);
     fs::rename(files, dist.join(&version))?;
@@ -30,6 +30,12 @@ pub(crate) fn seal(dist: &Path, files: &Path) -> Result<()> {
     // The page by the path that it is opened by.
     let all = inside.chain([(String::new(), integrity(&Sha256::digest(&page).into()))]).collect();
     write_worker(&version, &all, &dist.join("worker.js"))
+}
+
+/// A page without what only its authors read: indentation and lines of comment.
+fn bare(page: &str) -> String {
+    let lines = page.lines().map(str::trim).filter(|line| !line.starts_with("//"));
+    lines.map(|line| format!("{line}\n")).collect()
 }
 
 type Hash = [u8; 32];
