@@ -205,8 +205,9 @@ fn wasm_tests_in(browser: &str, flavour: &str) -> Result<()> {
     pack.args(["test", "--headless", &format!("--{browser}"), "crates/scumble-web"])
         .args(["--no-default-features", "--features", flavour])
         .env(driver.to_uppercase(), find(driver).unwrap_or_default());
-    // Where several things are built at once, a solve without a graphics card takes longer than the 20 s of the runner.
-    run(pack.env("WASM_BINDGEN_TEST_TIMEOUT", "120"))
+    // Where several things are built at once, a solve without a graphics card takes longer than the 20 s of the runner, and a
+    // driver may come up later than in 5.
+    run(pack.env("WASM_BINDGEN_TEST_TIMEOUT", "120").env("WASM_BINDGEN_TEST_DRIVER_TIMEOUT", "120"))
 }
 
 fn page(tests: &[PathBuf]) -> Result<()> {
