@@ -193,12 +193,14 @@ fn wasm_tests() -> Result<()> {
     tools::wasm_pack()?;
     tools::geckodriver()?;
     tools::browsers()?;
-    wasm_tests_in("chrome", "webgpu")?;
-    // Firefox's WebGPU is of another make; its WebGL 2 is not.
-    wasm_tests_in("firefox", "webgpu")?;
-    wasm_tests_in("chrome", "webgl")
+    for flavour in package::FLAVOURS {
+        wasm_tests_in("chrome", flavour)?;
+    }
+    // Without a graphics card, Firefox has no WebGL 2.
+    wasm_tests_in("firefox", "webgpu")
 }
 
+/// Runs them with the driver of that browser alone: of two that are named, the runner takes one whatever it is told.
 fn wasm_tests_in(browser: &str, flavour: &str) -> Result<()> {
     let driver = if browser == "firefox" { "geckodriver" } else { "chromedriver" };
     let mut pack = command("wasm-pack");

@@ -44,7 +44,7 @@ pub(crate) fn wasm_pack() -> Result<()> {
     install("wasm-pack", "wasm-pack", WASM_PACK_VERSION, &["--locked"])
 }
 
-/// `geckodriver`, through which `wasm-pack` drives Firefox; Debian's package of that comes without it.
+/// `geckodriver`, through which `wasm-pack` drives Firefox: Debian has no package of it.
 pub(crate) fn geckodriver() -> Result<()> {
     install("geckodriver", "geckodriver", GECKODRIVER_VERSION, &["--locked"])
 }

@@ -32,7 +32,7 @@ pub(crate) fn seal(dist: &Path, files: &Path) -> Result<()> {
     write_worker(&version, &all, &dist.join("worker.js"))
 }
 
-/// A page without what only its authors read: indentation and lines of comment.
+/// A page without what only its authors read: indentation, and lines of comment in its script.
 fn bare(page: &str) -> String {
     let lines = page.lines().map(str::trim).filter(|line| !line.starts_with("//"));
     lines.map(|line| format!("{line}\n")).collect()
