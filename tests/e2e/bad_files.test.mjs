@@ -34,7 +34,7 @@ const BAD_FILES = {
 };
 
 describe("files that are no drawings", () => {
-  const session = useSession("chromium");
+  const session = useSession("chromium", { hasGpu: true });
   const folder = makeFolder();
 
   for (const [name, content] of Object.entries(BAD_FILES)) {

@@ -30,7 +30,7 @@ const PEN_EVERY = 10;
 const PEN_HZ = 240;
 
 /** The painter on the CPU is for machines without a GPU. @param {string} renderer */
-const startFor = (renderer) => start("chromium", renderer !== "cpu");
+const startFor = (renderer) => start("chromium", { hasGpu: renderer !== "cpu" });
 
 /** How often the page is opened. */
 const VISITS = 9;

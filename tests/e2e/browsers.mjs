@@ -26,7 +26,7 @@ const WITH_EMULATED_GPU = [
   "--use-vulkan=swiftshader",
 ];
 
-/** As Chromium runs on a machine that has none: it lays the page together on the CPU too. */
+/** As Chromium runs on a machine that has none: it lays the page together on the CPU too, which takes half of the time. */
 const WITHOUT_GPU = ["--disable-gpu"];
 
 /** The switches of Chromium. @param {boolean} hasGpu */
@@ -103,12 +103,14 @@ const VIEWPORT = { width: 1200, height: 800 };
  * @property {() => Promise<void>} kill ends it as a crash would
  */
 
+/** @typedef {{hasGpu?: boolean}} Graphics whether a browser is to believe that there is a GPU; Firefox always does */
+
 /**
  * @param {"chromium" | "firefox"} name
- * @param {boolean} [hasGpu] whether it is to believe that there is a GPU; Firefox always does
+ * @param {Graphics} [graphics]
  * @returns {Promise<Browser>}
  */
-export function launch(name, hasGpu = true) {
+export function launch(name, { hasGpu = false } = {}) {
   return name === "chromium" ? launchChromium(hasGpu) : launchFirefox();
 }
 
@@ -266,6 +268,22 @@ async function areBack(folder) {
 }
 
 /**
+ * A control that is shown, by its role and name: of the elements of the page alone, as Firefox takes seconds for each that it
+ * looks up as assistive technology would. Playwright does that in Chromium.
+ * @param {import("puppeteer-core").Page} page
+ * @param {string} role
+ * @param {string} name
+ * @returns {import("puppeteer-core").Locator<HTMLSelectElement>}
+ */
+function control(page, role, name) {
+  const own = { button: "button", checkbox: "input[type=checkbox]", combobox: "select", radio: "input[type=radio]" }[role];
+  const selector = JSON.stringify([`[role=${role}]`, own].filter(Boolean).join());
+  const find = `[...document.querySelectorAll(${selector})].find((element) => element.checkVisibility() &&
+    (element.ariaLabel ?? element.labels?.[0]?.textContent ?? element.textContent).trim() === ${JSON.stringify(name)})`;
+  return page.locator(/** @type {() => HTMLSelectElement} */ (new Function(`return ${find}`)));
+}
+
+/**
  * @param {import("puppeteer-core").Page} page
  * @returns {Tab}
  */
@@ -280,8 +298,8 @@ function puppeteerTab(page) {
     evaluate: (expression) => /** @type {Promise<any>} */ (page.evaluate(expression)),
     // Frames, which it would look at by itself, do not come in a tab that is not in front.
     waitFor: (expression) => page.waitForFunction(expression, { polling: 20 }),
-    click: (role, name) => page.locator(`::-p-aria([role="${role}"][name="${name}"])`).click(),
-    choose: async (list, option) => (await page.$(`::-p-aria([role="combobox"][name="${list}"])`))?.select(option),
+    click: (role, name) => control(page, role, name).click(),
+    choose: async (list, option) => (await control(page, "combobox", list).waitHandle()).select(option),
     mouse: page.mouse,
     swipe: async ([first, ...rest]) => {
       await page.touchscreen.touchStart(...first);

@@ -21,7 +21,7 @@ const WHITE = hex(PAPER);
 
 for (const { browser, renderer } of TARGETS) {
   describe(`${renderer} in ${browser}`, () => {
-    const session = useSession(browser);
+    const session = useSession(browser, { hasGpu: renderer !== "cpu" });
 
     const openRooms = async () => {
       const editor = await session.open(renderer);

@@ -8,7 +8,7 @@ import { Editor, useSession, version } from "./harness.mjs";
 /** Of which the grid solver takes 29,000, so that it is there when a picture is wanted at once. */
 const LIMIT_BYTES = 419_000;
 
-const session = useSession("chromium");
+const session = useSession("chromium", { hasGpu: true });
 /** @type {string} */
 let folder;
 before(async () => {

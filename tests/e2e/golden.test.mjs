@@ -37,7 +37,7 @@ const STATES = {
 /** @typedef {{renderer?: "webgpu" | "webgl", size?: readonly [number, number], isDark?: boolean, isFirst?: boolean}} Window */
 
 describe("golden pictures", () => {
-  const session = useSession("chromium");
+  const session = useSession("chromium", { hasGpu: true });
 
   /**
    * The page in a state, in a window of its own.

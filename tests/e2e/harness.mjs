@@ -14,6 +14,7 @@ import { launch, PAINTED } from "./browsers.mjs";
 import { serve } from "./static_server.mjs";
 
 /** @typedef {import("./browsers.mjs").Tab} Tab */
+/** @typedef {import("./browsers.mjs").Graphics} Graphics */
 /** @typedef {{browser: "chromium" | "firefox", renderer: "webgpu" | "webgl" | "cpu"}} Target */
 
 /** Each renderer in each browser that has it. @type {Target[]} */
@@ -68,11 +69,11 @@ export function makeFolder() {
  * A browser and a server. The page is served from a path of its own, as on a host that serves more than one.
  *
  * @param {Target["browser"]} name
- * @param {boolean} [hasGpu] see `launch`
+ * @param {Graphics} [graphics]
  */
-export async function start(name, hasGpu) {
+export async function start(name, graphics) {
   // A server that is left behind where no browser comes up would keep the tests from ending.
-  const browser = await launch(name, hasGpu);
+  const browser = await launch(name, graphics);
   const { server, url } = await serve(DIST, { base: "/some/where/" });
   return {
     url,
@@ -95,10 +96,11 @@ export async function start(name, hasGpu) {
 /**
  * A browser and a server for the tests of one `describe` or file, in which this is to be called.
  * @param {Target["browser"]} name
+ * @param {Graphics} [graphics] needed for what does not draw with the CPU
  */
-export function useSession(name) {
+export function useSession(name, graphics) {
   const session = /** @type {Awaited<ReturnType<typeof start>>} */ ({});
-  before(async () => void Object.assign(session, await start(name)));
+  before(async () => void Object.assign(session, await start(name, graphics)));
   after(() => session.close());
   return session;
 }

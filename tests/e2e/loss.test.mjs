@@ -45,7 +45,7 @@ const WATCH = `
 
 for (const renderer of /** @type {const} */ (["webgpu", "webgl"])) {
   describe(`${renderer}, lost`, () => {
-    const session = useSession("chromium");
+    const session = useSession("chromium", { hasGpu: true });
 
     /** @param {string} solver */
     const open = async (solver) => {
@@ -105,7 +105,7 @@ for (const renderer of /** @type {const} */ (["webgpu", "webgl"])) {
 }
 
 describe("webgpu, lost where there is no WebGL 2", () => {
-  const session = useSession("chromium");
+  const session = useSession("chromium", { hasGpu: true });
 
   test("in the middle of a stroke, with the gpu solver: the CPU goes on with it", async () => {
     const tab = await session.newTab();

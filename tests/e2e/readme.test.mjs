@@ -30,7 +30,7 @@ const COLORED = [
   [[120, 152], "#ffffff"],
 ];
 
-const session = useSession("chromium");
+const session = useSession("chromium", { hasGpu: true });
 
 test("a sample can be coloured with the palette", async () => {
   const editor = await session.open("webgpu");

@@ -31,7 +31,7 @@ async function shaded(session, renderer) {
 }
 
 describe("the same picture from every renderer", () => {
-  const session = useSession("chromium");
+  const session = useSession("chromium", { hasGpu: true });
   /** @type {import("./picture.mjs").Picture[]} */
   let expected;
   before(async () => {

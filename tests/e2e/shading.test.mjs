@@ -22,7 +22,7 @@ const BLUE = /** @type {[number, number, number]} */ ([0x3b, 0x82, 0xf6]);
 const UNSEEN = 2;
 
 describe("shading", () => {
-  const session = useSession("chromium");
+  const session = useSession("chromium", { hasGpu: true });
 
   /**
    * A room filled with red, and a brush that shades.

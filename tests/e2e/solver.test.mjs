@@ -54,7 +54,7 @@ function assertAlike(actual, expected) {
 }
 
 describe("the solver", () => {
-  const session = useSession("chromium");
+  const session = useSession("chromium", { hasGpu: true });
   /** @type {Editor} */
   let editor;
 

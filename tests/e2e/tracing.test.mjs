@@ -60,7 +60,7 @@ const hasControls = (editor) => editor.tab.evaluate(`document.getElementById("tr
 
 for (const { browser, renderer } of TARGETS) {
   describe(`a picture to trace, ${renderer} in ${browser}`, () => {
-    const session = useSession(browser);
+    const session = useSession(browser, { hasGpu: renderer !== "cpu" });
 
     test("it lies under colours and lines, faded as it is said, and goes where the page goes", async () => {
       const editor = await session.open(renderer);
