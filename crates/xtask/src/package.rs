@@ -70,17 +70,15 @@ fn crate_of(name: &str) -> &'static str {
     if name == FILES { "scumble-files" } else { "scumble-web" }
 }
 
-/// Compiles one build into a target folder of its own: in a shared one each would evict the other.
+/// Compiles one build. Only one is compiled with [`VECTORS`]; the others are compiled together, so that they have one set of
+/// dependencies.
 fn compile(name: &str) -> Result<PathBuf> {
-    let target = root().join("target").join(name);
+    let flavour = if name == FILES { "webgl" } else { name };
+    let target = root().join("target").join(flavour);
     let mut build = cargo();
-    build.args(["build", "--profile", "web", "-p", crate_of(name), "--target", tools::WASM_TARGET]);
-    if name != FILES {
-        build.args(["--no-default-features", "--features", name]);
-    }
-    if name == "webgpu" {
-        build.args(["--config", VECTORS]);
-    }
+    build.args(["build", "--profile", "web", "-p", "scumble-web", "--target", tools::WASM_TARGET]);
+    build.args(["--no-default-features", "--features", &format!("scumble-web/{flavour}")]);
+    build.args(if flavour == "webgpu" { ["--config", VECTORS] } else { ["-p", "scumble-files"] });
     run(build.arg("--target-dir").arg(&target))?;
     let file = format!("{}.wasm", crate_of(name).replace('-', "_"));
     Ok(target.join(tools::WASM_TARGET).join("web").join(file))
