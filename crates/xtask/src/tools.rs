@@ -39,14 +39,15 @@ pub(crate) fn wasm_bindgen() -> Result<()> {
     install("wasm-bindgen", "wasm-bindgen-cli", &version, &[])
 }
 
-/// `wasm-pack`, which runs the tests of a wasm crate in a browser.
+/// `wasm-pack`, which runs the tests of a wasm crate in a browser. Like the driver, it mostly waits, and is built faster if it
+/// is not optimised.
 pub(crate) fn wasm_pack() -> Result<()> {
-    install("wasm-pack", "wasm-pack", WASM_PACK_VERSION, &["--locked"])
+    install("wasm-pack", "wasm-pack", WASM_PACK_VERSION, &["--locked", "--debug"])
 }
 
 /// `geckodriver`, through which `wasm-pack` drives Firefox: Debian has no package of it.
 pub(crate) fn geckodriver() -> Result<()> {
-    install("geckodriver", "geckodriver", GECKODRIVER_VERSION, &["--locked"])
+    install("geckodriver", "geckodriver", GECKODRIVER_VERSION, &["--locked", "--debug"])
 }
 
 /// The packages of `package-lock.json`, exactly.
