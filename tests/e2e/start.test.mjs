@@ -18,7 +18,7 @@ const HOLD_MODULES = `{
   };
 }`;
 
-const session = useSession("chromium");
+const session = useSession("chromium", { hasGpu: true });
 
 test("the toolbar is painted before the module is loaded", async () => {
   const tab = await session.newTab();
