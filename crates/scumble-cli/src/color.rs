@@ -1,6 +1,7 @@
 //! `scumble color`: one picture from a drawing and scribbles.
 
 mod on_pixels;
+mod parts;
 
 use anyhow::ensure;
 use scumble_core::{Boundary, Document, Scribble, Work};
@@ -12,6 +13,8 @@ use crate::clock::timed;
 use crate::options::{ColorOptions, Solver};
 use crate::stages::{self, Opened, SpreadTimes};
 use crate::{files, render, works};
+
+pub(crate) use parts::MOST_PX;
 
 /// What `--timings` prints.
 #[derive(Debug, Serialize)]

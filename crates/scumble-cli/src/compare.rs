@@ -139,7 +139,7 @@ fn jeschke(constraints: &Constraints, steps: usize, blend: scumble_core::Blend) 
 }
 
 /// Takes their colours from about half of the sides of curves, whole sides at a time.
-fn uncolor_half(map: &PlanarMap, boundary: &mut Boundary) {
+pub(crate) fn uncolor_half(map: &PlanarMap, boundary: &mut Boundary) {
     for (curve, right) in (0..map.curve_count()).flat_map(|curve| [(curve, false), (curve, true)]) {
         if is_uncolored(2 * curve + usize::from(right)) {
             let sides =

@@ -7,6 +7,7 @@ use anyhow::{Context, anyhow, bail, ensure};
 use pico_args::Arguments;
 use scumble_core::{Blend, EngineKind, Settings};
 
+use crate::color::MOST_PX;
 use crate::compare::CompareOptions;
 use crate::eval::{EvalOptions, Method};
 use crate::set::Kind;
@@ -180,6 +181,10 @@ fn color(mut arguments: Arguments) -> anyhow::Result<ColorOptions> {
     let timings = arguments.contains("--timings");
     let solver = arguments.opt_value_from_fn("--solver", solver).map_err(advise)?.unwrap_or_default();
     ensure!(!timings || solver == Solver::Mesh, "--timings are those of the mesh solver; leave out --solver");
+    ensure!(
+        solver != Solver::Jeschke || look.size_px <= MOST_PX,
+        "--solver jeschke goes with a --size of up to {MOST_PX} pixels; give a smaller one, or another solver"
+    );
     let [drawing] = rest(arguments, ["DRAWING.svg"])?;
     Ok(ColorOptions {
         drawing: drawing.into(),

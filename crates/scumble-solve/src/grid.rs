@@ -17,6 +17,7 @@
 //! | another solver, to compare with | `jeschke` |
 //! | what a painter needs of a solved grid | `picture`, `curve_cells` |
 //! | a picture to be solved | `problem` |
+//! | what is beyond the borders of a part | `whole` |
 //!
 //! Conjugate gradients, preconditioned by a symmetric multigrid cycle; after O. Tatebe, *The multigrid preconditioned
 //! conjugate gradient method* (1993). Interpolation is that of smoothed aggregation (P. Vaněk, J. Mandel, M. Brezina,
@@ -43,6 +44,7 @@ mod regions;
 mod texture;
 mod unreached;
 mod wall;
+mod whole;
 
 pub use constraints::{Constraints, Pull, Source};
 pub use covers::Covers;
@@ -55,6 +57,7 @@ pub use level::{Level, Size};
 pub use picture::GridPicture;
 pub use problem::GridProblem;
 pub use texture::{Texel, Texture};
+pub use whole::Whole;
 
 use gradients::Gradients;
 

@@ -4,10 +4,11 @@ use std::sync::{Arc, OnceLock};
 
 use anyhow::Context;
 use scumble_core::Boundary;
-use scumble_gpu::{Gpu, GpuGridSolver, GridError, GridKernels};
-use scumble_solve::grid::{Constraints, GridPicture, GridSolver, JeschkeSolver, TOLERANCE};
-use scumble_solve::{Pixmap, paint_grid};
+use scumble_gpu::{Gpu, GpuError, GpuGridSolver, GridError, GridKernels};
+use scumble_solve::Pixmap;
+use scumble_solve::grid::{Constraints, GridSolver, JeschkeSolver, TOLERANCE};
 
+use super::parts::{MOST_PX, Page};
 use crate::options::{ColorOptions, Solver};
 use crate::render;
 use crate::stages::{self, Opened, PAPER};
@@ -21,30 +22,37 @@ const JESCHKE_STEPS: usize = 8;
 /// When there is no GPU that can do it, or a shade cannot be solved.
 pub(super) fn paint(opened: &Opened, boundary: &Boundary, options: &ColorOptions) -> anyhow::Result<Pixmap> {
     let (drawing, look) = (&opened.document.drawing, &options.look);
-    let view = stages::page_view(drawing, look.size_px);
-    let map = opened.picture.map();
-    let constraints = Constraints::new(map, boundary, &view)?.fitted(map, boundary, &view);
-    let pixels = solve(&constraints, options.solver)?;
-    let picture = GridPicture::new(map, &view, options.settings.blend, pixels);
-    let shapes = render::shapes(drawing, &opened.picture, look);
-    Ok(paint_grid(&picture, &shapes, &view, (!look.transparent).then_some(PAPER)))
-}
-
-fn solve(constraints: &Constraints, solver: Solver) -> anyhow::Result<Vec<[f32; 4]>> {
-    match solver {
-        Solver::GpuGrid => {
-            pollster::block_on(on_gpu(constraints)).context("--solver gpu (cpu-grid needs no graphics card)")
-        }
-        Solver::Jeschke => Ok(jeschke(constraints)),
-        Solver::CpuGrid | Solver::Mesh => Ok(on_cpu(constraints)),
+    let page = Page {
+        map: opened.picture.map(),
+        boundary,
+        blend: options.settings.blend,
+        view: stages::page_view(drawing, look.size_px),
+        shapes: &render::shapes(drawing, &opened.picture, look),
+        paper: (!look.transparent).then_some(PAPER),
+        most_px: MOST_PX,
+    };
+    match options.solver {
+        Solver::GpuGrid => paint_on_gpu(&page).context("--solver gpu (cpu-grid needs no graphics card)"),
+        Solver::Jeschke => page.paint(|constraints| Ok(jeschke(constraints))),
+        Solver::CpuGrid | Solver::Mesh => page.paint(|constraints| Ok(on_cpu(constraints))),
     }
 }
 
-async fn on_gpu(constraints: &Constraints) -> Result<Vec<[f32; 4]>, GridError> {
+fn paint_on_gpu(page: &Page<'_>) -> anyhow::Result<Pixmap> {
     let failure = Arc::new(OnceLock::new());
     let noted = Arc::clone(&failure);
-    let gpu = Gpu::headless(move |error| drop(noted.set(error))).await?;
-    let mut solver = GpuGridSolver::new(&gpu, &GridKernels::new(&gpu.device), constraints)?;
+    let gpu = pollster::block_on(Gpu::headless(move |error| drop(noted.set(error))))?;
+    let kernels = GridKernels::new(&gpu.device);
+    page.paint(|constraints| Ok(pollster::block_on(on_gpu(&gpu, &kernels, &failure, constraints))?))
+}
+
+async fn on_gpu(
+    gpu: &Gpu,
+    kernels: &GridKernels,
+    failure: &OnceLock<GpuError>,
+    constraints: &Constraints,
+) -> Result<Vec<[f32; 4]>, GridError> {
+    let mut solver = GpuGridSolver::new(gpu, kernels, constraints)?;
     solver.solve(TOLERANCE).await?;
     let pixels = solver.pixels().await?;
     failure.get().map_or(Ok(pixels), |error| Err(error.clone().into()))
@@ -53,7 +61,7 @@ async fn on_gpu(constraints: &Constraints) -> Result<Vec<[f32; 4]>, GridError> {
 fn on_cpu(constraints: &Constraints) -> Vec<[f32; 4]> {
     let mut solver = GridSolver::new(constraints);
     solver.solve(TOLERANCE);
-    solver.pixels().to_vec()
+    solver.pixels()
 }
 
 fn jeschke(constraints: &Constraints) -> Vec<[f32; 4]> {

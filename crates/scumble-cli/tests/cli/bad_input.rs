@@ -112,6 +112,7 @@ fn calls_that_make_no_sense() {
         (&["--engine", "magic"], "global or progressive"),
         (&["--solver", "magic"], "mesh, gpu, cpu-grid or jeschke"),
         (&["--solver", "cpu-grid", "--timings"], "leave out --solver"),
+        (&["--solver", "jeschke", "--size", "2049"], "up to 2048 pixels"),
         (&["--spread", "--engine", "progressive"], "only --engine global spreads"),
         (&["--gap-closing", "1.5"], "from 0 to 1"),
         (&["--gap-closing", "NaN"], "from 0 to 1"),

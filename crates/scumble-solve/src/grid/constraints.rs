@@ -10,6 +10,7 @@ use super::cut_links::{self, Cut, Face, Link};
 
 use super::regions::PixelRegions;
 use super::unreached;
+use super::whole::Whole;
 use crate::mesh::SolveError;
 use crate::scene::View;
 
@@ -59,11 +60,35 @@ impl Constraints {
     /// # Errors
     /// See [`SolveError`]: where something shades.
     pub fn new(map: &PlanarMap, boundary: &Boundary, view: &View) -> Result<Self, SolveError> {
+        Self::with_borders(map, boundary, view, |_| Vec::new())
+    }
+
+    /// Those in what a view shows of a larger picture, which says what is beyond its borders.
+    ///
+    /// # Errors
+    /// See [`SolveError`]: where something shades.
+    pub fn within(
+        whole: &Whole,
+        map: &PlanarMap,
+        boundary: &Boundary,
+        view: &View,
+    ) -> Result<Self, SolveError> {
+        Self::with_borders(map, boundary, view, |all| whole.pulls(all, view))
+    }
+
+    fn with_borders(
+        map: &PlanarMap,
+        boundary: &Boundary,
+        view: &View,
+        borders: impl FnOnce(&Self) -> Vec<Pull>,
+    ) -> Result<Self, SolveError> {
         let (cuts, faces) = cut_links::cut_links(map, boundary, view);
         let (width_px, height_px) = (view.width_px, view.height_px);
         let covers = Covers::new(map, boundary, view)?;
         let (pulls, sources) = (Vec::new(), Vec::new());
         let mut all = Self { width_px, height_px, cuts, faces, pulls, sources, covers };
+        let pulls = borders(&all);
+        all.add_pulls(pulls);
         let regions = PixelRegions::new(map.triangulation(), boundary, view);
         let pulls = unreached::pulls(&regions, &all);
         all.add_pulls(pulls);
@@ -93,6 +118,12 @@ impl Constraints {
         let key = |face: &Face| (face.link == Link::South, face.pixel);
         let first = |pixel| self.faces.partition_point(|face| key(face) < (link == Link::South, pixel));
         &self.faces[first(pixels.start)..first(pixels.end)]
+    }
+
+    /// Whether a curve or a gap cuts a link of a pixel.
+    pub(super) fn is_cut(&self, at: [i64; 2], link: Link) -> bool {
+        let key = |cut: &Cut| (cut.pixel, cut.link as u8);
+        self.cuts.binary_search_by_key(&(self.pixel(at), link as u8), key).is_ok()
     }
 
     /// What draws a pixel.

@@ -73,8 +73,8 @@ mod tests {
     use kurbo::{Affine, BezPath, Point, Rect, Vec2};
     use scumble_core::{Curve, Drawing, Sampling};
 
-    use super::super::cut_links::LEAST_FRACTION;
-    use super::patch::{Patch, Pixel, WAYS, beside, center};
+    use super::super::cut_links::{LEAST_FRACTION, WAYS};
+    use super::patch::{Patch, Pixel, beside, center};
     use super::*;
 
     const SIZE_PX: u32 = 64;

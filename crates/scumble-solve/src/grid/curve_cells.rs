@@ -48,6 +48,12 @@ impl CurveCells {
         let pieces = entries.iter().map(|&(_, i)| ends(lines[i as usize])).collect();
         Self { columns, rows, cells, pieces }
     }
+
+    /// Those in a cell.
+    pub(super) fn pieces_of(&self, column: u32, row: u32) -> &[[f32; 4]] {
+        let [first, count] = self.cells[(row * self.columns + column) as usize];
+        &self.pieces[first as usize..(first + count) as usize]
+    }
 }
 
 fn ends(Line { p0, p1 }: Line) -> [f32; 4] {

@@ -23,6 +23,10 @@ pub enum Link {
     North,
 }
 
+/// The links of a pixel, and where they lead.
+pub(super) const WAYS: [(Link, [i64; 2]); 4] =
+    [(Link::East, [1, 0]), (Link::South, [0, 1]), (Link::West, [-1, 0]), (Link::North, [0, -1])];
+
 /// A link of one pixel that ends at a curve, or at a gap that is closed.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Cut {

@@ -33,6 +33,19 @@ fn annulus_on_pixels() {
     annulus(100.0, 400.0, |problem| assert_grid_falls(problem, &[64, 128, 256], 0.4, |_| true));
 }
 
+/// Most where a border crosses the outer circle: beside a curve what is beyond is known to a pixel of the whole.
+#[test]
+fn a_part_of_an_annulus_on_pixels() {
+    let at_inner = CENTRE + 100.0 * Vec2::from_angle(0.7);
+    for times in [2.0, 4.0, 8.0] {
+        for place in [at_inner, CENTRE + 250.0 * Vec2::from_angle(2.0)] {
+            annulus(100.0, 400.0, |problem| {
+                assert_level(problem.largest_error_in_part(SIZE_PX, times, place), 0.3);
+            });
+        }
+    }
+}
+
 #[test]
 fn disk_on_pixels() {
     for k in 1..=5 {

@@ -2,7 +2,7 @@
 
 use kurbo::{Affine, BezPath, Point, Rect, Vec2};
 use scumble_core::{Blend, Boundary, Curve, Drawing, PlanarMap, Sampling};
-use scumble_solve::grid::{Constraints, GridSolver};
+use scumble_solve::grid::{Constraints, GridSolver, Whole};
 use scumble_solve::{Field, FieldTriangle, MeshSolver, View};
 
 use super::DEFAULT_DU;
@@ -12,6 +12,9 @@ const PAGE_DU: f64 = 1024.0;
 
 /// Distance of nodes for the grid solver: so small that chords matter less than pixels.
 const GRID_DU: f64 = 3.0;
+
+/// What the borders of a part get wrong has faded away so many pixels of the whole from them.
+const AROUND_PX: f64 = 8.0;
 
 /// Curves on a page, the colours of their sides, and the values in between.
 ///
@@ -81,15 +84,31 @@ impl Problem<'_> {
     /// The values that the grid solver gives the pixels that get a colour, with the places of their centres.
     pub(crate) fn solve_grid(&self, size_px: u32) -> Vec<(Point, f64)> {
         let map = self.map(GRID_DU);
-        let px_from_du = Affine::scale(f64::from(size_px) / PAGE_DU);
-        let view = View { px_from_du, width_px: size_px, height_px: size_px };
-        let boundary = self.boundary(&map);
+        let (boundary, view) = (self.boundary(&map), page(size_px));
         let constraints = Constraints::new(&map, &boundary, &view).expect("solved");
-        let mut solver = GridSolver::new(&constraints.fitted(&map, &boundary, &view));
-        solver.solve(1e-5);
-        let center = |i: u32| Point::new(f64::from(i % size_px) + 0.5, f64::from(i / size_px) + 0.5);
-        let pixels = (0..).zip(solver.pixels()).filter(|(_, pixel)| pixel[3] > 0.5);
-        pixels.map(|(i, pixel)| (px_from_du.inverse() * center(i), f64::from(pixel[0]))).collect()
+        values(&solved(&constraints.fitted(&map, &boundary, &view)), &view)
+    }
+
+    /// The largest error of the grid solver in a part of a page of so many pixels: those pixels around a place in which nothing
+    /// is seen of its borders, so many times smaller.
+    pub(crate) fn largest_error_in_part(&self, size_px: u32, times: f64, middle: Point) -> f64 {
+        let map = self.map(GRID_DU);
+        let (boundary, view) = (self.boundary(&map), page(size_px));
+        let constraints = Constraints::new(&map, &boundary, &view).expect("solved");
+        let whole = Whole::new(&map, &view, solved(&constraints.fitted(&map, &boundary, &view)));
+
+        let px_from_du = view.px_from_du.then_scale(times);
+        let half_px = Vec2::new(f64::from(size_px), f64::from(size_px)) / 2.0;
+        let px_from_du = px_from_du.then_translate(half_px - (px_from_du * middle).to_vec2());
+        let part = View { px_from_du, ..view };
+        let constraints = Constraints::within(&whole, &map, &boundary, &part).expect("solved");
+        let pixels = values(&solved(&constraints.fitted(&map, &boundary, &part)), &part);
+        let inner_du = (half_px.x - AROUND_PX * times) / px_from_du.as_coeffs()[0];
+        let inner = Rect::from_center_size(middle, (2.0 * inner_du, 2.0 * inner_du));
+        let there = pixels.into_iter().filter(|(p, _)| inner.contains(*p));
+        let errors: Vec<_> = there.map(|(p, value)| 255.0 * (value - (self.exact)(p, p)).abs()).collect();
+        assert!(!errors.is_empty());
+        errors.into_iter().fold(0.0, f64::max)
     }
 
     /// The largest error of the grid solver at places.
@@ -104,6 +123,26 @@ impl Problem<'_> {
         let there = pixels.into_iter().filter(|(p, _)| place(*p));
         there.map(|(p, value)| 255.0 * (value - (self.exact)(p, p)).abs()).collect()
     }
+}
+
+/// The page on so many pixels.
+fn page(size_px: u32) -> View {
+    let px_from_du = Affine::scale(f64::from(size_px) / PAGE_DU);
+    View { px_from_du, width_px: size_px, height_px: size_px }
+}
+
+fn solved(constraints: &Constraints) -> Vec<[f32; 4]> {
+    let mut solver = GridSolver::new(constraints);
+    solver.solve(1e-5);
+    solver.pixels()
+}
+
+/// The values of the pixels that have a colour, with the places of their centres.
+fn values(pixels: &[[f32; 4]], view: &View) -> Vec<(Point, f64)> {
+    let width = view.width_px;
+    let center = |i: u32| Point::new(f64::from(i % width) + 0.5, f64::from(i / width) + 0.5);
+    let colored = (0..).zip(pixels).filter(|(_, pixel)| pixel[3] > 0.5);
+    colored.map(|(i, pixel)| (view.px_from_du.inverse() * center(i), f64::from(pixel[0]))).collect()
 }
 
 /// The value of a triangle at its corners, in the middle of its edges, and at ten points between.

@@ -8,8 +8,8 @@ use std::f64::consts::{FRAC_PI_2, PI, TAU};
 use kurbo::{Point, Vec2};
 use scumble_core::{BlendColor, SideId, sort};
 
-use super::super::cut_links::Cut;
-use super::patch::{WAYS, center};
+use super::super::cut_links::{Cut, WAYS};
+use super::patch::center;
 
 /// Powers from this on are well enough as they are.
 const REGULAR: f64 = 0.9;

@@ -9,10 +9,10 @@ use kurbo::{Point, Vec2};
 use scumble_core::clamped;
 
 use super::super::constraints::{Constraints, Pull};
-use super::super::cut_links::{Cut, Face, LEAST_FRACTION, Link};
+use super::super::cut_links::{Cut, Face, LEAST_FRACTION, Link, WAYS};
 use super::corner::{self, Corner};
 use super::ground::Ground;
-use super::patch::{Patch, Pixel, WAYS, beside, center};
+use super::patch::{Patch, Pixel, beside, center};
 
 /// Pixels within this distance of a corner are fitted to it, in px.
 const REACH_PX: f64 = 4.0;

@@ -8,10 +8,10 @@
 use scumble_core::clamped;
 
 use super::super::constraints::{Constraints, Source};
-use super::super::cut_links::{Cut, LEAST_FRACTION};
+use super::super::cut_links::{Cut, LEAST_FRACTION, WAYS};
 use super::corner::{self, Corner};
 use super::ground::Ground;
-use super::patch::{Patch, Pixel, WAYS, beside, center};
+use super::patch::{Patch, Pixel, beside, center};
 
 /// Farther than this from the tip pixels follow the jump well enough, in px.
 const REACH_PX: f64 = 8.0;

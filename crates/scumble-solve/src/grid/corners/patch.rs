@@ -3,13 +3,9 @@
 use kurbo::Point;
 
 use super::super::constraints::Constraints;
-use super::super::cut_links::Link;
+use super::super::cut_links::{Link, WAYS};
 use super::corner::Corner;
 use super::ground::Ground;
-
-/// The links of a pixel, and where they lead.
-pub(super) const WAYS: [(Link, [i64; 2]); 4] =
-    [(Link::East, [1, 0]), (Link::South, [0, 1]), (Link::West, [-1, 0]), (Link::North, [0, -1])];
 
 /// Links are known of pixels so far beyond those that count.
 const RIM_PX: f64 = 2.0;
