@@ -29,7 +29,6 @@ mod shapes;
 mod shown;
 
 use std::cmp::Ordering;
-use std::collections::BTreeMap;
 
 use beyond::Beyond;
 use claim::Claim;
@@ -37,6 +36,7 @@ use crossing::Crossing;
 use flood::{Cost, Flood, NONE, Ways};
 use shown::Shown;
 
+use crate::color::{Paint, Srgb8};
 use crate::engine::{Engine, Labels};
 use crate::pace::{self, Pace, Slices};
 use crate::planar_map::PlanarMap;
@@ -231,8 +231,21 @@ impl Global {
 
 /// Per scribble the first one of the same colour.
 fn kinds(scribbles: &[Scribble]) -> Vec<u32> {
-    let mut firsts = BTreeMap::new();
-    (0..).zip(scribbles).map(|(i, scribble)| *firsts.entry(scribble.color).or_insert(i)).collect()
+    let mut order: Vec<(u64, u32)> = scribbles.iter().map(color_key).zip(0..).collect();
+    sort::sort(&mut order);
+    let mut kinds = vec![0; order.len()];
+    for run in order.chunk_by(|a, b| a.0 == b.0) {
+        run.iter().for_each(|&(_, i)| kinds[i as usize] = run[0].1);
+    }
+    kinds
+}
+
+/// Another number for each colour.
+fn color_key(scribble: &Scribble) -> u64 {
+    match scribble.color {
+        Paint::Color(Srgb8([r, g, b])) => u32::from_be_bytes([0, r, g, b]).into(),
+        Paint::Clear => u64::MAX,
+    }
 }
 
 /// The place of each scribble in an order that does not depend on the order in which they were drawn.
