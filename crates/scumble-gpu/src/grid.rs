@@ -98,11 +98,22 @@ impl GpuGridSolver {
             *self = Self::new(&self.gpu, kernels, constraints)?;
             return Ok(constraints.width_px as usize * constraints.height_px as usize);
         };
+        self.begin();
+        Ok(changed)
+    }
+
+    /// Begins anew, with what a grid of the whole has beyond the borders of the part that this solves.
+    pub(crate) fn begin_within(&mut self, kernels: &Kernels, whole: &wgpu::BindGroup) {
+        self.stack.look_beyond(&self.gpu, kernels, whole);
+        self.begin();
+    }
+
+    /// Makes the first picture.
+    fn begin(&mut self) {
         if !std::mem::replace(&mut self.is_even, true) {
             self.steps.swap(0, 1);
         }
         self.start.play(&self.gpu);
-        Ok(changed)
     }
 
     /// Steps until a step changes no channel by more than `tolerance`, or [`MAX_STEPS`] are done; and how many it took.

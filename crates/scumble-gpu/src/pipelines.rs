@@ -22,7 +22,7 @@ pub(crate) const VIEW_LAYOUT: wgpu::BindGroupLayoutDescriptor<'static> = wgpu::B
 /// What tells one pipeline from another.
 struct Kernel {
     label: &'static str,
-    source: [&'static str; 2],
+    source: &'static [&'static str],
     buffers: &'static [Option<wgpu::VertexBufferLayout<'static>>],
     depth_write: bool,
     depth_compare: wgpu::CompareFunction,
@@ -36,7 +36,7 @@ pub(crate) fn field(
 ) -> wgpu::RenderPipeline {
     let kernel = Kernel {
         label: "field",
-        source: shaders::FIELD,
+        source: &shaders::FIELD,
         buffers: &[Some(items::FIELD_LAYOUT)],
         depth_write: false,
         depth_compare: wgpu::CompareFunction::Always,
@@ -52,7 +52,7 @@ pub(crate) fn shape(
 ) -> wgpu::RenderPipeline {
     let kernel = Kernel {
         label: "shape",
-        source: shaders::SHAPE,
+        source: &shaders::SHAPE,
         buffers: &[Some(items::SHAPE_LAYOUT)],
         depth_write: true,
         depth_compare: wgpu::CompareFunction::Greater,
@@ -68,7 +68,7 @@ pub(crate) fn solution(
 ) -> wgpu::RenderPipeline {
     let kernel = Kernel {
         label: "solution",
-        source: shaders::SOLUTION,
+        source: &shaders::SOLUTION,
         buffers: &[],
         depth_write: false,
         depth_compare: wgpu::CompareFunction::Always,

@@ -8,8 +8,8 @@ use scumble_solve::{Field, Pixmap, Shape, View};
 
 use crate::error::GpuError;
 use crate::gpu::Gpu;
-use crate::grid::GpuGridSolver;
 use crate::grid::layer::{self, GridLayer};
+use crate::grid::{GpuGridSolver, Kernels as GridKernels};
 use crate::items::{self, Items};
 use crate::pipelines;
 use crate::read_back::{self, Copy};
@@ -55,6 +55,8 @@ struct Solution {
     layout: wgpu::BindGroupLayout,
     pipeline: wgpu::RenderPipeline,
     layer: GridLayer,
+    /// A part on smaller pixels, which is drawn in place of the whole.
+    part: Option<GridLayer>,
 }
 
 /// The view as the shaders read it.
@@ -106,7 +108,7 @@ impl Renderer {
         self.blend = problem.blend;
         let layer = GridLayer::new(&self.gpu, problem);
         match &mut self.solution {
-            Some(solution) => solution.layer = layer,
+            Some(solution) => (solution.layer, solution.part) = (layer, None),
             None => self.solution = Some(Solution::new(&self.gpu, &self.view_layout, self.format, layer)),
         }
     }
@@ -115,6 +117,31 @@ impl Renderer {
     pub fn update_solution(&mut self, solver: &GpuGridSolver) {
         if let Some(Solution { layout, layer, .. }) = &mut self.solution {
             layer.set_values(&self.gpu, layout, solver.values());
+        }
+    }
+
+    /// Has a part of the picture drawn, in place of the whole, as a solver for that finds it, from the next
+    /// [`Renderer::update_part`] on.
+    pub fn set_part(&mut self, part: Option<&GridProblem>) {
+        if let Some(solution) = &mut self.solution {
+            solution.part = part.map(|part| GridLayer::new(&self.gpu, part));
+        }
+    }
+
+    /// Has the solver for the part begin anew, with what there is of the whole beyond its borders.
+    pub fn begin_part(&self, kernels: &GridKernels, solver: &mut GpuGridSolver) {
+        if let Some(Solution { layer, part: Some(part), .. }) = &self.solution
+            && let Some(group) = &layer.group
+        {
+            layer.look(&self.gpu.queue, part.px_from_du);
+            solver.begin_within(kernels, group);
+        }
+    }
+
+    /// Takes the picture that the solver for the part has come to.
+    pub fn update_part(&mut self, solver: &GpuGridSolver) {
+        if let Some(Solution { layout, part: Some(part), .. }) = &mut self.solution {
+            part.set_values(&self.gpu, layout, solver.values());
         }
     }
 
@@ -142,7 +169,7 @@ impl Renderer {
         let uniform = ViewUniform::new(view, self.blend);
         self.gpu.queue.write_buffer(&self.view_buffer, 0, bytemuck::bytes_of(&uniform));
         if let Some(solution) = &self.solution {
-            solution.layer.look(&self.gpu.queue, view);
+            solution.seen().look(&self.gpu.queue, view.px_from_du);
         }
         let mut encoder = self.gpu.device.create_command_encoder(&Default::default());
         self.encode(&mut encoder, view, paper, target);
@@ -214,11 +241,16 @@ impl Solution {
     ) -> Self {
         let layout = layer::layout(&gpu.device);
         let pipeline = pipelines::solution(&gpu.device, [view_layout, &layout], format);
-        Self { layout, pipeline, layer }
+        Self { layout, pipeline, layer, part: None }
+    }
+
+    /// What is drawn.
+    fn seen(&self) -> &GridLayer {
+        self.part.as_ref().filter(|part| part.group.is_some()).unwrap_or(&self.layer)
     }
 
     fn draw(&self, pass: &mut wgpu::RenderPass<'_>) {
-        if let Some(group) = &self.layer.group {
+        if let Some(group) = &self.seen().group {
             pass.set_pipeline(&self.pipeline);
             pass.set_bind_group(1, group, &[]);
             pass.draw(0..3, 0..1);

@@ -9,19 +9,26 @@ const COMMON: &str = wgsl!("common");
 pub(crate) const FIELD: [&str; 2] = [COMMON, wgsl!("field")];
 /// Draws flat shapes.
 pub(crate) const SHAPE: [&str; 2] = [COMMON, wgsl!("shape")];
+/// Looks up what the grid solver found.
+pub(crate) const SEEN: &str = wgsl!("seen");
 /// Draws what the grid solver found.
-pub(crate) const SOLUTION: [&str; 2] = [COMMON, wgsl!("solution")];
+pub(crate) const SOLUTION: [&str; 3] = [COMMON, SEEN, wgsl!("solution")];
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::grid::kernels::{POINTS, SOURCES};
+    use crate::grid::kernels::{BORDER, POINTS, SOURCES};
     use naga::ShaderStage::{Fragment, Vertex};
     use naga::back::glsl;
     use naga::valid::{Capabilities, ModuleInfo, ValidationFlags, Validator};
 
-    const SCENE: [(&str, &[&str]); 4] =
-        [("field.wgsl", &FIELD), ("shape.wgsl", &SHAPE), ("solution.wgsl", &SOLUTION), ("points", &[POINTS])];
+    const SCENE: [(&str, &[&str]); 5] = [
+        ("field.wgsl", &FIELD),
+        ("shape.wgsl", &SHAPE),
+        ("solution.wgsl", &SOLUTION),
+        ("points", &[POINTS]),
+        ("border", &BORDER),
+    ];
 
     /// Pieces of the grid solver's kernels that are none themselves.
     const PIECES: [&str; 8] = ["block", "level", "links", "matrix", "parent", "parts", "pass", "weighted"];
@@ -92,9 +99,9 @@ mod tests {
 
     #[test]
     fn every_shader_file_is_used() {
-        assert_eq!(files(""), ["common.wgsl", "field.wgsl", "shape.wgsl", "solution.wgsl"]);
+        assert_eq!(files(""), ["common.wgsl", "field.wgsl", "seen.wgsl", "shape.wgsl", "solution.wgsl"]);
         let mut names: Vec<_> =
-            SOURCES.iter().map(|source| source.name).chain(PIECES).chain(["points"]).collect();
+            SOURCES.iter().map(|source| source.name).chain(PIECES).chain(["border", "points"]).collect();
         names.sort();
         assert_eq!(files("grid"), names.iter().map(|name| format!("{name}.wgsl")).collect::<Vec<_>>());
     }

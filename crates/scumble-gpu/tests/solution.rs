@@ -5,8 +5,8 @@ use kurbo::{Affine, BezPath, Circle, Rect, Shape};
 use scumble_core::{Blend, Boundary, Curve, Drawing, PlanarMap, Sampling, Srgb8};
 use scumble_gpu::wgpu::TextureFormat::Rgba8Unorm;
 use scumble_gpu::{Gpu, GpuError, GpuGridSolver, GridKernels, Renderer};
-use scumble_solve::grid::{GridPicture, GridProblem};
-use scumble_solve::{Field, FieldTriangle, Pixmap, View, paint_grid};
+use scumble_solve::grid::{Constraints, GridPicture, GridProblem, GridSolver, Whole};
+use scumble_solve::{Field, FieldTriangle, Part, Pixmap, View, paint_grid};
 
 const PAPER: Option<Srgb8> = Some(Srgb8([255; 3]));
 const RED: Srgb8 = Srgb8([230, 25, 75]);
@@ -116,4 +116,41 @@ fn a_field_takes_its_place() {
     let triangles = vec![FieldTriangle { corners, colors: [color; 6], side_edges: 7 }];
     renderer.set_field(&Field { blend: Blend::Oklab, triangles });
     assert_eq!(pixel(&read(&mut renderer, &problem.view), [32.0, 32.0]), RED.0);
+}
+
+/// A part of the page on pixels four times smaller, with ends of the arm and of the circle beyond its borders.
+#[test]
+fn a_part_takes_what_the_whole_has_beyond_its_borders_as_on_the_cpu() {
+    let Some(gpu) = gpu() else { return };
+    let (whole, solver, mut renderer) = solved(&gpu, 256);
+    let (map, view) = (map(), page(1024).part(&Part { columns: 420..780, rows: 300..800 }));
+    let boundary = boundary(&map);
+
+    let part = whole.part(&map, &boundary, &view).expect("a part");
+    let kernels = GridKernels::new(&gpu.device);
+    let mut on_gpu = GpuGridSolver::new(&gpu, &kernels, &part.constraints).expect("a solver");
+    renderer.set_part(Some(&part));
+    // Once more makes no difference.
+    for _ in 0..2 {
+        renderer.begin_part(&kernels, &mut on_gpu);
+        (0..10).for_each(|_| on_gpu.step());
+    }
+    let found = pollster::block_on(on_gpu.pixels()).expect("the pixels come back");
+
+    let pixels = pollster::block_on(solver.pixels()).expect("the pixels come back");
+    let whole = Whole::new(&map, &whole.view, pixels);
+    let constraints = Constraints::within(&whole, &map, &boundary, &view).expect("a part");
+    let mut on_cpu = GridSolver::new(&constraints);
+    on_cpu.solve(1e-6);
+    let levels =
+        |(a, b): (&[f32; 4], &[f32; 4])| (0..4).map(|c| 255.0 * (a[c] - b[c]).abs()).fold(0.0, f32::max);
+    let largest = found.iter().zip(&on_cpu.pixels()).map(levels).fold(0.0, f32::max);
+    assert!(largest < 0.1, "{largest} levels");
+
+    let before = read(&mut renderer, &view);
+    renderer.update_part(&on_gpu);
+    let after = read(&mut renderer, &view);
+    let picture = GridPicture::new(&map, &view, Blend::Oklab, found);
+    assert!(difference(&after.rgba, &paint_grid(&picture, &[], &view, PAPER).rgba) <= 1);
+    assert!(difference(&before.rgba, &after.rgba) > 1, "the whole is less sharp");
 }

@@ -46,7 +46,7 @@ mod unreached;
 mod wall;
 mod whole;
 
-pub use constraints::{Constraints, Pull, Source};
+pub use constraints::{Constraints, Exits, Pull, Source};
 pub use covers::Covers;
 pub use curve_cells::CurveCells;
 pub use cut_links::{Cut, Face, LEAST_FRACTION, Link};

@@ -1,9 +1,9 @@
 //! The equations of pixels on the GPU, where they stay: what changes of them is drawn over them, point by point.
 
-use scumble_solve::grid::{Constraints, Equation};
+use scumble_solve::grid::{Constraints, Equation, Exits};
 
 use super::kernels::Kernels;
-use super::points::Points;
+use super::points::{Borders, Points};
 use super::texels::{FORMAT, THIN_FORMAT, target};
 use crate::gpu::Gpu;
 
@@ -50,6 +50,19 @@ impl Equations {
         points.draw(&mut encoder, &self.hold, plain(0.0), &numbers(equations, |e| e.hold));
         points.draw(&mut encoder, &self.right, plain(0.0), &numbers(equations, |e| e.right));
         gpu.queue.submit([encoder.finish()]);
+    }
+
+    /// What holds pixels to what is beyond borders; none where there is nothing.
+    pub(super) fn borders(&self, gpu: &Gpu, constraints: &Constraints) -> Option<Borders> {
+        let exits = &constraints.exits;
+        let right = |exits: &Exits| {
+            let place = self.drawn.binary_search_by_key(&exits.pixel, |equation| equation.pixel);
+            place.map_or([0.0; 4], |place| self.drawn[place].right)
+        };
+        let centers: Vec<_> = exits.iter().map(|exits| self.center(exits.pixel)).collect();
+        let rights: Vec<_> = exits.iter().map(right).collect();
+        let links: Vec<_> = exits.iter().map(|exits| exits.links).collect();
+        (!exits.is_empty()).then(|| Borders::new(gpu, &centers, &rights, &links))
     }
 
     /// The centre of a pixel in clip space.

@@ -1,6 +1,10 @@
 //! The kernels of the grid solver: shaders, and the pipelines that draw with them.
 
+use wgpu::VertexFormat::{Float32x2, Uint32, Uint32x4};
+
+use super::layer;
 use super::texels::{FORMAT, THIN_FORMAT};
+use crate::shaders::SEEN;
 use crate::wgsl::wgsl;
 
 /// A kernel and its twin on the CPU have the same name, but for sums over all texels.
@@ -98,6 +102,9 @@ pub(crate) const SOURCES: [Source; 19] = [
 /// Draws single texels.
 pub(crate) const POINTS: &str = wgsl!("grid/points");
 
+/// Holds single pixels to what is beyond the borders of a part.
+pub(crate) const BORDER: [&str; 2] = [SEEN, wgsl!("grid/border")];
+
 /// What a kernel may read besides a level.
 pub(super) const OPERANDS: usize = 3;
 
@@ -107,6 +114,7 @@ pub struct Kernels {
     pipelines: Vec<wgpu::RenderPipeline>,
     /// For targets of one number a texel, and of four.
     points: [wgpu::RenderPipeline; 2],
+    pub(super) border: wgpu::RenderPipeline,
     pub(super) operands_layout: wgpu::BindGroupLayout,
     pub(super) level_layout: wgpu::BindGroupLayout,
 }
@@ -126,7 +134,7 @@ impl Kernels {
             pipeline(device, source.name, &source.text(), layouts, &drawing)
         });
         let pipelines = pipelines.collect();
-        Self { pipelines, points: points(device), operands_layout, level_layout }
+        Self { pipelines, points: points(device), border: border(device), operands_layout, level_layout }
     }
 
     /// What draws points into targets of a format.
@@ -173,20 +181,37 @@ struct Drawing<'a> {
 }
 
 fn points(device: &wgpu::Device) -> [wgpu::RenderPipeline; 2] {
-    use wgpu::VertexFormat::{Float32x2, Uint32, Uint32x4};
-    [(THIN_FORMAT, Uint32), (FORMAT, Uint32x4)].map(|(format, numbers)| {
-        let attributes = [(Float32x2, 0), (numbers, 1)]
-            .map(|(format, shader_location)| wgpu::VertexAttribute { format, offset: 0, shader_location });
-        let buffers = attributes.each_ref().map(|attribute| {
+    [(THIN_FORMAT, Uint32), (FORMAT, Uint32x4)]
+        .map(|(format, numbers)| point_pipeline(device, POINTS, &[], format, &[Float32x2, numbers]))
+}
+
+fn border(device: &wgpu::Device) -> wgpu::RenderPipeline {
+    let layout = layer::layout(device);
+    point_pipeline(device, &BORDER.concat(), &[Some(&layout)], FORMAT, &[Float32x2, Uint32x4, Uint32])
+}
+
+/// Draws points that have numbers of some formats, each in a buffer of its own.
+fn point_pipeline(
+    device: &wgpu::Device,
+    text: &str,
+    layouts: &[Option<&wgpu::BindGroupLayout>],
+    format: wgpu::TextureFormat,
+    numbers: &[wgpu::VertexFormat],
+) -> wgpu::RenderPipeline {
+    let attribute = |(shader_location, &format)| wgpu::VertexAttribute { format, offset: 0, shader_location };
+    let attributes: Vec<_> = (0..).zip(numbers).map(attribute).collect();
+    let buffers: Vec<_> = attributes
+        .iter()
+        .map(|attribute| {
             Some(wgpu::VertexBufferLayout {
                 array_stride: attribute.format.size(),
                 step_mode: wgpu::VertexStepMode::Vertex,
                 attributes: std::slice::from_ref(attribute),
             })
-        });
-        let topology = wgpu::PrimitiveTopology::PointList;
-        pipeline(device, "points", POINTS, &[], &Drawing { format, topology, buffers: &buffers })
-    })
+        })
+        .collect();
+    let drawing = Drawing { format, topology: wgpu::PrimitiveTopology::PointList, buffers: &buffers };
+    pipeline(device, "points", text, layouts, &drawing)
 }
 
 fn pipeline(

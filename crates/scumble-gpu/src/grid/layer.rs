@@ -2,7 +2,6 @@
 
 use bytemuck::{Pod, Zeroable};
 use kurbo::Affine;
-use scumble_solve::View;
 use scumble_solve::grid::{CurveCells, GridProblem, Texture};
 
 use super::kernels::{TEXELS, UNIFORM, bind_group_layout, entry};
@@ -15,7 +14,7 @@ const ROW: usize = 1024;
 /// What is drawn of a grid.
 #[derive(Debug)]
 pub(crate) struct GridLayer {
-    px_from_du: Affine,
+    pub(crate) px_from_du: Affine,
     uniform: wgpu::Buffer,
     cells: wgpu::TextureView,
     pieces: wgpu::TextureView,
@@ -76,9 +75,9 @@ impl GridLayer {
         }));
     }
 
-    /// What will be drawn next is seen in a view.
-    pub(crate) fn look(&self, queue: &wgpu::Queue, view: &View) {
-        let [a, b, c, d, e, f] = (self.px_from_du * view.px_from_du.inverse()).as_coeffs().map(|v| v as f32);
+    /// What will be drawn next is seen in pixels that du are taken to.
+    pub(crate) fn look(&self, queue: &wgpu::Queue, px_from_du: Affine) {
+        let [a, b, c, d, e, f] = (self.px_from_du * px_from_du.inverse()).as_coeffs().map(|v| v as f32);
         let uniform = GridUniform { linear: [a, b, c, d], shift: [e, f, 0.0, 0.0] };
         queue.write_buffer(&self.uniform, 0, bytemuck::bytes_of(&uniform));
     }

@@ -1,5 +1,7 @@
 //! Single texels of textures of numbers, drawn as points.
 
+use scumble_solve::grid::Texel;
+
 use super::kernels::Kernels;
 use crate::gpu::Gpu;
 
@@ -43,6 +45,46 @@ impl<'a> Points<'a> {
             pass.set_vertex_buffer(1, numbers.slice(..));
             pass.draw(0..self.count, 0..1);
         }
+    }
+}
+
+/// The pixels at the borders of a part of a picture.
+#[derive(Debug)]
+pub(super) struct Borders {
+    count: u32,
+    /// Their centres in clip space, the right sides of their equations, and the links that lead out.
+    buffers: [wgpu::Buffer; 3],
+}
+
+impl Borders {
+    pub(super) fn new(gpu: &Gpu, centers: &[[f32; 2]], rights: &[Texel], links: &[u32]) -> Self {
+        let bytes =
+            [bytemuck::cast_slice(centers), bytemuck::cast_slice(rights), bytemuck::cast_slice(links)];
+        Self { count: links.len() as u32, buffers: bytes.map(|bytes| buffer(gpu, bytes)) }
+    }
+
+    /// Draws the right sides of their equations, with what a grid of the whole has beyond the borders.
+    pub(super) fn draw(
+        &self,
+        gpu: &Gpu,
+        kernels: &Kernels,
+        whole: &wgpu::BindGroup,
+        right: &wgpu::TextureView,
+    ) {
+        let mut encoder = gpu.device.create_command_encoder(&Default::default());
+        let mut pass = encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
+            label: Some("border"),
+            color_attachments: &[Some(attachment(right, None))],
+            ..Default::default()
+        });
+        pass.set_pipeline(&kernels.border);
+        pass.set_bind_group(0, whole, &[]);
+        for (slot, buffer) in (0..).zip(&self.buffers) {
+            pass.set_vertex_buffer(slot, buffer.slice(..));
+        }
+        pass.draw(0..self.count, 0..1);
+        drop(pass);
+        gpu.queue.submit([encoder.finish()]);
     }
 }
 

@@ -7,6 +7,7 @@ use super::error::GridError;
 use super::gradients::Gradients;
 use super::kernels::{Kernel, Kernels};
 use super::levels::GpuLevels;
+use super::points::Borders;
 use super::tape::{Recorder, Tape};
 use super::texels::{alike, uploaded, write_rows};
 use crate::gpu::Gpu;
@@ -25,6 +26,7 @@ pub(super) struct Step {
 pub(super) struct Stack {
     size_px: [u32; 2],
     equations: Equations,
+    borders: Option<Borders>,
     picture: Gradients,
     layer: Option<Layer>,
 }
@@ -87,7 +89,8 @@ impl Stack {
         let picture = Gradients::new(gpu, levels, recorder);
         let layer = constraints.covers.as_ref().map(|covers| Layer::new(gpu, covers));
         let size_px = [constraints.width_px, constraints.height_px];
-        let stack = Self { size_px, equations, picture, layer };
+        let borders = equations.borders(gpu, constraints);
+        let stack = Self { size_px, equations, borders, picture, layer };
         stack.cover(recorder);
         Ok(stack)
     }
@@ -108,7 +111,16 @@ impl Stack {
             (Some(layer), Some(covers)) if layer.has_room_for(covers) => layer.update(gpu, covers),
             _ => return None,
         }
-        Some(self.equations.update(gpu, kernels, constraints))
+        let changed = self.equations.update(gpu, kernels, constraints);
+        self.borders = self.equations.borders(gpu, constraints);
+        Some(changed)
+    }
+
+    /// Has equations at the borders of a part take what a grid of the whole has beyond.
+    pub(super) fn look_beyond(&self, gpu: &Gpu, kernels: &Kernels, whole: &wgpu::BindGroup) {
+        if let Some(borders) = &self.borders {
+            borders.draw(gpu, kernels, whole, &self.equations.right);
+        }
     }
 
     /// A single texel that [`Step::measure`] draws: by how much the last step changed each channel most.

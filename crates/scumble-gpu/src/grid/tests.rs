@@ -162,6 +162,7 @@ fn halves() -> Constraints {
         faces: vec![Face { pixel: 64 * 21 + 30, link: Link::East, width: 0.03 }],
         pulls: vec![pull(64 * 5 + 5, 0.2), pull(64 * 60 + 60, 0.9)],
         sources: Vec::new(),
+        exits: Vec::new(),
         covers: None,
     }
 }
@@ -361,7 +362,8 @@ fn costs_are_those_of_the_passes() {
     let costs = |side_px| {
         let (cuts, faces, pulls, sources) = Default::default();
         let [width_px, height_px] = [side_px; 2];
-        let blank = Constraints { width_px, height_px, cuts, faces, pulls, sources, covers: None };
+        let exits = Vec::new();
+        let blank = Constraints { width_px, height_px, cuts, faces, pulls, sources, exits, covers: None };
         GpuGridSolver::costs(&gpu, &kernels, &blank).expect("costs")
     };
     // One pixel: the diagonal, the first picture, what it lacks, and no direction yet; each a pass with its textures.

@@ -10,7 +10,7 @@ use super::cut_links::{self, Cut, Face, Link};
 
 use super::regions::PixelRegions;
 use super::unreached;
-use super::whole::Whole;
+use super::whole::{self, Whole};
 use crate::mesh::SolveError;
 use crate::scene::View;
 
@@ -34,6 +34,22 @@ pub struct Source {
     pub color: [f32; 4],
 }
 
+/// The links of a pixel that lead out of a part of a larger picture.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Exits {
+    /// The pixel: row times width plus column.
+    pub pixel: u32,
+    /// A bit for each: 1 for that to the east, then south, west and north.
+    pub links: u32,
+}
+
+impl Exits {
+    /// What holds their pixel as long as it is not known to what.
+    fn pull(&self) -> Pull {
+        Pull { pixel: self.pixel, strength: self.links.count_ones() as f32, color: [0.0; 4] }
+    }
+}
+
 /// What curves, gaps and shading scribbles make of the pixels of a picture.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Constraints {
@@ -50,6 +66,8 @@ pub struct Constraints {
     pub pulls: Vec<Pull>,
     /// What fitting to corners adds, in no order; some pixels are named more than once.
     pub sources: Vec<Source>,
+    /// Where a part of a larger picture goes on, by pixel.
+    pub exits: Vec<Exits>,
     /// What shading scribbles lay over the picture; none where nothing shades.
     pub covers: Option<Covers>,
 }
@@ -76,18 +94,29 @@ impl Constraints {
         Self::with_borders(map, boundary, view, |all| whole.pulls(all, view))
     }
 
+    /// The same before it is known what the larger picture has at its pixels: pixels are held to black at [`Self::exits`].
+    ///
+    /// # Errors
+    /// See [`SolveError`]: where something shades.
+    pub fn part(whole: &View, map: &PlanarMap, boundary: &Boundary, view: &View) -> Result<Self, SolveError> {
+        Self::with_borders(map, boundary, view, |all| {
+            all.exits = whole::exits_by_pixel(all, view, whole);
+            all.exits.iter().map(Exits::pull).collect()
+        })
+    }
+
     fn with_borders(
         map: &PlanarMap,
         boundary: &Boundary,
         view: &View,
-        borders: impl FnOnce(&Self) -> Vec<Pull>,
+        borders: impl FnOnce(&mut Self) -> Vec<Pull>,
     ) -> Result<Self, SolveError> {
         let (cuts, faces) = cut_links::cut_links(map, boundary, view);
         let (width_px, height_px) = (view.width_px, view.height_px);
         let covers = Covers::new(map, boundary, view)?;
-        let (pulls, sources) = (Vec::new(), Vec::new());
-        let mut all = Self { width_px, height_px, cuts, faces, pulls, sources, covers };
-        let pulls = borders(&all);
+        let (pulls, sources, exits) = (Vec::new(), Vec::new(), Vec::new());
+        let mut all = Self { width_px, height_px, cuts, faces, pulls, sources, exits, covers };
+        let pulls = borders(&mut all);
         all.add_pulls(pulls);
         let regions = PixelRegions::new(map.triangulation(), boundary, view);
         let pulls = unreached::pulls(&regions, &all);

@@ -29,4 +29,13 @@ impl GridProblem {
         let constraints = Constraints::new(map, boundary, view)?;
         Ok(Self { view: *view, blend, constraints, curves: CurveCells::new(map, view) })
     }
+
+    /// The same for a part of this problem's picture, on smaller pixels.
+    ///
+    /// # Errors
+    /// See [`SolveError`]: where something shades.
+    pub fn part(&self, map: &PlanarMap, boundary: &Boundary, view: &View) -> Result<Self, SolveError> {
+        let constraints = Constraints::part(&self.view, map, boundary, view)?;
+        Ok(Self { view: *view, blend: self.blend, constraints, curves: CurveCells::new(map, view) })
+    }
 }

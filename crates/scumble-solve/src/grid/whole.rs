@@ -3,7 +3,7 @@
 use kurbo::{Point, Vec2};
 use scumble_core::{PlanarMap, clamped};
 
-use super::constraints::{Constraints, Pull};
+use super::constraints::{Constraints, Exits, Pull};
 use super::curve_cells::CurveCells;
 use super::cut_links::{Link, WAYS};
 use super::texture::{Texel, plus, times};
@@ -26,25 +26,18 @@ impl Whole {
         Self { view: *view, pixels, curves: CurveCells::new(map, view) }
     }
 
-    /// What draws the pixels at the borders of a part, along links that no curve cuts, to what lies beyond.
+    /// What draws the pixels at the borders of a part to what lies beyond.
     pub(super) fn pulls(&self, constraints: &Constraints, view: &View) -> Vec<Pull> {
-        let whole_from_part = self.view.px_from_du * view.px_from_du.inverse();
-        let center = |[x, y]: [i64; 2]| whole_from_part * Point::new(x as f64 + 0.5, y as f64 + 0.5);
-        let open = exits(view).filter(|(at, link, _)| !constraints.is_cut(*at, *link));
-        let pull = |(at, _, beyond)| {
-            let color = self.color(center(beyond))?;
-            Some(Pull { pixel: constraints.pixel(at), strength: 1.0, color })
+        let pull = |Exit { pixel, beyond_px, .. }: Exit| {
+            self.color(beyond_px).map(|color| Pull { pixel, strength: 1.0, color })
         };
-        open.filter_map(pull).collect()
+        exits(constraints, view, &self.view).filter_map(pull).collect()
     }
 
-    /// The colour at a place, in px: that of the centres around it that no curve hides, by their nearness. `None` beyond the
-    /// picture and between curves that are closer than pixels.
+    /// The colour at a place, in px: that of the centres around it that no curve hides, by their nearness. `None`
+    /// between curves that are closer than pixels.
     fn color(&self, place: Point) -> Option<Texel> {
         let [width, height] = [self.view.width_px, self.view.height_px].map(f64::from);
-        if !((0.0..width).contains(&place.x) && (0.0..height).contains(&place.y)) {
-            return None;
-        }
         let cell = (place + Vec2::new(0.5, 0.5)).floor();
         let listed = self.curves.pieces_of(cell.x as u32, cell.y as u32);
         let (mut sum, mut weights) = ([0.0; 4], 0.0);
@@ -64,18 +57,40 @@ impl Whole {
     }
 }
 
-/// The links that lead out of a picture: from which pixel, and to which one.
-fn exits(view: &View) -> impl Iterator<Item = ([i64; 2], Link, [i64; 2])> {
+/// A link that leads out of a part.
+#[derive(Clone, Copy)]
+struct Exit {
+    pixel: u32,
+    link: Link,
+    /// To which place of the whole.
+    beyond_px: Point,
+}
+
+/// The links that lead out of a part of a larger picture and are not cut, together for each pixel.
+pub(super) fn exits_by_pixel(constraints: &Constraints, view: &View, whole: &View) -> Vec<Exits> {
+    let all: Vec<_> = exits(constraints, view, whole).collect();
+    let of_pixel = |run: &[Exit]| Exits {
+        pixel: run[0].pixel,
+        links: run.iter().map(|exit| 1 << exit.link as u32).sum(),
+    };
+    all.chunk_by(|a, b| a.pixel == b.pixel).map(of_pixel).collect()
+}
+
+/// The links that lead out of a part of a larger picture, save those that are cut, by pixel.
+fn exits(constraints: &Constraints, view: &View, whole: &View) -> impl Iterator<Item = Exit> {
     let [width, height] = [view.width_px, view.height_px].map(i64::from);
-    let sides = (0..height).flat_map(move |y| [[0, y], [width - 1, y]]);
-    let ends = (0..width).flat_map(move |x| [[x, 0], [x, height - 1]]);
+    let whole_from_part = whole.px_from_du * view.px_from_du.inverse();
+    let [width_px, height_px] = [whole.width_px, whole.height_px].map(f64::from);
+    let columns = move |y: i64| if y == 0 || y == height - 1 { 1 } else { (width - 1).max(1) };
+    let pixels = (0..height).flat_map(move |y| (0..width).step_by(columns(y) as usize).map(move |x| [x, y]));
+    let links = pixels.flat_map(|at| WAYS.map(|(link, [dx, dy])| (at, link, [at[0] + dx, at[1] + dy])));
     let leads_out = move |[x, y]: [i64; 2]| !((0..width).contains(&x) && (0..height).contains(&y));
-    let mut pixels: Vec<_> = sides.chain(ends).collect();
-    pixels.sort_unstable();
-    pixels.dedup();
-    pixels.into_iter().flat_map(move |at| {
-        let ways = WAYS.map(|(link, [dx, dy])| (at, link, [at[0] + dx, at[1] + dy]));
-        ways.into_iter().filter(move |(_, _, beyond)| leads_out(*beyond))
+    links.filter_map(move |(at, link, beyond)| {
+        let [x, y] = beyond.map(|c| c as f64 + 0.5);
+        let beyond_px = whole_from_part * Point::new(x, y);
+        let is_within = (0.0..width_px).contains(&beyond_px.x) && (0.0..height_px).contains(&beyond_px.y);
+        let is_exit = leads_out(beyond) && is_within && !constraints.is_cut(at, link);
+        is_exit.then(|| Exit { pixel: constraints.pixel(at), link, beyond_px })
     })
 }
 
