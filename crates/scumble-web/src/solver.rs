@@ -36,8 +36,6 @@ pub enum Source {
     Grid,
     /// The mesh solver: the grid solver was asked for, but the painter solves no grids.
     MeshWithoutGpu,
-    /// The mesh solver: the grid solver was asked for, but one of its pixels would be many of the canvas.
-    MeshSoClose,
 }
 
 /// What is asked for, and what it comes to.
@@ -58,8 +56,8 @@ const FEW_PX: f64 = 512.0;
 /// The same without a graphics card.
 const FEWEST_PX: f64 = 256.0;
 
-/// A pixel of a grid is at most so many of the canvas wide.
-const WIDEST_PX: f64 = 2.0;
+/// The same for a page of which a part is solved by itself.
+const WHOLE_PX: f64 = 1024.0;
 
 /// The mesh solver takes longer to its first picture of a drawing with more pieces than the grid solver takes for
 /// [`FEW_PX`].
@@ -70,6 +68,12 @@ pub(crate) const PIECES_IN_HAND: usize = 4000;
 
 /// Nor does what comes before any solver, where there are more than this.
 const MOST_PIECES_IN_HAND: usize = 20_000;
+
+/// What rounding to whole pixels may add to a part.
+const RIM_PX: f64 = 4.0;
+
+/// Half a step from one size of a grid to the next.
+pub(crate) const HALF_STEP: f64 = 1.19;
 
 /// What the choice depends on.
 #[derive(Clone, Copy, Debug)]
@@ -91,7 +95,6 @@ impl Solver {
             Self::Automatic if moment.is_grid_quicker() => Source::Grid,
             Self::Automatic | Self::Mesh => Source::Mesh,
             Self::Gpu if moment.grids == Grids::No => Source::MeshWithoutGpu,
-            Self::Gpu if moment.px_per_du > WIDEST_PX * MOST_PX / LONGER_SIDE_DU => Source::MeshSoClose,
             Self::Gpu => Source::Grid,
         }
     }
@@ -111,16 +114,36 @@ impl Moment {
         self.pieces <= if by_grid { MOST_PIECES_IN_HAND } else { PIECES_IN_HAND }
     }
 
-    /// Pixels of a grid for one du, about as large as those of the canvas; in steps of √2, so that it is solved anew only
-    /// once in a while as the zoom changes.
+    /// Whether the page is seen from so close by that pixels of a grid of all of it would be seen.
+    fn is_close(&self, solver: Solver) -> bool {
+        self.scale() > HALF_STEP * self.most_px(solver) / LONGER_SIDE_DU
+    }
+
+    /// Pixels of a grid of the whole page for one du.
     pub(crate) fn grid_scale(&self, solver: Solver) -> f64 {
-        let most_px = match (self.grids, solver) {
+        let most_px = if self.is_close(solver) { WHOLE_PX } else { MOST_PX };
+        self.scale().min(self.most_px(solver).min(most_px) / LONGER_SIDE_DU)
+    }
+
+    /// Pixels of a grid of a part of the page for one du, given its longest side.
+    pub(crate) fn part_scale(&self, solver: Solver, side_du: f64) -> f64 {
+        self.scale().min((self.most_px(solver) - RIM_PX) / side_du)
+    }
+
+    /// Pixels of one du, about as large as those of the canvas; in steps of √2, so that it is solved anew only once in a while
+    /// as the zoom changes.
+    fn scale(&self) -> f64 {
+        ((2.0 * self.px_per_du.log2()).round() / 2.0).exp2()
+    }
+
+    /// Pixels of a grid to a side, at most.
+    fn most_px(&self, solver: Solver) -> f64 {
+        match (self.grids, solver) {
             (Grids::Fast, Solver::Gpu) => MOST_PX,
             (Grids::Fast, _) if self.is_in_motion => MOST_PX,
             (Grids::Fast, _) => FEW_PX,
             _ => FEWEST_PX,
-        };
-        ((2.0 * self.px_per_du.log2()).round() / 2.0).exp2().min(most_px / LONGER_SIDE_DU)
+        }
     }
 }
 
@@ -138,7 +161,7 @@ mod tests {
             assert_eq!(Solver::Gpu.source(&Moment { grids, ..SMALL }), Source::Grid);
         }
         assert_eq!(Solver::Gpu.source(&Moment { grids: Grids::No, ..SMALL }), Source::MeshWithoutGpu);
-        assert_eq!(Solver::Gpu.source(&Moment { px_per_du: 5.0, ..SMALL }), Source::MeshSoClose);
+        assert_eq!(Solver::Gpu.source(&Moment { px_per_du: 64.0, ..SMALL }), Source::Grid);
         assert_eq!(Solver::Mesh.source(&LARGE), Source::Mesh);
     }
 
@@ -170,7 +193,9 @@ mod tests {
             assert!((0.84..=1.19).contains(&wide_px), "{wide_px} at {px_per_du}");
         }
         let close = Moment { px_per_du: 64.0, ..SMALL };
-        assert_eq!(close.grid_scale(Solver::Gpu) * LONGER_SIDE_DU, MOST_PX);
+        assert_eq!(close.grid_scale(Solver::Gpu) * LONGER_SIDE_DU, WHOLE_PX);
+        assert_eq!(close.part_scale(Solver::Gpu, 20.0), 64.0);
+        assert_eq!(close.part_scale(Solver::Gpu, 100.0) * 100.0, MOST_PX - RIM_PX);
     }
 
     #[test]

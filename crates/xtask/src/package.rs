@@ -37,7 +37,7 @@ const WASM_OPT: [&str; 14] = [
 ];
 
 /// Vectors of four, which every browser with WebGPU has; a browser with WebGL 2 alone may be older than they are.
-const VECTORS: &str = "target.wasm32-unknown-unknown.rustflags=['-C', 'target-feature=+simd128']";
+const VECTORS: &str = "-Ctarget-feature=+simd128";
 
 /// What `wasm-opt` calls the only module that a build imports from.
 const SHORT_MODULE: &str = "a";
@@ -78,10 +78,27 @@ fn compile(name: &str) -> Result<PathBuf> {
     let mut build = cargo();
     build.args(["build", "--profile", "web", "-p", "scumble-web", "--target", tools::WASM_TARGET]);
     build.args(["--no-default-features", "--features", &format!("scumble-web/{flavour}")]);
-    build.args(if flavour == "webgpu" { ["--config", VECTORS] } else { ["-p", "scumble-files"] });
+    let has_vectors = flavour == "webgpu";
+    build.arg("--config").arg(rustflags(has_vectors.then_some(VECTORS))?);
+    build.args(if has_vectors { &[][..] } else { &["-p", "scumble-files"] });
     run(build.arg("--target-dir").arg(&target))?;
     let file = format!("{}.wasm", crate_of(name).replace('-', "_"));
     Ok(target.join(tools::WASM_TARGET).join("web").join(file))
+}
+
+/// With the paths of this machine cut from what a module says of places in its sources.
+fn rustflags(more: Option<&str>) -> Result<String> {
+    let sources = cargo_home()?.join("registry/src");
+    let folders = fs::read_dir(&sources)?.map(|entry| Ok(entry?.path())).collect::<Result<Vec<_>>>()?;
+    let cut = folders.iter().map(|folder| format!("--remap-path-prefix={}/=", folder.display()));
+    let flags: Vec<_> = cut.chain(more.map(str::to_owned)).collect();
+    Ok(format!("target.{}.rustflags={}", tools::WASM_TARGET, serde_json::to_string(&flags)?))
+}
+
+fn cargo_home() -> Result<PathBuf> {
+    let named = || std::env::var_os("CARGO_HOME").map(PathBuf::from);
+    let at_home = || std::env::home_dir().map(|home| home.join(".cargo"));
+    named().or_else(at_home).context("cargo's folder is not known; set CARGO_HOME")
 }
 
 fn bind(wasm: &Path, package: &Path) -> Result<()> {

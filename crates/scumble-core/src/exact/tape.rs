@@ -43,6 +43,7 @@ impl Tape {
         self.is_sound &= holds;
     }
 
+    #[inline(never)]
     pub(super) fn byte(&mut self, value: u8) -> u8 {
         let Some(at) = &mut self.at else {
             self.bytes.push(value);
@@ -60,6 +61,7 @@ impl Tape {
         }
     }
 
+    #[inline(never)]
     pub(super) fn flag(&mut self, value: bool) -> bool {
         let byte = self.byte(value.into());
         self.check(byte <= 1);
@@ -67,6 +69,7 @@ impl Tape {
     }
 
     /// A whole number, seven bits a byte, the lowest first; all but the last byte have their highest bit set.
+    #[inline(never)]
     pub(super) fn int(&mut self, value: u64) -> u64 {
         let (mut rest, mut read) = (value, 0);
         for shift in (0..u64::BITS).step_by(7) {
@@ -96,6 +99,7 @@ impl Tape {
     }
 
     /// One of a few values.
+    #[inline(never)]
     pub(super) fn one_of<T: Copy + PartialEq>(&mut self, value: &mut T, all: &[T]) {
         let index = all.iter().position(|known| known == value).unwrap_or_default();
         let read = all.get(usize::from(self.byte(index as u8)));

@@ -6,7 +6,7 @@ use scumble_core::{Boundary, PlanarMap, sort};
 
 use super::corners;
 use super::covers::Covers;
-use super::cut_links::{self, Cut, Face, Link};
+use super::cut_links::{self, Cut, Face, Link, WAYS};
 
 use super::regions::PixelRegions;
 use super::unreached;
@@ -44,6 +44,11 @@ pub struct Exits {
 }
 
 impl Exits {
+    /// Where the links lead, from their pixel.
+    pub(super) fn ways(self) -> impl Iterator<Item = [i64; 2]> {
+        WAYS.into_iter().filter(move |(link, _)| self.links >> *link as u32 & 1 == 1).map(|(_, way)| way)
+    }
+
     /// What holds their pixel as long as it is not known to what.
     fn pull(&self) -> Pull {
         Pull { pixel: self.pixel, strength: self.links.count_ones() as f32, color: [0.0; 4] }
@@ -78,7 +83,7 @@ impl Constraints {
     /// # Errors
     /// See [`SolveError`]: where something shades.
     pub fn new(map: &PlanarMap, boundary: &Boundary, view: &View) -> Result<Self, SolveError> {
-        Self::with_borders(map, boundary, view, |_| Vec::new())
+        Self::part(view, map, boundary, view)
     }
 
     /// Those in what a view shows of a larger picture, which says what is beyond its borders.
@@ -91,7 +96,7 @@ impl Constraints {
         boundary: &Boundary,
         view: &View,
     ) -> Result<Self, SolveError> {
-        Self::with_borders(map, boundary, view, |all| whole.pulls(all, view))
+        Self::with_borders(map, boundary, view, &|all| whole.pulls(all, view))
     }
 
     /// The same before it is known what the larger picture has at its pixels: pixels are held to black at [`Self::exits`].
@@ -99,8 +104,8 @@ impl Constraints {
     /// # Errors
     /// See [`SolveError`]: where something shades.
     pub fn part(whole: &View, map: &PlanarMap, boundary: &Boundary, view: &View) -> Result<Self, SolveError> {
-        Self::with_borders(map, boundary, view, |all| {
-            all.exits = whole::exits_by_pixel(all, view, whole);
+        Self::with_borders(map, boundary, view, &|all| {
+            all.exits = whole::exits(all, view, whole);
             all.exits.iter().map(Exits::pull).collect()
         })
     }
@@ -109,7 +114,7 @@ impl Constraints {
         map: &PlanarMap,
         boundary: &Boundary,
         view: &View,
-        borders: impl FnOnce(&mut Self) -> Vec<Pull>,
+        borders: &dyn Fn(&mut Self) -> Vec<Pull>,
     ) -> Result<Self, SolveError> {
         let (cuts, faces) = cut_links::cut_links(map, boundary, view);
         let (width_px, height_px) = (view.width_px, view.height_px);

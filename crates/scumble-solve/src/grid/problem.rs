@@ -26,8 +26,7 @@ impl GridProblem {
     /// # Errors
     /// See [`SolveError`]: where something shades.
     pub fn new(map: &PlanarMap, boundary: &Boundary, view: &View, blend: Blend) -> Result<Self, SolveError> {
-        let constraints = Constraints::new(map, boundary, view)?;
-        Ok(Self { view: *view, blend, constraints, curves: CurveCells::new(map, view) })
+        Self::of_whole(view, map, boundary, view, blend)
     }
 
     /// The same for a part of this problem's picture, on smaller pixels.
@@ -35,7 +34,17 @@ impl GridProblem {
     /// # Errors
     /// See [`SolveError`]: where something shades.
     pub fn part(&self, map: &PlanarMap, boundary: &Boundary, view: &View) -> Result<Self, SolveError> {
-        let constraints = Constraints::part(&self.view, map, boundary, view)?;
-        Ok(Self { view: *view, blend: self.blend, constraints, curves: CurveCells::new(map, view) })
+        Self::of_whole(&self.view, map, boundary, view, self.blend)
+    }
+
+    fn of_whole(
+        whole: &View,
+        map: &PlanarMap,
+        boundary: &Boundary,
+        view: &View,
+        blend: Blend,
+    ) -> Result<Self, SolveError> {
+        let constraints = Constraints::part(whole, map, boundary, view)?;
+        Ok(Self { view: *view, blend, constraints, curves: CurveCells::new(map, view) })
     }
 }

@@ -28,10 +28,14 @@ impl Whole {
 
     /// What draws the pixels at the borders of a part to what lies beyond.
     pub(super) fn pulls(&self, constraints: &Constraints, view: &View) -> Vec<Pull> {
-        let pull = |Exit { pixel, beyond_px, .. }: Exit| {
-            self.color(beyond_px).map(|color| Pull { pixel, strength: 1.0, color })
+        let exits = exits(constraints, view, &self.view);
+        let links = exits.iter().flat_map(|exits| exits.ways().map(|way| (exits.pixel, way)));
+        let pull = |(pixel, way): (u32, [i64; 2])| {
+            let [column, row] = [pixel % view.width_px, pixel / view.width_px].map(i64::from);
+            let color = self.color(place_in(&self.view, view, [column + way[0], row + way[1]]))?;
+            Some(Pull { pixel, strength: 1.0, color })
         };
-        exits(constraints, view, &self.view).filter_map(pull).collect()
+        links.filter_map(pull).collect()
     }
 
     /// The colour at a place, in px: that of the centres around it that no curve hides, by their nearness. `None`
@@ -57,41 +61,40 @@ impl Whole {
     }
 }
 
-/// A link that leads out of a part.
-#[derive(Clone, Copy)]
-struct Exit {
-    pixel: u32,
-    link: Link,
-    /// To which place of the whole.
-    beyond_px: Point,
-}
-
-/// The links that lead out of a part of a larger picture and are not cut, together for each pixel.
-pub(super) fn exits_by_pixel(constraints: &Constraints, view: &View, whole: &View) -> Vec<Exits> {
-    let all: Vec<_> = exits(constraints, view, whole).collect();
-    let of_pixel = |run: &[Exit]| Exits {
-        pixel: run[0].pixel,
-        links: run.iter().map(|exit| 1 << exit.link as u32).sum(),
-    };
-    all.chunk_by(|a, b| a.pixel == b.pixel).map(of_pixel).collect()
-}
-
-/// The links that lead out of a part of a larger picture, save those that are cut, by pixel.
-fn exits(constraints: &Constraints, view: &View, whole: &View) -> impl Iterator<Item = Exit> {
+/// The links that lead out of a part of a larger picture and are not cut.
+pub(super) fn exits(constraints: &Constraints, view: &View, whole: &View) -> Vec<Exits> {
     let [width, height] = [view.width_px, view.height_px].map(i64::from);
-    let whole_from_part = whole.px_from_du * view.px_from_du.inverse();
-    let [width_px, height_px] = [whole.width_px, whole.height_px].map(f64::from);
-    let columns = move |y: i64| if y == 0 || y == height - 1 { 1 } else { (width - 1).max(1) };
-    let pixels = (0..height).flat_map(move |y| (0..width).step_by(columns(y) as usize).map(move |x| [x, y]));
-    let links = pixels.flat_map(|at| WAYS.map(|(link, [dx, dy])| (at, link, [at[0] + dx, at[1] + dy])));
-    let leads_out = move |[x, y]: [i64; 2]| !((0..width).contains(&x) && (0..height).contains(&y));
-    links.filter_map(move |(at, link, beyond)| {
-        let [x, y] = beyond.map(|c| c as f64 + 0.5);
-        let beyond_px = whole_from_part * Point::new(x, y);
-        let is_within = (0.0..width_px).contains(&beyond_px.x) && (0.0..height_px).contains(&beyond_px.y);
-        let is_exit = leads_out(beyond) && is_within && !constraints.is_cut(at, link);
-        is_exit.then(|| Exit { pixel: constraints.pixel(at), link, beyond_px })
-    })
+    let mut all = Vec::new();
+    for y in 0..height {
+        let is_end = y == 0 || y == height - 1;
+        for x in (0..width).step_by(if is_end { 1 } else { (width - 1).max(1) as usize }) {
+            let is_exit = |(link, [dx, dy]): &(Link, [i64; 2])| {
+                let beyond = [x + dx, y + dy];
+                !holds(view, beyond) && holds_place(whole, view, beyond) && !constraints.is_cut([x, y], *link)
+            };
+            let links = WAYS.iter().filter(|way| is_exit(way)).map(|(link, _)| 1 << *link as u32).sum();
+            if links > 0 {
+                all.push(Exits { pixel: constraints.pixel([x, y]), links });
+            }
+        }
+    }
+    all
+}
+
+fn holds(view: &View, [x, y]: [i64; 2]) -> bool {
+    (0..i64::from(view.width_px)).contains(&x) && (0..i64::from(view.height_px)).contains(&y)
+}
+
+/// Whether a larger picture holds a pixel that is beyond a part of it.
+fn holds_place(whole: &View, part: &View, pixel: [i64; 2]) -> bool {
+    let place = place_in(whole, part, pixel);
+    holds(whole, [place.x.floor() as i64, place.y.floor() as i64])
+}
+
+/// Where the centre of a pixel of a part is in a larger picture, in px.
+fn place_in(whole: &View, part: &View, pixel: [i64; 2]) -> Point {
+    let [x, y] = pixel.map(|c| c as f64 + 0.5);
+    whole.px_from_du * (part.px_from_du.inverse() * Point::new(x, y))
 }
 
 /// Whether one of some pieces of curves passes between a place and the centre of a pixel.

@@ -120,16 +120,26 @@ impl Session {
                 Ok(problem) => self.problem = Some(problem),
                 Err(error) => return self.effects.push(Effect::Failed(error.to_string())),
             }
+            self.sharp = None;
             self.changed.problem = true;
             self.changed.add_everywhere();
             self.stale.view = true;
         }
+        self.refresh_sharp();
     }
 
-    /// The page on pixels about as large as those of the canvas.
+    /// The page on pixels about as large as those of the canvas, or of some hundreds where it is seen from close by.
     fn grid_view(&self) -> View {
-        let scale = self.moment().grid_scale(self.solver);
+        self.page(self.moment().grid_scale(self.solver) / self.haste())
+    }
+
+    /// Pixels of a grid for one du in a part of the page with a longest side.
+    pub(super) fn sharp_scale(&self, side_du: f64) -> f64 {
+        self.moment().part_scale(self.solver, side_du) / self.haste()
+    }
+
+    fn haste(&self) -> f64 {
         let editor = &self.sheet.editor;
-        self.page(if editor.is_scribbling() || editor.is_changing() { scale / IN_HASTE } else { scale })
+        if editor.is_scribbling() || editor.is_changing() { IN_HASTE } else { 1.0 }
     }
 }
