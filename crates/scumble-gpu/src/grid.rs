@@ -102,7 +102,7 @@ impl GpuGridSolver {
         Ok(changed)
     }
 
-    /// Begins anew, with what a grid of the whole has beyond the borders of the part that this solves.
+    /// Begins anew, with what a grid of the whole, without shades, has beyond the borders of the part that this solves.
     pub(crate) fn begin_within(&mut self, kernels: &Kernels, whole: &wgpu::BindGroup) {
         self.stack.look_beyond(&self.gpu, kernels, whole);
         self.begin();
@@ -150,6 +150,11 @@ impl GpuGridSolver {
     /// What [`GpuGridSolver::pixels`] reads, on the GPU.
     pub(crate) fn values(&self) -> &wgpu::TextureView {
         &self.steps[1].seen
+    }
+
+    /// The same without what shading scribbles lay over it.
+    pub(crate) fn under(&self) -> &wgpu::TextureView {
+        &self.steps[1].under
     }
 
     /// Blend-space colours times opacity, and opacity, row by row.

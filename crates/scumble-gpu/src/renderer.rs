@@ -116,7 +116,7 @@ impl Renderer {
     /// Takes the picture that a solver has come to.
     pub fn update_solution(&mut self, solver: &GpuGridSolver) {
         if let Some(Solution { layout, layer, .. }) = &mut self.solution {
-            layer.set_values(&self.gpu, layout, solver.values());
+            layer.group = Some(layer.with_values(&self.gpu, layout, solver.values()));
         }
     }
 
@@ -128,20 +128,18 @@ impl Renderer {
         }
     }
 
-    /// Has the solver for the part begin anew, with what there is of the whole beyond its borders.
-    pub fn begin_part(&self, kernels: &GridKernels, solver: &mut GpuGridSolver) {
-        if let Some(Solution { layer, part: Some(part), .. }) = &self.solution
-            && let Some(group) = &layer.group
-        {
+    /// Has the solver for the part begin anew, with what that for the whole has beyond its borders.
+    pub fn begin_part(&self, kernels: &GridKernels, whole: &GpuGridSolver, solver: &mut GpuGridSolver) {
+        if let Some(Solution { layout, layer, part: Some(part), .. }) = &self.solution {
             layer.look(&self.gpu.queue, part.px_from_du);
-            solver.begin_within(kernels, group);
+            solver.begin_within(kernels, &layer.with_values(&self.gpu, layout, whole.under()));
         }
     }
 
     /// Takes the picture that the solver for the part has come to.
     pub fn update_part(&mut self, solver: &GpuGridSolver) {
         if let Some(Solution { layout, part: Some(part), .. }) = &mut self.solution {
-            part.set_values(&self.gpu, layout, solver.values());
+            part.group = Some(part.with_values(&self.gpu, layout, solver.values()));
         }
     }
 

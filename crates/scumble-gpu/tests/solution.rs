@@ -1,8 +1,9 @@
 //! What the grid solver finds is drawn as the painter on the CPU paints it. Needs a graphics driver; Mesa's software one
 //! is enough.
 
-use kurbo::{Affine, BezPath, Circle, Rect, Shape};
-use scumble_core::{Blend, Boundary, Curve, Drawing, PlanarMap, Sampling, Srgb8};
+use kurbo::{Affine, BezPath, Circle, Point, Rect, Shape};
+use scumble_core::source::weight;
+use scumble_core::{Blend, Boundary, Curve, Drawing, PlanarMap, Sampling, SoftSource, Srgb8};
 use scumble_gpu::wgpu::TextureFormat::Rgba8Unorm;
 use scumble_gpu::{Gpu, GpuError, GpuGridSolver, GridKernels, Renderer};
 use scumble_solve::grid::{Constraints, GridPicture, GridProblem, GridSolver, Whole};
@@ -49,8 +50,11 @@ fn page(side_px: u32) -> View {
 
 /// A problem with so many pixels to a side, solved, in a renderer.
 fn solved(gpu: &Gpu, side_px: u32) -> (GridProblem, GpuGridSolver, Renderer) {
-    let map = map();
-    let problem = GridProblem::new(&map, &boundary(&map), &page(side_px), Blend::Oklab).expect("solved");
+    solved_with(gpu, side_px, &boundary(&map()))
+}
+
+fn solved_with(gpu: &Gpu, side_px: u32, boundary: &Boundary) -> (GridProblem, GpuGridSolver, Renderer) {
+    let problem = GridProblem::new(&map(), boundary, &page(side_px), Blend::Oklab).expect("solved");
     let mut solver =
         GpuGridSolver::new(gpu, &GridKernels::new(&gpu.device), &problem.constraints).expect("a solver");
     (0..8).for_each(|_| solver.step());
@@ -123,13 +127,26 @@ fn a_field_takes_its_place() {
     assert_eq!(pixel(&read(&mut renderer, &problem.view), [32.0, 32.0]), RED.0);
 }
 
-/// A part of the page on pixels four times smaller, with ends of the arm and of the circle beyond its borders.
+/// Dark across the left border of a part.
+fn shade() -> SoftSource {
+    SoftSource {
+        points: vec![Point::new(380.0, 560.0), Point::new(500.0, 620.0)],
+        radius_du: 60.0,
+        weight: weight(0.8),
+        color: Blend::Oklab.from_srgb8(Srgb8([20; 3])),
+        crosses: true,
+        parts: Vec::new(),
+    }
+}
+
+/// A part of the page on pixels four times smaller, with ends of the arm, of the circle and of a shade beyond its borders.
 #[test]
 fn a_part_takes_what_the_whole_has_beyond_its_borders_as_on_the_cpu() {
     let Some(gpu) = gpu() else { return };
-    let (whole, solver, mut renderer) = solved(&gpu, 256);
     let (map, view) = (map(), page(1024).part(&Part { columns: 420..780, rows: 300..800 }));
-    let boundary = boundary(&map);
+    let without_shade = boundary(&map);
+    let boundary = Boundary { sources: vec![shade()], ..without_shade.clone() };
+    let (whole, solver, mut renderer) = solved_with(&gpu, 256, &boundary);
 
     let part = whole.part(&map, &boundary, &view).expect("a part");
     let kernels = GridKernels::new(&gpu.device);
@@ -137,19 +154,22 @@ fn a_part_takes_what_the_whole_has_beyond_its_borders_as_on_the_cpu() {
     renderer.set_part(Some(&part));
     // Once more makes no difference.
     for _ in 0..2 {
-        renderer.begin_part(&kernels, &mut on_gpu);
+        renderer.begin_part(&kernels, &solver, &mut on_gpu);
         (0..10).for_each(|_| on_gpu.step());
     }
     let found = pollster::block_on(on_gpu.pixels()).expect("the pixels come back");
 
-    let pixels = pollster::block_on(solver.pixels()).expect("the pixels come back");
+    let on_cpu = |constraints: Constraints| {
+        let mut solver = GridSolver::new(&constraints);
+        solver.solve(1e-6);
+        solver.pixels()
+    };
+    let pixels = on_cpu(Constraints::new(&map, &without_shade, &whole.view).expect("a whole"));
     let whole = Whole::new(&map, &whole.view, pixels);
-    let constraints = Constraints::within(&whole, &map, &boundary, &view).expect("a part");
-    let mut on_cpu = GridSolver::new(&constraints);
-    on_cpu.solve(1e-6);
+    let expected = on_cpu(Constraints::within(&whole, &map, &boundary, &view).expect("a part"));
     let levels =
         |(a, b): (&[f32; 4], &[f32; 4])| (0..4).map(|c| 255.0 * (a[c] - b[c]).abs()).fold(0.0, f32::max);
-    let largest = found.iter().zip(&on_cpu.pixels()).map(levels).fold(0.0, f32::max);
+    let largest = found.iter().zip(&expected).map(levels).fold(0.0, f32::max);
     assert!(largest < 0.1, "{largest} levels");
 
     let before = read(&mut renderer, &view);

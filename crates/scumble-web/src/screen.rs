@@ -222,6 +222,7 @@ impl GpuScreen {
             self.solving = begun(self.solving.take(), problem);
         }
         self.renderer.set_part(part);
+        let part = part.filter(|_| self.solving.is_some());
         self.part = part.and_then(|part| begun(self.part.take(), part));
     }
 
@@ -232,7 +233,7 @@ impl GpuScreen {
         self.renderer.update_solution(&whole.solver);
         if let (Some(part), Some(kernels)) = (&mut self.part, &self.kernels) {
             if is_other || part.steps_left == PAGE_STEPS {
-                self.renderer.begin_part(kernels, &mut part.solver);
+                self.renderer.begin_part(kernels, &whole.solver, &mut part.solver);
                 part.steps_left = PAGE_STEPS;
             }
             part.go_on();

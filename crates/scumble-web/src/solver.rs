@@ -57,7 +57,7 @@ const FEW_PX: f64 = 512.0;
 const FEWEST_PX: f64 = 256.0;
 
 /// The same for a page of which a part is solved by itself.
-const WHOLE_PX: f64 = 1024.0;
+pub(crate) const WHOLE_PX: f64 = 1024.0;
 
 /// The mesh solver takes longer to its first picture of a drawing with more pieces than the grid solver takes for
 /// [`FEW_PX`].
@@ -114,26 +114,15 @@ impl Moment {
         self.pieces <= if by_grid { MOST_PIECES_IN_HAND } else { PIECES_IN_HAND }
     }
 
-    /// Whether the page is seen from so close by that pixels of a grid of all of it would be seen.
-    fn is_close(&self, solver: Solver) -> bool {
-        self.scale() > HALF_STEP * self.most_px(solver) / LONGER_SIDE_DU
-    }
-
-    /// Pixels of a grid of the whole page for one du.
+    /// Pixels of a grid of the whole page for one du, about as large as those of the canvas.
     pub(crate) fn grid_scale(&self, solver: Solver) -> f64 {
-        let most_px = if self.is_close(solver) { WHOLE_PX } else { MOST_PX };
-        self.scale().min(self.most_px(solver).min(most_px) / LONGER_SIDE_DU)
+        step(self.px_per_du, f64::round).min(self.most_px(solver) / LONGER_SIDE_DU)
     }
 
-    /// Pixels of a grid of a part of the page for one du, given its longest side.
+    /// The same of a part of the page, given its longest side.
     pub(crate) fn part_scale(&self, solver: Solver, side_du: f64) -> f64 {
-        self.scale().min((self.most_px(solver) - RIM_PX) / side_du)
-    }
-
-    /// Pixels of one du, about as large as those of the canvas; in steps of √2, so that it is solved anew only once in a while
-    /// as the zoom changes.
-    fn scale(&self) -> f64 {
-        ((2.0 * self.px_per_du.log2()).round() / 2.0).exp2()
+        let most = (self.most_px(solver) - RIM_PX) / side_du;
+        step(self.px_per_du, f64::round).min(step(most, f64::floor))
     }
 
     /// Pixels of a grid to a side, at most.
@@ -145,6 +134,11 @@ impl Moment {
             _ => FEWEST_PX,
         }
     }
+}
+
+/// A scale in steps of √2, so that a grid is solved anew only once in a while as the zoom changes.
+fn step(scale: f64, to_whole: fn(f64) -> f64) -> f64 {
+    (to_whole(2.0 * scale.log2()) / 2.0).exp2()
 }
 
 #[cfg(test)]
@@ -193,9 +187,9 @@ mod tests {
             assert!((0.84..=1.19).contains(&wide_px), "{wide_px} at {px_per_du}");
         }
         let close = Moment { px_per_du: 64.0, ..SMALL };
-        assert_eq!(close.grid_scale(Solver::Gpu) * LONGER_SIDE_DU, WHOLE_PX);
+        assert_eq!(close.grid_scale(Solver::Gpu) * LONGER_SIDE_DU, MOST_PX);
         assert_eq!(close.part_scale(Solver::Gpu, 20.0), 64.0);
-        assert_eq!(close.part_scale(Solver::Gpu, 100.0) * 100.0, MOST_PX - RIM_PX);
+        assert_eq!(close.part_scale(Solver::Gpu, 100.0), 16.0);
     }
 
     #[test]

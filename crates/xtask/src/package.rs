@@ -89,7 +89,9 @@ fn compile(name: &str) -> Result<PathBuf> {
 /// With the paths of this machine cut from what a module says of places in its sources.
 fn rustflags(more: Option<&str>) -> Result<String> {
     let sources = cargo_home()?.join("registry/src");
-    let folders = fs::read_dir(&sources)?.map(|entry| Ok(entry?.path())).collect::<Result<Vec<_>>>()?;
+    let entries = fs::read_dir(&sources).with_context(|| format!("{} cannot be read", sources.display()))?;
+    let mut folders = entries.map(|entry| Ok(entry?.path())).collect::<Result<Vec<_>>>()?;
+    folders.sort();
     let cut = folders.iter().map(|folder| format!("--remap-path-prefix={}/=", folder.display()));
     let flags: Vec<_> = cut.chain(more.map(str::to_owned)).collect();
     Ok(format!("target.{}.rustflags={}", tools::WASM_TARGET, serde_json::to_string(&flags)?))

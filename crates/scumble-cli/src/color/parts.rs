@@ -60,8 +60,8 @@ impl Page<'_> {
     ) -> anyhow::Result<Whole> {
         let map = self.map;
         let boundary = &Boundary { sources: Vec::new(), ..self.boundary.clone() };
-        let [width_px, height_px] =
-            [self.view.width_px, self.view.height_px].map(|side| (f64::from(side) / scale).ceil() as u32);
+        let [width_px, height_px] = [self.view.width_px, self.view.height_px]
+            .map(|side| (f64::from(side) / scale).round().max(1.0) as u32);
         let view =
             View { px_from_du: Affine::scale(1.0 / scale) * self.view.px_from_du, width_px, height_px };
         let constraints = Constraints::new(map, boundary, &view)?.fitted(map, boundary, &view);
@@ -79,7 +79,7 @@ struct Tile {
     part: Part,
 }
 
-/// Parts that cover a view, each with so many px around it where there are some; with these of a size.
+/// Parts that cover a view, each with so many px around it where there are some, and then up to a size in px.
 fn tiles(view: &View, size_px: u32, around_px: u32) -> Vec<Tile> {
     let ranges = |count: u32| -> Vec<[Range<u32>; 2]> {
         let step_px = size_px - 2 * around_px;

@@ -55,24 +55,24 @@ impl GridLayer {
         }
     }
 
-    /// Colours to draw.
-    pub(crate) fn set_values(
-        &mut self,
+    /// Colours to draw, with what a shader needs to look them up.
+    pub(crate) fn with_values(
+        &self,
         gpu: &Gpu,
         layout: &wgpu::BindGroupLayout,
         values: &wgpu::TextureView,
-    ) {
+    ) -> wgpu::BindGroup {
         let textures = [values, &self.cells, &self.pieces].map(wgpu::BindingResource::TextureView);
         let resources = std::iter::once(self.uniform.as_entire_binding()).chain(textures);
         let entries: Vec<_> = (0..)
             .zip(resources)
             .map(|(binding, resource)| wgpu::BindGroupEntry { binding, resource })
             .collect();
-        self.group = Some(gpu.device.create_bind_group(&wgpu::BindGroupDescriptor {
+        gpu.device.create_bind_group(&wgpu::BindGroupDescriptor {
             label: Some("solution"),
             layout,
             entries: &entries,
-        }));
+        })
     }
 
     /// What will be drawn next is seen in pixels that du are taken to.

@@ -18,6 +18,8 @@ pub(super) struct Step {
     pub(super) tape: Tape,
     /// Finds out how large the change was.
     pub(super) measure: Tape,
+    /// The picture without its layer.
+    pub(super) under: wgpu::TextureView,
     pub(super) seen: wgpu::TextureView,
 }
 
@@ -134,7 +136,7 @@ impl Stack {
         let seen = self.cover(recorder).clone();
         let tape = recorder.take();
         self.picture.measure(recorder);
-        Step { tape, measure: recorder.take(), seen }
+        Step { tape, measure: recorder.take(), under: self.picture.values().clone(), seen }
     }
 
     /// Records what is seen.

@@ -85,10 +85,12 @@ fn holds(view: &View, [x, y]: [i64; 2]) -> bool {
     (0..i64::from(view.width_px)).contains(&x) && (0..i64::from(view.height_px)).contains(&y)
 }
 
-/// Whether a larger picture holds a pixel that is beyond a part of it.
+/// Whether a larger picture holds a pixel that is beyond a part of it. What it has of its last pixels may be half a pixel more
+/// than the page.
 fn holds_place(whole: &View, part: &View, pixel: [i64; 2]) -> bool {
     let place = place_in(whole, part, pixel);
-    holds(whole, [place.x.floor() as i64, place.y.floor() as i64])
+    let is_within = |c: f64, count: u32| c >= 0.0 && c + 0.5 < f64::from(count);
+    is_within(place.x, whole.width_px) && is_within(place.y, whole.height_px)
 }
 
 /// Where the centre of a pixel of a part is in a larger picture, in px.

@@ -37,7 +37,7 @@ impl Session {
             return;
         }
         let close_up = is_wanted
-            .then(|| self.made_close_up(part_du.unwrap_or_else(|| ahead(seen_du)), px_per_du))
+            .then(|| self.made_close_up(part_du.unwrap_or_else(|| ahead(seen_du, AHEAD)), px_per_du))
             .flatten();
         let is_same_part = close_up.is_some() && part_du.is_some();
         if close_up.is_some() || self.close_up.is_some() {
@@ -55,9 +55,9 @@ impl Session {
     }
 }
 
-/// What is seen, and so much around it.
-pub(super) fn ahead(seen_du: Rect) -> Rect {
-    seen_du.inflate(AHEAD * seen_du.width(), AHEAD * seen_du.height())
+/// What is seen, and so much around it, as a part of its size.
+pub(super) fn ahead(seen_du: Rect, by: f64) -> Rect {
+    seen_du.inflate(by * seen_du.width(), by * seen_du.height())
 }
 
 /// Whether one part of the plane lies within another.

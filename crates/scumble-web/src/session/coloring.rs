@@ -3,7 +3,6 @@
 use std::mem::take;
 
 use scumble_core::Document;
-use scumble_solve::View;
 use scumble_solve::grid::GridProblem;
 
 use super::Session;
@@ -112,7 +111,8 @@ impl Session {
     }
 
     fn refresh_problem(&mut self) {
-        let view = self.grid_view();
+        let (whole, part) = self.grid_scales();
+        let view = self.page(whole);
         let is_other_view = self.problem.as_ref().is_none_or(|problem| problem.view != view);
         if take(&mut self.stale.problem) || is_other_view {
             let blend = self.sheet.editor.document().settings.blend;
@@ -125,20 +125,10 @@ impl Session {
             self.changed.add_everywhere();
             self.stale.view = true;
         }
-        self.refresh_sharp();
+        self.refresh_sharp(part);
     }
 
-    /// The page on pixels about as large as those of the canvas, or of some hundreds where it is seen from close by.
-    fn grid_view(&self) -> View {
-        self.page(self.moment().grid_scale(self.solver) / self.haste())
-    }
-
-    /// Pixels of a grid for one du in a part of the page with a longest side.
-    pub(super) fn sharp_scale(&self, side_du: f64) -> f64 {
-        self.moment().part_scale(self.solver, side_du) / self.haste()
-    }
-
-    fn haste(&self) -> f64 {
+    pub(super) fn haste(&self) -> f64 {
         let editor = &self.sheet.editor;
         if editor.is_scribbling() || editor.is_changing() { IN_HASTE } else { 1.0 }
     }
