@@ -3,6 +3,7 @@
 use std::mem::take;
 
 use scumble_core::Document;
+use scumble_solve::View;
 use scumble_solve::grid::GridProblem;
 
 use super::Session;
@@ -111,8 +112,7 @@ impl Session {
     }
 
     fn refresh_problem(&mut self) {
-        let (whole, part) = self.grid_scales();
-        let view = self.page(whole);
+        let view = self.grid_view();
         let is_other_view = self.problem.as_ref().is_none_or(|problem| problem.view != view);
         if take(&mut self.stale.problem) || is_other_view {
             let blend = self.sheet.editor.document().settings.blend;
@@ -120,16 +120,16 @@ impl Session {
                 Ok(problem) => self.problem = Some(problem),
                 Err(error) => return self.effects.push(Effect::Failed(error.to_string())),
             }
-            self.sharp = None;
             self.changed.problem = true;
             self.changed.add_everywhere();
             self.stale.view = true;
         }
-        self.refresh_sharp(part);
     }
 
-    pub(super) fn haste(&self) -> f64 {
+    /// The page on pixels about as large as those of the canvas.
+    fn grid_view(&self) -> View {
+        let scale = self.moment().grid_scale(self.solver);
         let editor = &self.sheet.editor;
-        if editor.is_scribbling() || editor.is_changing() { IN_HASTE } else { 1.0 }
+        self.page(if editor.is_scribbling() || editor.is_changing() { scale / IN_HASTE } else { scale })
     }
 }
