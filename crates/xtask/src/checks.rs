@@ -34,6 +34,9 @@ const CHECKS: [Check; 8] = [
 /// The tests of the page in Chromium and Firefox, which among all checks are taken file by file.
 const PAGE: Check = ("page", || page(&page_tests()?));
 
+/// So many lines of a check that failed are repeated at the end, where who reads only that finds them.
+const LAST_LINES: usize = 100;
+
 /// How the name of a file with such tests ends.
 const PAGE_TEST: &str = ".test.mjs";
 
@@ -108,6 +111,7 @@ struct Outcome {
     name: String,
     is_ok: bool,
     seconds: u64,
+    text: String,
 }
 
 /// Runs a command and shows its output as a whole; it is kept in `target/checks/`.
@@ -115,8 +119,8 @@ fn checked(name: &str, command: &mut Command) -> Outcome {
     println!("{name} …");
     let start = Instant::now();
     let (is_ok, text) = logged(name, command).unwrap_or_else(|error| (false, format!("{error:#}")));
-    let outcome = Outcome { name: name.to_owned(), is_ok, seconds: start.elapsed().as_secs() };
-    println!("\n== {name}\n{text}\n{}", outcome.line());
+    let outcome = Outcome { name: name.to_owned(), is_ok, seconds: start.elapsed().as_secs(), text };
+    println!("\n== {name}\n{}\n{}", outcome.text, outcome.line());
     outcome
 }
 
@@ -132,10 +136,20 @@ impl Outcome {
     fn line(&self) -> String {
         format!("{} {} ({} s)", if self.is_ok { "ok    " } else { "FAILED" }, self.name, self.seconds)
     }
+
+    /// The last it printed: what went wrong is mostly there.
+    fn last_lines(&self) -> String {
+        let lines: Vec<_> = self.text.lines().collect();
+        lines[lines.len().saturating_sub(LAST_LINES)..].join("\n")
+    }
 }
 
 fn sum_up(outcomes: &[Outcome]) -> Result<()> {
-    let failed = outcomes.iter().filter(|outcome| !outcome.is_ok).count();
+    let failed: Vec<_> = outcomes.iter().filter(|outcome| !outcome.is_ok).collect();
+    for outcome in &failed {
+        println!("\n== the last lines of {}\n{}", outcome.name, outcome.last_lines());
+    }
+    let failed = failed.len();
     let lines: Vec<_> = outcomes.iter().map(Outcome::line).collect();
     println!("\n{}\nchecks: {} passed, {failed} failed", lines.join("\n"), outcomes.len() - failed);
     ensure!(failed == 0, "{failed} of {} checks failed; see above", outcomes.len());
@@ -210,9 +224,9 @@ fn wasm_tests_in(browser: &str, flavour: &str) -> Result<()> {
     pack.args(["test", "--headless", &format!("--{browser}"), "crates/scumble-web"])
         .args(["--no-default-features", "--features", flavour])
         .env(driver.to_uppercase(), find(driver).unwrap_or_default());
-    // Where several things are built at once, a solve without a graphics card takes longer than the 20 s of the runner, and a
-    // driver may come up later than in 5.
-    run(pack.env("WASM_BINDGEN_TEST_TIMEOUT", "120").env("WASM_BINDGEN_TEST_DRIVER_TIMEOUT", "120"))
+    // Where several things are built at once, a solve without a graphics card may take tens of times as long as alone, and a
+    // driver may come up late. The limits, in seconds, are there for what hangs.
+    run(pack.env("WASM_BINDGEN_TEST_TIMEOUT", "600").env("WASM_BINDGEN_TEST_DRIVER_TIMEOUT", "120"))
 }
 
 fn page(tests: &[PathBuf]) -> Result<()> {
