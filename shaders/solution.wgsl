@@ -1,11 +1,8 @@
 // What the grid solver found, through a view: smooth between curves, and cut at them exactly, at any zoom.
 
 @group(1) @binding(0) var<uniform> grid: Grid;
-// The bits of the colours of pixels, times their opacity, and the opacity.
 @group(1) @binding(1) var values: texture_2d<u32>;
-// By cell: the first of the pieces of curves in it, and their number.
 @group(1) @binding(2) var cells: texture_2d<u32>;
-// The bits of the ends of pieces of curves, in pixels of the grid.
 @group(1) @binding(3) var pieces: texture_2d<u32>;
 
 // Places in a pixel where colours are looked up: a lattice of so many, in which no two share a column or a row.

@@ -3,11 +3,8 @@
 // and north.
 
 @group(0) @binding(0) var<uniform> grid: Grid;
-// The bits of the colours of pixels, times their opacity, and the opacity.
 @group(0) @binding(1) var values: texture_2d<u32>;
-// By cell: the first of the pieces of curves in it, and their number.
 @group(0) @binding(2) var cells: texture_2d<u32>;
-// The bits of the ends of pieces of curves, in pixels of the grid.
 @group(0) @binding(3) var pieces: texture_2d<u32>;
 
 struct Varying {

@@ -1,6 +1,8 @@
 // What the first visit costs: every file that the page asks for until it can be used, each as `gzip -9` packs it.
 import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
+import { readFileSync } from "node:fs";
+import { homedir } from "node:os";
 import { before, test } from "node:test";
 import { fileURLToPath } from "node:url";
 import { Editor, useSession, version } from "./harness.mjs";
@@ -43,6 +45,13 @@ test("samples open without what only files need", async () => {
   assert.deepEqual(urls.filter((path) => path.startsWith(`${folder}/pkg/files/`)), []);
   await editor.openDrawing("rooms");
   assert.ok(urls.some((path) => path.startsWith(`${folder}/pkg/files/scumble_files_bg.wasm`)));
+});
+
+test("no module names a path of the machine that built it", () => {
+  for (const module of ["webgpu/scumble_web", "webgl/scumble_web", "files/scumble_files"]) {
+    const bytes = readFileSync(new URL(`../../dist/${folder}/pkg/${module}_bg.wasm`, import.meta.url));
+    for (const path of [homedir(), "registry/src"]) assert.ok(!bytes.includes(path), `${module} names ${path}`);
+  }
 });
 
 /** @param {string} url */

@@ -4,7 +4,7 @@
 //! |---|---|
 //! | a shader and what it reads | `kernels` |
 //! | textures of numbers | `texels` |
-//! | the equations of pixels, and what changes of them | `equations`, `points` |
+//! | the equations of pixels, what changes of them, and what is beyond the borders of a part | `equations`, `points` |
 //! | passes that are drawn over and over | `tape` |
 //! | levels, and the ways through them | `levels` |
 //! | sums over all texels | `reduction` |

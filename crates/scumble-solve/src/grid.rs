@@ -57,7 +57,7 @@ pub use level::{Level, Size};
 pub use picture::GridPicture;
 pub use problem::GridProblem;
 pub use texture::{Texel, Texture};
-pub use whole::Whole;
+pub use whole::{AROUND_PX, Whole};
 
 use gradients::Gradients;
 

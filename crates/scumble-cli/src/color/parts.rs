@@ -5,14 +5,11 @@ use std::ops::Range;
 
 use kurbo::Affine;
 use scumble_core::{Blend, Boundary, PlanarMap, Srgb8};
-use scumble_solve::grid::{Constraints, GridPicture, Whole};
+use scumble_solve::grid::{AROUND_PX, Constraints, GridPicture, Whole};
 use scumble_solve::{Part, Pixmap, Shape, View, paint_grid};
 
-/// What is solved at once takes up to 1.5 GB.
+/// Longest side of what is solved at once, in px: that takes up to 1.5 GB.
 pub(crate) const MOST_PX: u32 = 2048;
-
-/// A part is solved with so much around it, in pixels of the whole: what its borders get wrong has faded away then.
-const AROUND_PX: f64 = 8.0;
 
 /// All of a page, and how it is to look.
 #[derive(Clone, Copy, Debug)]
@@ -23,7 +20,7 @@ pub(super) struct Page<'a> {
     pub(super) view: View,
     pub(super) shapes: &'a [Shape],
     pub(super) paper: Option<Srgb8>,
-    /// Longest side of what is solved at once, in px.
+    /// Longest side of what is solved at once, in px: [`MOST_PX`], but in tests.
     pub(super) most_px: u32,
 }
 

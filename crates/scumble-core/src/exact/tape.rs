@@ -1,4 +1,6 @@
 //! Bytes that are written or read by the same calls: each takes the value to write, and leaves or returns the one read.
+//!
+//! What is called from many places is not inlined there: that would be a kilobyte more for every visitor of the page.
 
 /// Steps of numbers that take few bytes, in one.
 const PER_UNIT: f64 = 1000.0;

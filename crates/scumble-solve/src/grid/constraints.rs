@@ -49,7 +49,7 @@ impl Exits {
         WAYS.into_iter().filter(move |(link, _)| self.links >> *link as u32 & 1 == 1).map(|(_, way)| way)
     }
 
-    /// What holds their pixel as long as it is not known to what.
+    /// What holds their pixel as long as it is not known to which colours.
     fn pull(&self) -> Pull {
         Pull { pixel: self.pixel, strength: self.links.count_ones() as f32, color: [0.0; 4] }
     }
@@ -71,7 +71,7 @@ pub struct Constraints {
     pub pulls: Vec<Pull>,
     /// What fitting to corners adds, in no order; some pixels are named more than once.
     pub sources: Vec<Source>,
-    /// Where a part of a larger picture goes on, by pixel.
+    /// Where a part of a larger picture goes on while it is not known with which colours, by pixel.
     pub exits: Vec<Exits>,
     /// What shading scribbles lay over the picture; none where nothing shades.
     pub covers: Option<Covers>,
@@ -99,7 +99,8 @@ impl Constraints {
         Self::with_borders(map, boundary, view, &|all| whole.pulls(all, view))
     }
 
-    /// The same before it is known what the larger picture has at its pixels: pixels are held to black at [`Self::exits`].
+    /// The same of a larger picture of which only the view is known: at [`Self::exits`] pixels are held to no colour, and who
+    /// solves them adds what there is beyond.
     ///
     /// # Errors
     /// See [`SolveError`]: where something shades.

@@ -12,7 +12,11 @@ use crate::scene::View;
 /// A curve that passes through the centre of a pixel, to so many px, hides it: which side it is on is rounding.
 const BEYOND_PX: f64 = 0.01;
 
-/// A picture without shades, and the curves in it.
+/// A part is solved with so many pixels of the whole around it: what its borders get wrong has faded away then. That is most
+/// where a curve, a side without colour or a closed gap crosses them, about which only the pixels of the whole are known.
+pub const AROUND_PX: f64 = 8.0;
+
+/// A picture without shades, and the curves in it; closed gaps do not hide its pixels from each other.
 #[derive(Clone, Debug)]
 pub struct Whole {
     view: View,
@@ -26,7 +30,7 @@ impl Whole {
         Self { view: *view, pixels, curves: CurveCells::new(map, view) }
     }
 
-    /// What draws the pixels at the borders of a part to what lies beyond.
+    /// What draws the pixels at the borders of a part to what lies beyond, along links as wide as any, walls beside them or not.
     pub(super) fn pulls(&self, constraints: &Constraints, view: &View) -> Vec<Pull> {
         let exits = exits(constraints, view, &self.view);
         let links = exits.iter().flat_map(|exits| exits.ways().map(|way| (exits.pixel, way)));

@@ -2,7 +2,7 @@
 
 use kurbo::{Affine, BezPath, Point, Rect, Vec2};
 use scumble_core::{Blend, Boundary, Curve, Drawing, PlanarMap, Sampling};
-use scumble_solve::grid::{Constraints, GridSolver, Whole};
+use scumble_solve::grid::{AROUND_PX, Constraints, GridSolver, Whole};
 use scumble_solve::{Field, FieldTriangle, MeshSolver, View};
 
 use super::DEFAULT_DU;
@@ -12,9 +12,6 @@ const PAGE_DU: f64 = 1024.0;
 
 /// Distance of nodes for the grid solver: so small that chords matter less than pixels.
 const GRID_DU: f64 = 3.0;
-
-/// What the borders of a part get wrong has faded away so many pixels of the whole from them.
-const AROUND_PX: f64 = 8.0;
 
 /// Curves on a page, the colours of their sides, and the values in between.
 ///
