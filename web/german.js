@@ -113,7 +113,6 @@ export const german = {
   "solver-mesh": "Netz",
   "solver-gpu": "GPU",
   "source-without-gpu": "Was hier malt, hat keinen GPU-Löser; der Löser auf dem Netz malt",
-  "source-so-close": "Bei diesem Zoom malt der Löser auf dem Netz",
   "gap-closing": "Lücken schließen",
   "gap-note": "Mehr hält Farben an breiteren Lücken zwischen Linien auf",
   "show-regions": "Bereiche und Lücken zeigen",

@@ -105,7 +105,6 @@ export const english = {
   "solver-mesh": "Mesh",
   "solver-gpu": "GPU",
   "source-without-gpu": "What paints here has no GPU solver; the mesh solver draws",
-  "source-so-close": "At this zoom, the mesh solver draws",
   "gap-closing": "Gap closing",
   "gap-note": "More stops colours at wider gaps between lines",
   "show-regions": "Show regions and gaps",

@@ -275,8 +275,8 @@ export class Editor {
   }
 
   /**
-   * Waits until the picture comes from a source: "mesh" or "gpu", or "without-gpu" or "so-close", which are the mesh
-   * solver in place of the other.
+   * Waits until the picture comes from a source: "mesh" or "gpu", or "without-gpu", which is the mesh solver in place of
+   * the other.
    * @param {string} source
    */
   shows(source) {

@@ -17,6 +17,8 @@ pub struct Painting<'a> {
     pub field: &'a Field,
     /// What they are to be solved from in place of the field.
     pub problem: Option<&'a GridProblem>,
+    /// What a part of them in view is to be solved from, with what that has beyond its borders.
+    pub part: Option<&'a GridProblem>,
     /// What lies over them.
     pub layers: &'a Layers,
     /// Which part of the plane, at which size.
@@ -39,6 +41,8 @@ pub struct Changed {
     pub field: bool,
     /// What is to be solved in place of it.
     pub problem: bool,
+    /// The part of it.
+    pub part: bool,
     /// The layer of scribbles.
     pub scribbles: bool,
     /// The layer of ink.
@@ -52,8 +56,14 @@ const EVERYWHERE: Rect = Rect::new(-1e9, -1e9, 1e9, 1e9);
 
 impl Changed {
     /// Everything, as for a painter that has painted nothing yet.
-    pub const ALL: Self =
-        Self { field: true, problem: true, scribbles: true, ink: true, within_du: Some(EVERYWHERE) };
+    pub const ALL: Self = Self {
+        field: true,
+        problem: true,
+        part: true,
+        scribbles: true,
+        ink: true,
+        within_du: Some(EVERYWHERE),
+    };
 
     /// Adds what has changed within a part of the plane, in du.
     pub(crate) fn add_within(&mut self, part_du: Option<Rect>) {
@@ -73,13 +83,18 @@ impl Changed {
 
     /// The pixels of a view that show it, and one more on each side.
     pub(crate) fn part(&self, view: &View) -> Option<Part> {
-        let within_px = view.px_from_du.transform_rect_bbox(self.within_du?).inflate(1.0, 1.0);
-        // A cast keeps within the range of its type.
-        let span = |from: f64, to: f64, end: u32| (from as u32).min(end)..(to.ceil() as u32).min(end);
-        let columns = span(within_px.x0, within_px.x1, view.width_px);
-        let rows = span(within_px.y0, within_px.y1, view.height_px);
-        (!columns.is_empty() && !rows.is_empty()).then_some(Part { columns, rows })
+        part_px(self.within_du?, view)
     }
+}
+
+/// The pixels of a view that show a rectangle of du, and one more on each side.
+pub(crate) fn part_px(within_du: Rect, view: &View) -> Option<Part> {
+    let within_px = view.px_from_du.transform_rect_bbox(within_du).inflate(1.0, 1.0);
+    // A cast keeps within the range of its type.
+    let span = |from: f64, to: f64, end: u32| (from as u32).min(end)..(to.ceil() as u32).min(end);
+    let columns = span(within_px.x0, within_px.x1, view.width_px);
+    let rows = span(within_px.y0, within_px.y1, view.height_px);
+    (!columns.is_empty() && !rows.is_empty()).then_some(Part { columns, rows })
 }
 
 /// Puts paintings on the screen.

@@ -121,6 +121,8 @@ pub struct GpuScreen {
     /// Once there has been a problem to solve.
     kernels: Option<GridKernels>,
     solving: Option<Solving>,
+    /// The part in view.
+    part: Option<Solving>,
 }
 
 /// A problem on its way to its solution, a few steps a frame: nothing is waited for, so their number is given.
@@ -128,6 +130,26 @@ pub struct GpuScreen {
 struct Solving {
     solver: GpuGridSolver,
     steps_left: usize,
+}
+
+impl Solving {
+    /// Takes other constraints, as far as can be with what is there of a problem.
+    fn begun(before: Option<Self>, gpu: &Gpu, kernels: &GridKernels, problem: &GridProblem) -> Option<Self> {
+        // Grids of the page fit into the textures of every device.
+        let solver = match before {
+            Some(Self { mut solver, .. }) => solver.update(kernels, &problem.constraints).map(|_| solver),
+            None => GpuGridSolver::new(gpu, kernels, &problem.constraints),
+        };
+        solver.ok().map(|solver| Self { solver, steps_left: PAGE_STEPS })
+    }
+
+    /// Goes on for a frame; tells whether it had to.
+    fn go_on(&mut self) -> bool {
+        let steps = FRAME_STEPS.min(self.steps_left);
+        (0..steps).for_each(|_| self.solver.step());
+        self.steps_left -= steps;
+        steps > 0
+    }
 }
 
 /// Steps of the grid solver from one frame to the next.
@@ -152,7 +174,7 @@ impl GpuScreen {
         let config = configuration(&surface, &gpu)?;
         let mut renderer = Renderer::new(&gpu, config.format);
         probe(&mut renderer).await?;
-        Ok(Self { canvas, gpu, surface, config, renderer, kernels: None, solving: None })
+        Ok(Self { canvas, gpu, surface, config, renderer, kernels: None, solving: None, part: None })
     }
 
     fn grids(&self) -> Grids {
@@ -166,7 +188,7 @@ impl GpuScreen {
         self.upload(painting, changed);
         self.solve_on();
         self.show(&painting.view, painting.paper);
-        self.solving.as_ref().is_none_or(|solving| solving.steps_left == 0)
+        self.solving.iter().chain(&self.part).all(|solving| solving.steps_left == 0)
     }
 
     /// Draws what there is of a view.
@@ -183,7 +205,7 @@ impl GpuScreen {
     }
 
     pub(crate) fn set_field(&mut self, field: &Field) {
-        self.solving = None;
+        (self.solving, self.part) = (None, None);
         self.renderer.set_field(field);
     }
 
@@ -191,25 +213,31 @@ impl GpuScreen {
         self.renderer.set_shapes(layer, shapes);
     }
 
-    /// Takes a problem to its first picture.
-    fn begin(&mut self, problem: &GridProblem) {
+    /// Takes a problem, if it is another one, to its first picture, and a part of it.
+    fn begin(&mut self, problem: &GridProblem, part: Option<&GridProblem>, is_other: bool) {
         let kernels = self.kernels.get_or_insert_with(|| GridKernels::new(&self.gpu.device));
-        self.renderer.set_problem(problem);
-        let constraints = &problem.constraints;
-        // Grids of the page fit into the textures of every device.
-        let solver = match self.solving.take() {
-            Some(Solving { mut solver, .. }) => solver.update(kernels, constraints).map(|_| solver),
-            None => GpuGridSolver::new(&self.gpu, kernels, constraints),
-        };
-        self.solving = solver.ok().map(|solver| Solving { solver, steps_left: PAGE_STEPS });
+        let begun = |before, problem| Solving::begun(before, &self.gpu, kernels, problem);
+        if is_other {
+            self.renderer.set_problem(problem);
+            self.solving = begun(self.solving.take(), problem);
+        }
+        self.renderer.set_part(part);
+        let part = part.filter(|_| self.solving.is_some());
+        self.part = part.and_then(|part| begun(self.part.take(), part));
     }
 
+    /// The part begins anew with each picture of the whole.
     fn solve_on(&mut self) {
-        if let Some(Solving { solver, steps_left }) = &mut self.solving {
-            let steps = FRAME_STEPS.min(*steps_left);
-            (0..steps).for_each(|_| solver.step());
-            *steps_left -= steps;
-            self.renderer.update_solution(solver);
+        let Some(whole) = &mut self.solving else { return };
+        let is_other = whole.go_on();
+        self.renderer.update_solution(&whole.solver);
+        if let (Some(part), Some(kernels)) = (&mut self.part, &self.kernels) {
+            if is_other || part.steps_left == PAGE_STEPS {
+                self.renderer.begin_part(kernels, &whole.solver, &mut part.solver);
+                part.steps_left = PAGE_STEPS;
+            }
+            part.go_on();
+            self.renderer.update_part(&part.solver);
         }
     }
 
@@ -223,7 +251,9 @@ impl GpuScreen {
 
     fn upload(&mut self, painting: &Painting<'_>, changed: Changed) {
         match painting.problem {
-            Some(problem) if changed.problem => self.begin(problem),
+            Some(problem) if changed.problem || changed.part => {
+                self.begin(problem, painting.part, changed.problem);
+            }
             None if changed.field => self.set_field(painting.field),
             _ => {}
         }

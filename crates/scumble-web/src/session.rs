@@ -31,6 +31,7 @@ mod opening;
 mod picker;
 mod pointing;
 mod selecting;
+mod sharp;
 mod sheet;
 mod tools;
 
@@ -38,6 +39,7 @@ use close::CloseUp;
 use gestures::{Held, Stroke};
 use making::Making;
 use opening::Coming;
+use sharp::Sharp;
 use sheet::{Sheet, Shelf};
 
 /// The page that is there before a drawing is opened, in du.
@@ -64,6 +66,8 @@ pub struct Session {
     close_up: Option<CloseUp>,
     /// What the grid solver is given, once it is to make the picture.
     problem: Option<GridProblem>,
+    /// And for what is in view, where the pixels of that would be seen.
+    sharp: Option<Sharp>,
     layers: Layers,
     ink: KnownInk,
     /// The revision of the lines that these show.
@@ -137,6 +141,7 @@ impl Session {
             field: Field::default(),
             close_up: None,
             problem: None,
+            sharp: None,
             layers: Layers::default(),
             ink: KnownInk::default(),
             inked: 0,
@@ -262,9 +267,11 @@ impl Session {
             let (blank, changed) = (Field::default(), take(&mut self.changed));
             let regions = self.regions_shown().map(Regions::field);
             let is_result = self.result_shown && regions.is_none() && !self.is_before;
+            let problem = self.problem.as_ref().filter(|_| self.source == Source::Grid && is_result);
             let painting = Painting {
                 field: if is_result { self.field_shown() } else { regions.unwrap_or(&blank) },
-                problem: self.problem.as_ref().filter(|_| self.source == Source::Grid && is_result),
+                problem,
+                part: problem.and(self.sharp.as_ref()).map(|sharp| &sharp.problem),
                 layers: &self.layers,
                 view: self.viewport.view(),
                 paper: self.paper,

@@ -36,8 +36,6 @@ pub enum Source {
     Grid,
     /// The mesh solver: the grid solver was asked for, but the painter solves no grids.
     MeshWithoutGpu,
-    /// The mesh solver: the grid solver was asked for, but one of its pixels would be many of the canvas.
-    MeshSoClose,
 }
 
 /// What is asked for, and what it comes to.
@@ -58,8 +56,8 @@ const FEW_PX: f64 = 512.0;
 /// The same without a graphics card.
 const FEWEST_PX: f64 = 256.0;
 
-/// A pixel of a grid is at most so many of the canvas wide.
-const WIDEST_PX: f64 = 2.0;
+/// The same for a page of which a part is solved by itself.
+pub(crate) const WHOLE_PX: f64 = 1024.0;
 
 /// The mesh solver takes longer to its first picture of a drawing with more pieces than the grid solver takes for
 /// [`FEW_PX`].
@@ -70,6 +68,12 @@ pub(crate) const PIECES_IN_HAND: usize = 4000;
 
 /// Nor does what comes before any solver, where there are more than this.
 const MOST_PIECES_IN_HAND: usize = 20_000;
+
+/// What rounding to whole pixels may add to a part.
+const RIM_PX: f64 = 4.0;
+
+/// Half a step from one size of a grid to the next, rounded up.
+pub(crate) const HALF_STEP: f64 = 1.19;
 
 /// What the choice depends on.
 #[derive(Clone, Copy, Debug)]
@@ -91,7 +95,6 @@ impl Solver {
             Self::Automatic if moment.is_grid_quicker() => Source::Grid,
             Self::Automatic | Self::Mesh => Source::Mesh,
             Self::Gpu if moment.grids == Grids::No => Source::MeshWithoutGpu,
-            Self::Gpu if moment.px_per_du > WIDEST_PX * MOST_PX / LONGER_SIDE_DU => Source::MeshSoClose,
             Self::Gpu => Source::Grid,
         }
     }
@@ -111,17 +114,31 @@ impl Moment {
         self.pieces <= if by_grid { MOST_PIECES_IN_HAND } else { PIECES_IN_HAND }
     }
 
-    /// Pixels of a grid for one du, about as large as those of the canvas; in steps of √2, so that it is solved anew only
-    /// once in a while as the zoom changes.
+    /// Pixels of a grid of the whole page for one du, about as large as those of the canvas.
     pub(crate) fn grid_scale(&self, solver: Solver) -> f64 {
-        let most_px = match (self.grids, solver) {
+        step(self.px_per_du).min(self.most_px(solver) / LONGER_SIDE_DU)
+    }
+
+    /// The same of a part of the page, given its longest side.
+    pub(crate) fn part_scale(&self, solver: Solver, side_du: f64) -> f64 {
+        let most = (self.most_px(solver) - RIM_PX) / side_du;
+        step(self.px_per_du.min(most / HALF_STEP))
+    }
+
+    /// Pixels of a grid to a side, at most.
+    fn most_px(&self, solver: Solver) -> f64 {
+        match (self.grids, solver) {
             (Grids::Fast, Solver::Gpu) => MOST_PX,
             (Grids::Fast, _) if self.is_in_motion => MOST_PX,
             (Grids::Fast, _) => FEW_PX,
             _ => FEWEST_PX,
-        };
-        ((2.0 * self.px_per_du.log2()).round() / 2.0).exp2().min(most_px / LONGER_SIDE_DU)
+        }
     }
+}
+
+/// A scale in steps of √2, so that a grid is solved anew only once in a while as the zoom changes.
+fn step(scale: f64) -> f64 {
+    ((2.0 * scale.log2()).round() / 2.0).exp2()
 }
 
 #[cfg(test)]
@@ -138,7 +155,7 @@ mod tests {
             assert_eq!(Solver::Gpu.source(&Moment { grids, ..SMALL }), Source::Grid);
         }
         assert_eq!(Solver::Gpu.source(&Moment { grids: Grids::No, ..SMALL }), Source::MeshWithoutGpu);
-        assert_eq!(Solver::Gpu.source(&Moment { px_per_du: 5.0, ..SMALL }), Source::MeshSoClose);
+        assert_eq!(Solver::Gpu.source(&Moment { px_per_du: 64.0, ..SMALL }), Source::Grid);
         assert_eq!(Solver::Mesh.source(&LARGE), Source::Mesh);
     }
 
@@ -171,6 +188,8 @@ mod tests {
         }
         let close = Moment { px_per_du: 64.0, ..SMALL };
         assert_eq!(close.grid_scale(Solver::Gpu) * LONGER_SIDE_DU, MOST_PX);
+        assert_eq!(close.part_scale(Solver::Gpu, 20.0), 64.0);
+        assert_eq!(close.part_scale(Solver::Gpu, 100.0), 16.0);
     }
 
     #[test]

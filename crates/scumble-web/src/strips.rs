@@ -225,7 +225,7 @@ mod tests {
 
     fn painting<'a>(field: &'a Field, layers: &'a Layers, px_per_du: f64) -> Painting<'a> {
         let view = View { px_from_du: Affine::scale(px_per_du), width_px: 300, height_px: 301 };
-        Painting { field, problem: None, layers, view, paper: Some(Srgb8([255; 3])) }
+        Painting { field, problem: None, part: None, layers, view, paper: Some(Srgb8([255; 3])) }
     }
 
     fn whole(painting: &Painting<'_>) -> Pixmap {
@@ -233,7 +233,7 @@ mod tests {
     }
 
     const NOTHING: Changed =
-        Changed { field: false, problem: false, scribbles: false, ink: false, within_du: None };
+        Changed { field: false, problem: false, part: false, scribbles: false, ink: false, within_du: None };
 
     #[test]
     fn a_large_drawing_is_painted_in_strips_and_shown_whole() {

@@ -1,8 +1,9 @@
 //! Which solver makes the picture on the canvas, and what its painter is given for that.
 
-use kurbo::Point;
+use kurbo::{Point, Rect, Vec2};
 use scumble_core::{Document, PlanarMap, Sampling, Srgb8, Work, exact};
 use scumble_io::import_svg;
+use scumble_solve::View;
 use scumble_solve::grid::Constraints;
 use scumble_web::command::{Command, Phase, Tool, ViewChange};
 use scumble_web::effect::Effect;
@@ -21,10 +22,15 @@ struct Screen {
     /// Of each frame: the longer side of the grid, or 0 for a field; and whether it is another than before.
     frames: Vec<(u32, bool)>,
     constraints: Option<Constraints>,
+    /// The part that is solved by itself, and how often it was another one.
+    part: Option<View>,
+    parts: usize,
 }
 
 impl Painter for Screen {
     fn paint(&mut self, painting: &Painting<'_>, changed: Changed) -> bool {
+        self.part = painting.part.map(|part| part.view);
+        self.parts += usize::from(changed.part);
         let Some(problem) = painting.problem else {
             self.frames.push((0, changed.field));
             return true;
@@ -109,6 +115,83 @@ fn a_grid_is_coarser_while_the_pen_is_down() {
     assert_eq!(frames(&mut session, &mut screen)[0], (512, true));
     draw(&mut session, Phase::Up, [400.0, 400.0]);
     assert_eq!(frames(&mut session, &mut screen)[0], (1024, true));
+}
+
+/// What a canvas shows, and what a part of the page is, in du.
+fn seen_and_solved_du(session: &Session, part: &View) -> [Rect; 2] {
+    let canvas_css = Rect::new(0.0, 0.0, 1200.0, 900.0);
+    let part_px = Rect::new(0.0, 0.0, part.width_px.into(), part.height_px.into());
+    [
+        session.css_from_du().inverse().transform_rect_bbox(canvas_css),
+        part.px_from_du.inverse().transform_rect_bbox(part_px),
+    ]
+}
+
+#[test]
+fn from_close_by_what_is_in_view_is_solved_on_pixels_that_stay_where_they_are_under_a_pan() {
+    let (mut session, mut screen) = page(Grids::Fast);
+    session.command(Command::Solver(Solver::Gpu));
+    frames(&mut session, &mut screen);
+    assert_eq!(screen.part, None);
+
+    let corner = session.css_from_du() * Point::new(680.0, 630.0);
+    session.command(Command::View(ViewChange::ZoomAt(corner, 16.0)));
+    assert_eq!(frames(&mut session, &mut screen)[0].0, 1024);
+    assert_eq!(source(&mut session), Some(SolverState { asked: Solver::Gpu, source: Source::Grid }));
+    let (first, parts) = (screen.part.expect("a part"), screen.parts);
+    let [scale, .., x, y] = first.px_from_du.as_coeffs();
+    assert_eq!(scale, 16.0);
+    assert!(first.width_px.max(first.height_px) <= 2047, "textures of every device hold it");
+    let [seen_du, solved_du] = seen_and_solved_du(&session, &first);
+    assert_eq!(solved_du.inflate(-8.0, -8.0).union(seen_du), solved_du.inflate(-8.0, -8.0));
+
+    session.command(Command::View(ViewChange::Pan(Vec2::new(-100.0, 50.0))));
+    frames(&mut session, &mut screen);
+    assert_eq!((screen.part, screen.parts), (Some(first), parts), "there was some around it");
+    session.command(Command::View(ViewChange::Pan(Vec2::new(-100.0, 50.0))));
+    frames(&mut session, &mut screen);
+    let next = screen.part.expect("a part");
+    assert_eq!(screen.parts, parts + 1);
+    let [next_scale, .., next_x, next_y] = next.px_from_du.as_coeffs();
+    let shift = [next_x - x, next_y - y];
+    assert!(next_scale == scale && shift.iter().all(|shift| *shift != 0.0 && shift.fract() == 0.0));
+
+    session.command(Command::View(ViewChange::Fit));
+    frames(&mut session, &mut screen);
+    assert_eq!(screen.part, None);
+}
+
+/// Rotated and on a large canvas, where a part would have more pixels than textures of every device.
+#[test]
+fn a_part_is_never_coarser_than_the_whole_would_be_and_turns_with_the_page() {
+    let (mut session, mut screen) = page(Grids::Fast);
+    let (size_px, corner_css) = ([3840, 2160], Point::ZERO);
+    session.command(Command::View(ViewChange::Resize { size_px, px_per_css: 1.0, corner_css }));
+    session.command(Command::Solver(Solver::Gpu));
+    let middle = Point::new(1920.0, 1080.0);
+    for _ in 0..40 {
+        session.command(Command::View(ViewChange::ZoomAt(middle, 1.1)));
+        session.command(Command::View(ViewChange::RotateAt(middle, 5.0)));
+        let whole_px = frames(&mut session, &mut screen)[0].0;
+        let scale = |view: &View| view.px_from_du.as_coeffs()[0];
+        let Some(part) = screen.part else { continue };
+        assert!(scale(&part) > 2.0 * 1.18, "{part:?}");
+        assert!(whole_px <= 1024 && part.width_px.max(part.height_px) <= 2047, "{part:?}");
+    }
+    assert!(screen.part.is_some());
+}
+
+#[test]
+fn without_a_graphics_card_a_part_has_few_pixels_too() {
+    let (mut session, mut screen) = page(Grids::Slow);
+    session.command(Command::Solver(Solver::Gpu));
+    frames(&mut session, &mut screen);
+    assert_eq!(screen.part, None, "nothing is won");
+    let corner = session.css_from_du() * Point::new(680.0, 630.0);
+    session.command(Command::View(ViewChange::ZoomAt(corner, 16.0)));
+    assert_eq!(frames(&mut session, &mut screen)[0].0, 256);
+    let part = screen.part.expect("a part");
+    assert!(part.width_px.max(part.height_px) <= 256, "{part:?}");
 }
 
 #[test]

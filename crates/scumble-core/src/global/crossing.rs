@@ -13,7 +13,7 @@ use crate::triangulation::SideId;
 /// Lengths are counted in these parts of a du, so that their sums are exact.
 const PARTS_PER_DU: f64 = 4096.0;
 
-/// The triangles on either side of a piece, and how long it counts.
+/// The triangles on either side of a piece, and how long it counts: not 0.
 type Border = ([u32; 2], u64);
 
 /// What the map alone says about borders.
@@ -37,7 +37,8 @@ impl Crossing {
             for side in map.steps(curve).iter().map(|step| step.left) {
                 let is_own = map.pieces()[side.piece()].curve == Some(curve as u32);
                 if let Some(triangles) = beside[side.piece()].take_if(|_| is_own) {
-                    borders.push((triangles, (share * PARTS_PER_DU * length_du(map, side)) as u64));
+                    let length = (share * PARTS_PER_DU * length_du(map, side)) as u64;
+                    borders.push((triangles, length.max(1)));
                 }
             }
         }
@@ -89,7 +90,8 @@ fn length_du(map: &PlanarMap, side: SideId) -> f64 {
     (b - a).hypot()
 }
 
-/// Regions, then scribbles, and the borders between them.
+/// Regions, then scribbles, and how long the borders between them are: 0 once there is none any more. Nothing is taken out of a
+/// map, which would be 5 KB of code for every visitor of the page.
 struct Areas {
     borders: Vec<BTreeMap<u32, u64>>,
     sets: Sets,
@@ -100,10 +102,14 @@ impl Areas {
         Self { borders: vec![BTreeMap::new(); count], sets: Sets::new(count) }
     }
 
+    fn border(&mut self, of: u32, with: u32) -> &mut u64 {
+        self.borders[of as usize].entry(with).or_default()
+    }
+
     fn add_border(&mut self, a: u32, b: u32, length: u64) {
         if a != b {
-            *self.borders[a as usize].entry(b).or_default() += length;
-            *self.borders[b as usize].entry(a).or_default() += length;
+            *self.border(a, b) += length;
+            *self.border(b, a) += length;
         }
     }
 
@@ -116,7 +122,7 @@ impl Areas {
             );
         }
         while let Some((length, region, other)) = queue.pop() {
-            if self.borders[region as usize].get(&other) != Some(&length) {
+            if *self.border(region, other) != length {
                 continue;
             }
             let count = |area: u32| self.borders[area as usize].len();
@@ -132,14 +138,14 @@ impl Areas {
     /// Joins an area to a neighbour, which takes its borders; gives those that this made longer.
     fn join(&mut self, from: u32, to: u32) -> Vec<(u32, u64)> {
         self.sets.join(from, to);
-        let mut moved = std::mem::take(&mut self.borders[from as usize]);
-        moved.remove(&to);
-        self.borders[to as usize].remove(&from);
-        for (&next, length) in &mut moved {
-            self.borders[next as usize].remove(&from);
-            self.add_border(to, next, *length);
-            *length = self.borders[to as usize][&next];
+        *self.border(to, from) = 0;
+        let moved = std::mem::take(&mut self.borders[from as usize]);
+        let mut changed = Vec::new();
+        for (next, length) in moved.into_iter().filter(|&(next, length)| next != to && length > 0) {
+            *self.border(next, from) = 0;
+            self.add_border(to, next, length);
+            changed.push((next, *self.border(to, next)));
         }
-        moved.into_iter().collect()
+        changed
     }
 }

@@ -174,6 +174,5 @@ pub(super) fn source_name(source: Source) -> &'static str {
         Source::Mesh => "mesh",
         Source::Grid => "gpu",
         Source::MeshWithoutGpu => "without-gpu",
-        Source::MeshSoClose => "so-close",
     }
 }

@@ -30,13 +30,13 @@ impl Session {
     /// pan.
     pub(super) fn refresh_close_up(&mut self) {
         let (seen_du, px_per_du) = (seen_du(&self.viewport.view()), next_double(self.px_per_du()));
-        let serves = |it: &CloseUp| it.px_per_du == px_per_du && it.part_du.union(seen_du) == it.part_du;
+        let serves = |it: &CloseUp| it.px_per_du == px_per_du && holds(it.part_du, seen_du);
         let part_du = self.close_up.as_ref().filter(|it| serves(it)).map(|it| it.part_du);
         let is_wanted = self.source == Source::Mesh && !self.sheet.has_stale_map();
         if is_wanted && part_du.is_some() && !self.changed.field {
             return;
         }
-        let ahead_du = seen_du.inflate(AHEAD * seen_du.width(), AHEAD * seen_du.height());
+        let ahead_du = ahead(seen_du, AHEAD);
         let close_up =
             is_wanted.then(|| self.made_close_up(part_du.unwrap_or(ahead_du), px_per_du)).flatten();
         let is_same_part = close_up.is_some() && part_du.is_some();
@@ -55,8 +55,18 @@ impl Session {
     }
 }
 
+/// What is seen, and so much around it, as a part of its size.
+pub(super) fn ahead(seen_du: Rect, by: f64) -> Rect {
+    seen_du.inflate(by * seen_du.width(), by * seen_du.height())
+}
+
+/// Whether one part of the plane lies within another.
+pub(super) fn holds(all_du: Rect, part_du: Rect) -> bool {
+    all_du.union(part_du) == all_du
+}
+
 /// What a view shows.
-fn seen_du(view: &View) -> Rect {
+pub(super) fn seen_du(view: &View) -> Rect {
     let canvas_px = Rect::new(0.0, 0.0, view.width_px.into(), view.height_px.into());
     view.px_from_du.inverse().transform_rect_bbox(canvas_px)
 }

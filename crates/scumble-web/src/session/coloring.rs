@@ -3,7 +3,6 @@
 use std::mem::take;
 
 use scumble_core::Document;
-use scumble_solve::View;
 use scumble_solve::grid::GridProblem;
 
 use super::Session;
@@ -112,24 +111,27 @@ impl Session {
     }
 
     fn refresh_problem(&mut self) {
-        let view = self.grid_view();
+        let (whole, part) = self.grid_scales();
+        let view = self.page(whole);
         let is_other_view = self.problem.as_ref().is_none_or(|problem| problem.view != view);
-        if take(&mut self.stale.problem) || is_other_view {
+        let is_other = take(&mut self.stale.problem) || is_other_view;
+        if is_other {
             let blend = self.sheet.editor.document().settings.blend;
             match GridProblem::new(self.sheet.picture.map(), &self.boundary, &view, blend) {
                 Ok(problem) => self.problem = Some(problem),
                 Err(error) => return self.effects.push(Effect::Failed(error.to_string())),
             }
+            self.sharp = None;
             self.changed.problem = true;
+        }
+        if self.refresh_sharp(part) || is_other {
             self.changed.add_everywhere();
             self.stale.view = true;
         }
     }
 
-    /// The page on pixels about as large as those of the canvas.
-    fn grid_view(&self) -> View {
-        let scale = self.moment().grid_scale(self.solver);
+    pub(super) fn haste(&self) -> f64 {
         let editor = &self.sheet.editor;
-        self.page(if editor.is_scribbling() || editor.is_changing() { scale / IN_HASTE } else { scale })
+        if editor.is_scribbling() || editor.is_changing() { IN_HASTE } else { 1.0 }
     }
 }
