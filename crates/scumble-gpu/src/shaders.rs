@@ -31,7 +31,8 @@ mod tests {
     ];
 
     /// Pieces of the grid solver's kernels that are none themselves.
-    const PIECES: [&str; 8] = ["block", "level", "links", "matrix", "parent", "parts", "pass", "weighted"];
+    const PIECES: [&str; 9] =
+        ["block", "given", "level", "links", "matrix", "parent", "parts", "pass", "weighted"];
 
     fn all() -> impl Iterator<Item = (&'static str, String)> {
         let scene = SCENE.into_iter().map(|(name, pieces)| (name, pieces.concat()));

@@ -51,7 +51,7 @@ pub use covers::Covers;
 pub use curve_cells::CurveCells;
 pub use cut_links::{Cut, Face, LEAST_FRACTION, Link};
 pub use equations::Equation;
-pub use hierarchy::{Hierarchy, STEPS};
+pub use hierarchy::{Hierarchy, STEPS, WHOLE_STEP};
 pub use jeschke::JeschkeSolver;
 pub use level::{Level, Size};
 pub use picture::GridPicture;

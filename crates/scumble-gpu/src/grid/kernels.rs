@@ -34,7 +34,7 @@ pub(crate) enum Kernel {
 impl Kernel {
     /// Whether it reads the links of a level.
     pub(super) fn reads_links(self) -> bool {
-        !matches!(self, Self::Start | Self::Spread | Self::Attach)
+        !matches!(self, Self::Spread | Self::Attach)
     }
 
     /// Whether it reads how its unknowns are held.
@@ -58,6 +58,7 @@ impl Source {
 }
 
 const BLOCK: &str = wgsl!("grid/block");
+const GIVEN: &str = wgsl!("grid/given");
 const LEVEL: &str = wgsl!("grid/level");
 const LINKS: &str = wgsl!("grid/links");
 const MATRIX: &str = wgsl!("grid/matrix");
@@ -78,10 +79,10 @@ macro_rules! source {
 
 /// In the order of [`Kernel`].
 pub(crate) const SOURCES: [Source; 19] = [
-    source!("multiply", true, PASS, LEVEL, LINKS, WEIGHTED, MATRIX),
-    source!("residual", true, PASS, LEVEL, LINKS, WEIGHTED, MATRIX),
-    source!("relax", true, PASS, LEVEL, LINKS, WEIGHTED, MATRIX),
-    source!("start", true, PASS, LEVEL),
+    source!("multiply", true, PASS, LEVEL, LINKS, WEIGHTED, MATRIX, GIVEN),
+    source!("residual", true, PASS, LEVEL, LINKS, WEIGHTED, MATRIX, GIVEN),
+    source!("relax", true, PASS, LEVEL, LINKS, WEIGHTED, MATRIX, GIVEN),
+    source!("start", true, PASS, LEVEL, LINKS, WEIGHTED, MATRIX),
     source!("restrict", true, PASS, LEVEL, LINKS, WEIGHTED, PARTS),
     source!("interpolate", true, PASS, LEVEL, LINKS, WEIGHTED, PARENT),
     source!("spread", true, PASS, LEVEL, PARENT),

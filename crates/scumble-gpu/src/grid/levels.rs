@@ -1,6 +1,6 @@
 //! The levels of the grid solver on the GPU, and the passes of the ways through them: what `hierarchy` is on the CPU.
 
-use scumble_solve::grid::{STEPS, Size};
+use scumble_solve::grid::{STEPS, Size, WHOLE_STEP};
 
 use super::equations::Equations;
 use super::kernels::{Kernel, Kernels};
@@ -38,7 +38,8 @@ pub(crate) struct GpuLevels {
     hold: wgpu::TextureView,
     /// Parts of the way that steps go: the two of [`STEPS`].
     parts: [wgpu::TextureView; 2],
-    one: wgpu::TextureView,
+    /// Those that the first two steps go, in one texel: on most levels, and on the coarsest.
+    first_parts: [wgpu::TextureView; 2],
     pub(super) zero: wgpu::TextureView,
     /// Where the cells are that `east`, `south` and `within` lead to, from their own.
     directions: [wgpu::TextureView; 3],
@@ -123,7 +124,7 @@ impl GpuLevels {
             levels: sizes.iter().enumerate().map(level).collect(),
             hold: equations.hold.clone(),
             parts: STEPS.map(|part| single(gpu, part)),
-            one: single(gpu, 1.0),
+            first_parts: [STEPS, WHOLE_STEP].map(|[x, y]| single_texel(gpu, [x, y, 0.0, 0.0])),
             directions: [[1.0, 0.0], [0.0, 1.0], [0.0, 0.0]]
                 .map(|[x, y]| single_texel(gpu, [x, y, 0.0, 0.0])),
             zero,
@@ -185,19 +186,19 @@ impl GpuLevels {
 
     /// Records one symmetric cycle for the right side of a level, from zero.
     pub(crate) fn cycle_from_zero(&mut self, recorder: &mut Recorder<'_>, depth: usize) {
-        if depth + 1 == self.levels.len() {
-            return self.start(recorder, depth, &self.one);
+        let is_coarsest = depth + 1 == self.levels.len();
+        self.start(recorder, depth, &self.first_parts[usize::from(is_coarsest)]);
+        if is_coarsest {
+            return;
         }
-        self.start(recorder, depth, &self.parts[0]);
-        self.relax(recorder, depth, 1);
         self.correct(recorder, depth);
         self.relax(recorder, depth, 1);
         self.relax(recorder, depth, 0);
     }
 
-    fn start(&self, recorder: &mut Recorder<'_>, depth: usize, part: &wgpu::TextureView) {
+    fn start(&self, recorder: &mut Recorder<'_>, depth: usize, parts: &wgpu::TextureView) {
         let GpuLevel { matrix, right, values, .. } = &self.levels[depth];
-        recorder.pass_on(matrix, Kernel::Start, &[right, part], values);
+        recorder.pass_on(matrix, Kernel::Start, &[right, parts], values);
     }
 
     fn cycle_from(&mut self, recorder: &mut Recorder<'_>, depth: usize) {

@@ -9,6 +9,9 @@ use super::texture::Texture;
 /// of the spectrum of Jacobi's method.
 pub const STEPS: [f32; 2] = [0.561_8, 1.389_2];
 
+/// Steps on the coarsest level: one all the way, and none.
+pub const WHOLE_STEP: [f32; 2] = [1.0, 0.0];
+
 /// Levels, the finest first, with what cycles write.
 #[derive(Clone, Debug)]
 pub struct Hierarchy {
@@ -73,11 +76,12 @@ impl Hierarchy {
 
     fn cycle_from_zero(&mut self, depth: usize) {
         let (level, right) = (&self.levels[depth], &self.rights[depth]);
-        if depth + 1 == self.levels.len() {
-            return self.values[depth].draw(|x, y| kernels::start(level, right, 1.0, x, y));
+        let is_coarsest = depth + 1 == self.levels.len();
+        let parts = if is_coarsest { WHOLE_STEP } else { STEPS };
+        self.values[depth].draw(|x, y| kernels::start(level, right, parts, x, y));
+        if is_coarsest {
+            return;
         }
-        self.values[depth].draw(|x, y| kernels::start(level, right, STEPS[0], x, y));
-        self.relax(depth, STEPS[1]);
         self.correct(depth);
         self.relax(depth, STEPS[1]);
         self.relax(depth, STEPS[0]);

@@ -7,11 +7,16 @@ use super::texture::{Texel, Texture, minus, plus, times};
 /// The matrix times a vector, by the differences along links: their rounding is as small as they are, and along a channel
 /// between barriers all of it adds up.
 pub fn multiply(level: &Level, values: &Texture, x: i32, y: i32) -> Texel {
+    multiplied(level, |x, y| values.load(x, y), x, y)
+}
+
+#[inline]
+fn multiplied(level: &Level, value_at: impl Fn(i32, i32) -> Texel, x: i32, y: i32) -> Texel {
     let [hold, ..] = level.holds.load(x, y);
-    let value = values.load(x, y);
+    let value = value_at(x, y);
     let mut sum = times(value, hold);
     level.for_each_link(x, y, |weight, nx, ny| {
-        sum = plus(sum, times(minus(value, values.load(nx, ny)), weight));
+        sum = plus(sum, times(minus(value, value_at(nx, ny)), weight));
     });
     sum
 }
@@ -32,10 +37,19 @@ pub fn relax(level: &Level, values: &Texture, right: &Texture, omega: f32, x: i3
     }
 }
 
-/// The first step of Jacobi's method from zero.
-pub fn start(level: &Level, right: &Texture, omega: f32, x: i32, y: i32) -> Texel {
+/// The first two steps of Jacobi's method from zero, by parts of the way.
+pub fn start(level: &Level, right: &Texture, omegas: [f32; 2], x: i32, y: i32) -> Texel {
+    let first = |x, y| {
+        let [_, diagonal, ..] = level.holds.load(x, y);
+        if diagonal > 0.0 { times(right.load(x, y), omegas[0] / diagonal) } else { [0.0; 4] }
+    };
     let [_, diagonal, ..] = level.holds.load(x, y);
-    if diagonal > 0.0 { times(right.load(x, y), omega / diagonal) } else { [0.0; 4] }
+    if diagonal > 0.0 {
+        let residual = minus(right.load(x, y), multiplied(level, first, x, y));
+        plus(first(x, y), times(residual, omegas[1] / diagonal))
+    } else {
+        [0.0; 4]
+    }
 }
 
 /// A residual damped as the interpolation is.
