@@ -60,13 +60,15 @@ pub struct GpuGridSolver {
 }
 
 impl GpuGridSolver {
-    /// With a first picture.
+    /// With a first picture; what is a part of a larger one has none before that is known.
     ///
     /// # Errors
     /// When the device cannot draw so large a picture.
     pub fn new(gpu: &Gpu, kernels: &Kernels, constraints: &Constraints) -> Result<Self, GridError> {
-        let solver = Self::record(gpu, kernels, constraints)?;
-        solver.start.play(gpu);
+        let mut solver = Self::record(gpu, kernels, constraints)?;
+        if constraints.exits.is_empty() {
+            solver.begin();
+        }
         Ok(solver)
     }
 
@@ -88,7 +90,7 @@ impl GpuGridSolver {
         Ok(Self { gpu: gpu.clone(), stack, start, steps, is_even: true, change })
     }
 
-    /// Takes other constraints, with a first picture. Where there are as many pixels and as many layers as before, only what
+    /// Takes other constraints, with a first picture as before. Where there are as many pixels and as many layers as before, only what
     /// has changed is uploaded; tells for how many pixels that was.
     ///
     /// # Errors
@@ -98,7 +100,9 @@ impl GpuGridSolver {
             *self = Self::new(&self.gpu, kernels, constraints)?;
             return Ok(constraints.width_px as usize * constraints.height_px as usize);
         };
-        self.begin();
+        if constraints.exits.is_empty() {
+            self.begin();
+        }
         Ok(changed)
     }
 

@@ -1,9 +1,9 @@
 //! What the grid solver finds is drawn as the painter on the CPU paints it. Needs a graphics driver; Mesa's software one
 //! is enough.
 
-use kurbo::{Affine, BezPath, Circle, Point, Rect, Shape};
+use kurbo::{Affine, BezPath, Circle, Point, Rect, Shape, Vec2};
 use scumble_core::source::weight;
-use scumble_core::{Blend, Boundary, Curve, Drawing, PlanarMap, Sampling, SoftSource, Srgb8};
+use scumble_core::{Bends, Blend, Boundary, Curve, Drawing, PlanarMap, Sampling, SoftSource, Srgb8};
 use scumble_gpu::wgpu::TextureFormat::Rgba8Unorm;
 use scumble_gpu::{Gpu, GpuError, GpuGridSolver, GridKernels, Renderer};
 use scumble_solve::grid::{Constraints, GridPicture, GridProblem, GridSolver, Whole};
@@ -116,6 +116,49 @@ fn curves_cut_it_exactly_at_any_zoom() {
     }
 }
 
+/// Green in a circle so small that the pieces of its curve are chords of some pixels off it.
+#[test]
+fn a_part_from_close_by_is_cut_at_curves_as_they_bend() {
+    let Some(gpu) = gpu() else { return };
+    let (center, radius_du, px_per_du) = (Point::new(512.0, 512.0), 20.0, 32.0);
+    let path = Circle::new(center, radius_du).to_path(1e-4);
+    let drawing = Drawing {
+        curves: vec![Curve { path, line: None }],
+        ..Drawing::new(Rect::new(0.0, 0.0, 1024.0, 1024.0))
+    };
+    let map = PlanarMap::build(&drawing, &Sampling::default()).expect("a map");
+    let boundary = boundary(&map);
+    let whole = GridProblem::new(&map, &boundary, &page(256), Blend::Oklab).expect("a whole");
+    let kernels = GridKernels::new(&gpu.device);
+    let mut on_whole = GpuGridSolver::new(&gpu, &kernels, &whole.constraints).expect("a solver");
+    (0..8).for_each(|_| on_whole.step());
+
+    // In the middle of it the right end of the circle.
+    let corner_du = Point::new(center.x + radius_du - 8.0, center.y - 8.0);
+    let px_from_du = Affine::scale(px_per_du) * Affine::translate(-corner_du.to_vec2());
+    let view = View { px_from_du, width_px: 512, height_px: 512 };
+    let bends = Bends::within(&drawing, &map, Rect::from_origin_size(corner_du, (16.0, 16.0)), 0.003);
+    let part = whole.part(&map, &bends, &boundary, &view).expect("a part");
+    let mut on_part = GpuGridSolver::new(&gpu, &kernels, &part.constraints).expect("a solver");
+    let mut renderer = Renderer::new(&gpu, Rgba8Unorm);
+    renderer.set_problem(&whole);
+    renderer.update_solution(&on_whole);
+    renderer.set_part(Some(&part));
+    renderer.begin_part(&kernels, &on_whole, &mut on_part);
+    (0..8).for_each(|_| on_part.step());
+    renderer.update_part(&on_part);
+    let picture = read(&mut renderer, &view);
+    for step in -30..=30 {
+        let way = Vec2::from_angle(0.01 * f64::from(step));
+        let [inside, outside] = [-1.5, 1.5].map(|off_px| {
+            let place_px = view.px_from_du * (center + (radius_du + off_px / px_per_du) * way);
+            pixel(&picture, [place_px.x, place_px.y])
+        });
+        assert!(difference(&inside, &GREEN.0) <= 3, "{inside:?} inside at {step}");
+        assert_eq!(outside, [255; 3], "outside at {step}");
+    }
+}
+
 #[test]
 fn a_field_takes_its_place() {
     let Some(gpu) = gpu() else { return };
@@ -148,7 +191,7 @@ fn a_part_takes_what_the_whole_has_beyond_its_borders_as_on_the_cpu() {
     let boundary = Boundary { sources: vec![shade()], ..without_shade.clone() };
     let (whole, solver, mut renderer) = solved_with(&gpu, 256, &boundary);
 
-    let part = whole.part(&map, &boundary, &view).expect("a part");
+    let part = whole.part(&map, &Bends::default(), &boundary, &view).expect("a part");
     let kernels = GridKernels::new(&gpu.device);
     let mut on_gpu = GpuGridSolver::new(&gpu, &kernels, &part.constraints).expect("a solver");
     renderer.set_part(Some(&part));

@@ -3,6 +3,7 @@
 //! | noun | file |
 //! |---|---|
 //! | all that is given | `constraints` |
+//! | how the pieces of a map run | `straights` |
 //! | where curves cut the links between pixels | `cut_links`, `wall` |
 //! | corners where the solution is steep without end | `corners` |
 //! | what that makes of the equations of pixels | `equations` |
@@ -41,6 +42,7 @@ mod parts;
 mod picture;
 mod problem;
 mod regions;
+mod straights;
 mod texture;
 mod unreached;
 mod wall;

@@ -103,8 +103,16 @@ impl Picture {
     /// bend as the curves of the drawing do. `None` where that makes no difference, or where nothing was solved.
     pub fn close_up(&self, drawing: &Drawing, part_du: Rect, px_per_du: f64) -> Option<Field> {
         let solver = self.solver.as_ref().filter(|_| px_per_du > CLOSE_PX_PER_DU)?;
-        let bends = Bends::within(drawing, &self.map, part_du, CHORD_PX / px_per_du);
-        Some(solver.bent(&bends, part_du))
+        Some(solver.bent(&self.bends(drawing, part_du, px_per_du), part_du))
+    }
+
+    /// How the curves of the drawing bend in a part of the page, as it is seen at a scale; not at all where nobody sees it.
+    pub fn bends(&self, drawing: &Drawing, part_du: Rect, px_per_du: f64) -> Bends {
+        if px_per_du > CLOSE_PX_PER_DU {
+            Bends::within(drawing, &self.map, part_du, CHORD_PX / px_per_du)
+        } else {
+            Bends::default()
+        }
     }
 
     /// The labels of the sides and gaps, by the scribbles that fill; they name scribbles by their indices among all.

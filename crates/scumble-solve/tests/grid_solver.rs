@@ -2,8 +2,8 @@
 
 use kurbo::{Affine, BezPath, Point, Rect, Shape, Vec2};
 use proptest::prelude::*;
-use scumble_core::{Blend, Boundary, Curve, Drawing, PlanarMap, Sampling, SideId, Srgb8};
-use scumble_solve::grid::{Constraints, GridPicture, GridSolver, JeschkeSolver, MAX_STEPS};
+use scumble_core::{Bends, Blend, Boundary, Curve, Drawing, PlanarMap, Sampling, SideId, Srgb8};
+use scumble_solve::grid::{Constraints, GridPicture, GridProblem, GridSolver, JeschkeSolver, MAX_STEPS};
 use scumble_solve::{MeshSolver, Scene, View, paint, paint_grid};
 
 const SIZE_PX: u32 = 64;
@@ -251,4 +251,26 @@ fn odd_pictures_are_solved() {
         assert!(solver.pixels().as_flattened().iter().all(|c| c.is_finite()));
         assert_eq!(JeschkeSolver::new(&constraints).pixels().len(), (width_px * height_px) as usize);
     }
+}
+
+/// A channel without colours that is narrower than a pixel of the whole, and passes through a part: the whole has nothing for
+/// what is in it, and much for what is beside it.
+#[test]
+fn a_part_takes_nothing_from_where_nothing_is_seen_of_the_whole() {
+    let line = |y: f64| {
+        let mut path = BezPath::new();
+        path.move_to((100.0, y));
+        path.line_to((900.0, y));
+        path
+    };
+    let map = map(&[line(503.0), line(505.0)]);
+    let boundary = Boundary::from(vec![None; map.side_count()]);
+    let whole = GridProblem::new(&map, &boundary, &view(256), Blend::Oklab).expect("a whole");
+    let px_from_du = Affine::scale(8.0) * Affine::translate((-492.0, -492.0));
+    let part_view = View { px_from_du, width_px: 160, height_px: 160 };
+    let part = whole.part(&map, &Bends::default(), &boundary, &part_view).expect("a part");
+    let rows: Vec<_> = part.constraints.exits.iter().map(|exits| exits.pixel / 160).collect();
+    let in_channel = 88..104;
+    assert!(rows.iter().all(|row| !in_channel.contains(row)), "{rows:?}");
+    assert!(rows.len() > 2 * 160 + 2 * 100, "the rest of the border has its links");
 }

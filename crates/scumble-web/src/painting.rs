@@ -17,7 +17,7 @@ pub struct Painting<'a> {
     pub field: &'a Field,
     /// What they are to be solved from in place of the field.
     pub problem: Option<&'a GridProblem>,
-    /// What a part of them in view is to be solved from, with what that has beyond its borders.
+    /// What a part of them in view is to be solved from, with what all of them have beyond its borders.
     pub part: Option<&'a GridProblem>,
     /// What lies over them.
     pub layers: &'a Layers,

@@ -232,7 +232,8 @@ impl GpuScreen {
         let is_other = whole.go_on();
         self.renderer.update_solution(&whole.solver);
         if let (Some(part), Some(kernels)) = (&mut self.part, &self.kernels) {
-            if is_other || part.steps_left == PAGE_STEPS {
+            let has_begun = part.steps_left < PAGE_STEPS;
+            if is_other || !has_begun {
                 self.renderer.begin_part(kernels, &whole.solver, &mut part.solver);
                 part.steps_left = PAGE_STEPS;
             }

@@ -56,7 +56,7 @@ const FEW_PX: f64 = 512.0;
 /// The same without a graphics card.
 const FEWEST_PX: f64 = 256.0;
 
-/// The same for a page of which a part is solved by itself.
+/// Pixels to a side, at most, of a page of which a part is solved by itself.
 pub(crate) const WHOLE_PX: f64 = 1024.0;
 
 /// The mesh solver takes longer to its first picture of a drawing with more pieces than the grid solver takes for

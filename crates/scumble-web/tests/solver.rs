@@ -1,11 +1,11 @@
 //! Which solver makes the picture on the canvas, and what its painter is given for that.
 
 use kurbo::{Point, Rect, Vec2};
-use scumble_core::{Document, PlanarMap, Sampling, Srgb8, Work, exact};
+use scumble_core::{Blend, Document, PlanarMap, Sampling, Srgb8, Work, exact};
 use scumble_io::import_svg;
 use scumble_solve::View;
-use scumble_solve::grid::Constraints;
-use scumble_web::command::{Command, Phase, Tool, ViewChange};
+use scumble_solve::grid::{Constraints, GridProblem};
+use scumble_web::command::{Command, Phase, Setting, Tool, ViewChange};
 use scumble_web::effect::Effect;
 use scumble_web::painting::{Changed, Painter, Painting};
 use scumble_web::session::Session;
@@ -23,13 +23,13 @@ struct Screen {
     frames: Vec<(u32, bool)>,
     constraints: Option<Constraints>,
     /// The part that is solved by itself, and how often it was another one.
-    part: Option<View>,
+    part: Option<GridProblem>,
     parts: usize,
 }
 
 impl Painter for Screen {
     fn paint(&mut self, painting: &Painting<'_>, changed: Changed) -> bool {
-        self.part = painting.part.map(|part| part.view);
+        self.part = painting.part.cloned();
         self.parts += usize::from(changed.part);
         let Some(problem) = painting.problem else {
             self.frames.push((0, changed.field));
@@ -117,6 +117,10 @@ fn a_grid_is_coarser_while_the_pen_is_down() {
     assert_eq!(frames(&mut session, &mut screen)[0], (1024, true));
 }
 
+fn view_of_part(screen: &Screen) -> View {
+    screen.part.as_ref().expect("a part").view
+}
+
 /// What a canvas shows, and what a part of the page is, in du.
 fn seen_and_solved_du(session: &Session, part: &View) -> [Rect; 2] {
     let canvas_css = Rect::new(0.0, 0.0, 1200.0, 900.0);
@@ -134,11 +138,10 @@ fn from_close_by_what_is_in_view_is_solved_on_pixels_that_stay_where_they_are_un
     frames(&mut session, &mut screen);
     assert_eq!(screen.part, None);
 
-    let corner = session.css_from_du() * Point::new(680.0, 630.0);
-    session.command(Command::View(ViewChange::ZoomAt(corner, 16.0)));
+    look_closely(&mut session);
     assert_eq!(frames(&mut session, &mut screen)[0].0, 1024);
     assert_eq!(source(&mut session), Some(SolverState { asked: Solver::Gpu, source: Source::Grid }));
-    let (first, parts) = (screen.part.expect("a part"), screen.parts);
+    let (first, parts) = (view_of_part(&screen), screen.parts);
     let [scale, .., x, y] = first.px_from_du.as_coeffs();
     assert_eq!(scale, 16.0);
     assert!(first.width_px.max(first.height_px) <= 2047, "textures of every device hold it");
@@ -147,10 +150,10 @@ fn from_close_by_what_is_in_view_is_solved_on_pixels_that_stay_where_they_are_un
 
     session.command(Command::View(ViewChange::Pan(Vec2::new(-100.0, 50.0))));
     frames(&mut session, &mut screen);
-    assert_eq!((screen.part, screen.parts), (Some(first), parts), "there was some around it");
+    assert_eq!((view_of_part(&screen), screen.parts), (first, parts), "there was some around it");
     session.command(Command::View(ViewChange::Pan(Vec2::new(-100.0, 50.0))));
     frames(&mut session, &mut screen);
-    let next = screen.part.expect("a part");
+    let next = view_of_part(&screen);
     assert_eq!(screen.parts, parts + 1);
     let [next_scale, .., next_x, next_y] = next.px_from_du.as_coeffs();
     let shift = [next_x - x, next_y - y];
@@ -159,6 +162,58 @@ fn from_close_by_what_is_in_view_is_solved_on_pixels_that_stay_where_they_are_un
     session.command(Command::View(ViewChange::Fit));
     frames(&mut session, &mut screen);
     assert_eq!(screen.part, None);
+}
+
+/// Looks at the lower right corner of the square from close by.
+fn look_closely(session: &mut Session) {
+    let corner = session.css_from_du() * Point::new(680.0, 630.0);
+    session.command(Command::View(ViewChange::ZoomAt(corner, 16.0)));
+}
+
+#[test]
+fn what_is_done_to_a_drawing_is_done_to_the_part_that_is_in_view() {
+    let (mut session, mut screen) = page(Grids::Fast);
+    session.command(Command::Solver(Solver::Gpu));
+    session.command(Command::Color(Srgb8([1, 2, 3]).into()));
+    look_closely(&mut session);
+    frames(&mut session, &mut screen);
+    let first = screen.part.clone().expect("a part");
+    draw(&mut session, Phase::Down, [670.0, 620.0]);
+    draw(&mut session, Phase::Up, [675.0, 622.0]);
+    frames(&mut session, &mut screen);
+    let colored = screen.part.clone().expect("a part");
+    assert_eq!(colored.view, first.view);
+    assert_ne!(colored.constraints, first.constraints);
+    session.command(Command::Set(Setting::Blend(Blend::Srgb)));
+    frames(&mut session, &mut screen);
+    assert_eq!(screen.part.as_ref().map(|part| part.blend), Some(Blend::Srgb));
+    for expected in [&colored, &first] {
+        session.command(Command::Undo);
+        frames(&mut session, &mut screen);
+        assert_eq!(screen.part.as_ref(), Some(expected));
+    }
+}
+
+/// A circle of 20 du, which pieces of 6 du follow within a tenth.
+const CIRCLE: &[u8] = br#"<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 1024 768">
+    <circle cx="680" cy="630" r="20" fill="none" stroke="black" stroke-width="1"/></svg>"#;
+
+#[test]
+fn from_close_by_a_part_has_curves_as_they_bend() {
+    let (mut session, mut screen) = page_with(CIRCLE, Grids::Fast);
+    session.command(Command::Solver(Solver::Gpu));
+    look_closely(&mut session);
+    frames(&mut session, &mut screen);
+    let part = screen.part.expect("a part");
+    let du_from_px = part.view.px_from_du.inverse();
+    let mut count = 0;
+    for [ax, ay, bx, by] in part.curves.pieces.iter().map(|piece| piece.map(f64::from)) {
+        let middle = du_from_px * Point::new(ax, ay).midpoint(Point::new(bx, by));
+        let off_px = 16.0 * ((middle - Point::new(680.0, 630.0)).hypot() - 20.0);
+        assert!(off_px.abs() < 0.3, "{off_px} px off at {middle}");
+        count += 1;
+    }
+    assert!(count > 100);
 }
 
 /// Rotated and on a large canvas, where a part would have more pixels than textures of every device.
@@ -174,7 +229,7 @@ fn a_part_is_never_coarser_than_the_whole_would_be_and_turns_with_the_page() {
         session.command(Command::View(ViewChange::RotateAt(middle, 5.0)));
         let whole_px = frames(&mut session, &mut screen)[0].0;
         let scale = |view: &View| view.px_from_du.as_coeffs()[0];
-        let Some(part) = screen.part else { continue };
+        let Some(part) = screen.part.as_ref().map(|part| part.view) else { continue };
         assert!(scale(&part) > 2.0 * 1.18, "{part:?}");
         assert!(whole_px <= 1024 && part.width_px.max(part.height_px) <= 2047, "{part:?}");
     }
@@ -187,10 +242,9 @@ fn without_a_graphics_card_a_part_has_few_pixels_too() {
     session.command(Command::Solver(Solver::Gpu));
     frames(&mut session, &mut screen);
     assert_eq!(screen.part, None, "nothing is won");
-    let corner = session.css_from_du() * Point::new(680.0, 630.0);
-    session.command(Command::View(ViewChange::ZoomAt(corner, 16.0)));
+    look_closely(&mut session);
     assert_eq!(frames(&mut session, &mut screen)[0].0, 256);
-    let part = screen.part.expect("a part");
+    let part = view_of_part(&screen);
     assert!(part.width_px.max(part.height_px) <= 256, "{part:?}");
 }
 

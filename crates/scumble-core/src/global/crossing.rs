@@ -13,7 +13,7 @@ use crate::triangulation::SideId;
 /// Lengths are counted in these parts of a du, so that their sums are exact.
 const PARTS_PER_DU: f64 = 4096.0;
 
-/// The triangles on either side of a piece, and how long it counts: not 0.
+/// The triangles on either side of a piece, and how long it counts: not 0, as nodes are a step of the lattice apart.
 type Border = ([u32; 2], u64);
 
 /// What the map alone says about borders.
@@ -37,8 +37,7 @@ impl Crossing {
             for side in map.steps(curve).iter().map(|step| step.left) {
                 let is_own = map.pieces()[side.piece()].curve == Some(curve as u32);
                 if let Some(triangles) = beside[side.piece()].take_if(|_| is_own) {
-                    let length = (share * PARTS_PER_DU * length_du(map, side)) as u64;
-                    borders.push((triangles, length.max(1)));
+                    borders.push((triangles, (share * PARTS_PER_DU * length_du(map, side)) as u64));
                 }
             }
         }
@@ -125,6 +124,7 @@ impl Areas {
             if *self.border(region, other) != length {
                 continue;
             }
+            // Those that are no more count, too: what is moved costs as much.
             let count = |area: u32| self.borders[area as usize].len();
             let may_move = other < region_count && count(other) < count(region);
             let (from, to) = if may_move { (other, region) } else { (region, other) };

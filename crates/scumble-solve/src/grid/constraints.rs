@@ -2,10 +2,11 @@
 
 use std::ops::Range;
 
-use scumble_core::{Boundary, PlanarMap, sort};
+use scumble_core::{Bends, Boundary, PlanarMap, sort};
 
 use super::corners;
 use super::covers::Covers;
+use super::curve_cells::CurveCells;
 use super::cut_links::{self, Cut, Face, Link, WAYS};
 
 use super::regions::PixelRegions;
@@ -83,7 +84,7 @@ impl Constraints {
     /// # Errors
     /// See [`SolveError`]: where something shades.
     pub fn new(map: &PlanarMap, boundary: &Boundary, view: &View) -> Result<Self, SolveError> {
-        Self::part(view, map, boundary, view)
+        Self::with_borders(map, &Bends::default(), boundary, view, &|_| Vec::new())
     }
 
     /// Those in what a view shows of a larger picture, which says what is beyond its borders.
@@ -96,28 +97,35 @@ impl Constraints {
         boundary: &Boundary,
         view: &View,
     ) -> Result<Self, SolveError> {
-        Self::with_borders(map, boundary, view, &|all| whole.pulls(all, view))
+        Self::with_borders(map, &Bends::default(), boundary, view, &|all| whole.pulls(all, view))
     }
 
-    /// The same of a larger picture of which only the view is known: at [`Self::exits`] pixels are held to no colour, and who
-    /// solves them adds what there is beyond.
+    /// The same of a larger picture of which only the view and the curves are known, where those of the part bend: at
+    /// [`Self::exits`] pixels are held to no colour, and who solves them adds what there is beyond.
     ///
     /// # Errors
     /// See [`SolveError`]: where something shades.
-    pub fn part(whole: &View, map: &PlanarMap, boundary: &Boundary, view: &View) -> Result<Self, SolveError> {
-        Self::with_borders(map, boundary, view, &|all| {
-            all.exits = whole::exits(all, view, whole);
+    pub(super) fn part(
+        (whole, curves): (&View, &CurveCells),
+        map: &PlanarMap,
+        bends: &Bends,
+        boundary: &Boundary,
+        view: &View,
+    ) -> Result<Self, SolveError> {
+        Self::with_borders(map, bends, boundary, view, &|all| {
+            all.exits = whole::exits(all, view, whole, curves);
             all.exits.iter().map(Exits::pull).collect()
         })
     }
 
     fn with_borders(
         map: &PlanarMap,
+        bends: &Bends,
         boundary: &Boundary,
         view: &View,
         borders: &dyn Fn(&mut Self) -> Vec<Pull>,
     ) -> Result<Self, SolveError> {
-        let (cuts, faces) = cut_links::cut_links(map, boundary, view);
+        let (cuts, faces) = cut_links::cut_links(map, bends, boundary, view);
         let (width_px, height_px) = (view.width_px, view.height_px);
         let covers = Covers::new(map, boundary, view)?;
         let (pulls, sources, exits) = (Vec::new(), Vec::new(), Vec::new());
@@ -125,7 +133,7 @@ impl Constraints {
         let pulls = borders(&mut all);
         all.add_pulls(pulls);
         let regions = PixelRegions::new(map.triangulation(), boundary, view);
-        let pulls = unreached::pulls(&regions, &all);
+        let pulls = unreached::pulls(&regions, bends, &all);
         all.add_pulls(pulls);
         Ok(all)
     }

@@ -7,8 +7,9 @@
 use std::ops::Range;
 
 use kurbo::{Line, Vec2};
-use scumble_core::{PlanarMap, clamped, sort};
+use scumble_core::{Bends, PlanarMap, clamped, sort};
 
+use super::straights::straights;
 use crate::scene::View;
 
 /// Pieces are listed also where they pass this close by, in px: more than a place is rounded by on a GPU.
@@ -28,12 +29,11 @@ pub struct CurveCells {
 }
 
 impl CurveCells {
-    /// Those of the curves of a map in what a view shows.
-    pub fn new(map: &PlanarMap, view: &View) -> Self {
-        let point = |node: u32| view.px_from_du * map.triangulation().points()[node as usize];
-        let curves = map.pieces().iter().filter(|piece| piece.curve.is_some());
-        let lines: Vec<_> =
-            curves.map(|piece| Line::new(point(piece.nodes[0]), point(piece.nodes[1]))).collect();
+    /// Those of the curves of a map, as they bend, in what a view shows.
+    pub fn new(map: &PlanarMap, bends: &Bends, view: &View) -> Self {
+        let all = straights(map, bends, view.px_from_du);
+        let curves = all.filter(|straight| map.pieces()[straight.piece].curve.is_some());
+        let lines: Vec<_> = curves.map(|straight| Line::new(straight.ends[0], straight.ends[1])).collect();
         let [columns, rows] = [view.width_px + 1, view.height_px + 1];
         let mut entries = Vec::new();
         for (line, i) in lines.iter().zip(0..) {

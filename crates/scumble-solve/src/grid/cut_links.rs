@@ -5,7 +5,7 @@
 //! of the Poisson equation on irregular domains*, 2002).
 
 use kurbo::Vec2;
-use scumble_core::{Boundary, PlanarMap, sort};
+use scumble_core::{Bends, Boundary, PlanarMap, sort};
 
 use super::wall::{Place, Segment, Wall, walls};
 use crate::scene::View;
@@ -59,10 +59,15 @@ pub struct Face {
     pub width: f32,
 }
 
-/// The links that the curves of a map and its closed gaps cut in what a view shows, and the faces beside them.
-pub(super) fn cut_links(map: &PlanarMap, boundary: &Boundary, view: &View) -> (Vec<Cut>, Vec<Face>) {
+/// The links that the curves of a map, as they bend, and its closed gaps cut in what a view shows, and the faces beside them.
+pub(super) fn cut_links(
+    map: &PlanarMap,
+    bends: &Bends,
+    boundary: &Boundary,
+    view: &View,
+) -> (Vec<Cut>, Vec<Face>) {
     let [mut crossings, mut eastern, mut southern] = [(); 3].map(|()| Crossings::new(view));
-    for wall in walls(map, boundary, view) {
+    for wall in walls(map, bends, boundary, view) {
         crossings.cut_rows(&wall, wall.segment);
         crossings.cut_columns(&wall, wall.segment);
         eastern.cut_columns(&wall, wall.segment.moved(Vec2::new(-0.5, 0.0)));

@@ -1,6 +1,6 @@
 //! What the grid solver is given, with what it takes to show what it finds.
 
-use scumble_core::{Blend, Boundary, PlanarMap};
+use scumble_core::{Bends, Blend, Boundary, PlanarMap};
 
 use super::constraints::Constraints;
 use super::curve_cells::CurveCells;
@@ -26,25 +26,25 @@ impl GridProblem {
     /// # Errors
     /// See [`SolveError`]: where something shades.
     pub fn new(map: &PlanarMap, boundary: &Boundary, view: &View, blend: Blend) -> Result<Self, SolveError> {
-        Self::of_whole(view, map, boundary, view, blend)
+        let constraints = Constraints::new(map, boundary, view)?;
+        let curves = CurveCells::new(map, &Bends::default(), view);
+        Ok(Self { view: *view, blend, constraints, curves })
     }
 
-    /// The same for a part of this problem's picture, on smaller pixels.
+    /// The same for a part of this problem's picture, on smaller pixels, among which curves bend.
     ///
     /// # Errors
     /// See [`SolveError`]: where something shades.
-    pub fn part(&self, map: &PlanarMap, boundary: &Boundary, view: &View) -> Result<Self, SolveError> {
-        Self::of_whole(&self.view, map, boundary, view, self.blend)
-    }
-
-    fn of_whole(
-        whole: &View,
+    pub fn part(
+        &self,
         map: &PlanarMap,
+        bends: &Bends,
         boundary: &Boundary,
         view: &View,
-        blend: Blend,
     ) -> Result<Self, SolveError> {
-        let constraints = Constraints::part(whole, map, boundary, view)?;
-        Ok(Self { view: *view, blend, constraints, curves: CurveCells::new(map, view) })
+        let whole = (&self.view, &self.curves);
+        let constraints = Constraints::part(whole, map, bends, boundary, view)?;
+        let curves = CurveCells::new(map, bends, view);
+        Ok(Self { view: *view, blend: self.blend, constraints, curves })
     }
 }

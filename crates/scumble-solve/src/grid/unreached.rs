@@ -1,17 +1,19 @@
 //! Pixels that are in a region with colours, and reach none: where the way to them is narrower than a pixel, or the side
-//! that has the colour is so short that it crosses no link. They take the mean of the colours of their region.
+//! that has the colour is so short that it crosses no link. They take the mean of the colours of their region. Where a curve
+//! bends away from the edge of a triangle it is not known which region is beside it.
 
-use scumble_core::BlendColor;
+use scumble_core::{Bends, BlendColor, HalfEdge, Triangulation};
 
 use super::constraints::{Constraints, Pull};
 use super::regions::PixelRegions;
 
 /// The pulls of these pixels, given all other constraints.
-pub(super) fn pulls(regions: &PixelRegions<'_>, constraints: &Constraints) -> Vec<Pull> {
+pub(super) fn pulls(regions: &PixelRegions<'_>, bends: &Bends, constraints: &Constraints) -> Vec<Pull> {
     let is_reached = constraints.reached();
     let mut pulls = Vec::new();
-    for triangles in regions.triangles() {
+    for mut triangles in regions.triangles() {
         let Some(color) = mean(regions.colors(&triangles)) else { continue };
+        triangles.retain(|&triangle| !is_bent(regions.mesh, bends, triangle));
         let spans = regions.spans(&triangles);
         let pixels = spans.iter().flat_map(|span| {
             span.columns.clone().map(|column| (span.row * i64::from(constraints.width_px) + column) as u32)
@@ -20,6 +22,11 @@ pub(super) fn pulls(regions: &PixelRegions<'_>, constraints: &Constraints) -> Ve
         pulls.extend(unreached.map(|pixel| Pull { pixel, strength: 1.0, color }));
     }
     pulls
+}
+
+fn is_bent(mesh: &Triangulation, bends: &Bends, triangle: u32) -> bool {
+    let mut sides = (0..3).filter_map(|i| mesh.side(HalfEdge::of(triangle as usize, i)));
+    sides.any(|side| bends.knot_count(side) > 0)
 }
 
 /// The mean of colours by their lengths; `None` of none.

@@ -6,8 +6,9 @@ use std::ops::Range;
 
 use kurbo::{Affine, Point, Vec2};
 use robust::{Coord, orient2d};
-use scumble_core::{BlendColor, Boundary, PlanarMap, SideId};
+use scumble_core::{Bends, BlendColor, Boundary, PlanarMap, SideId};
 
+use super::straights::{Straight, straights};
 use crate::quadratic;
 use crate::scene::View;
 
@@ -27,7 +28,9 @@ pub(super) struct Place {
 /// A straight piece of something that no colour crosses.
 pub(super) struct Wall {
     pub(super) segment: Segment,
-    /// The colours of the left and the right side at its start, middle and end.
+    /// Where on the whole piece it starts and ends, from 0 to 1.
+    parts: [f64; 2],
+    /// The colours of the left and the right side of the piece at its start, middle and end.
     sides: [Option<[BlendColor; 3]>; 2],
 }
 
@@ -36,24 +39,25 @@ pub(super) fn centers_from_du(view: &View) -> Affine {
     view.px_from_du.then_translate(Vec2::new(-0.5, -0.5))
 }
 
-/// The pieces of a map and its closed gaps, in the pixels of a view.
+/// The pieces of a map, as they bend, and its closed gaps, in the pixels of a view.
 pub(super) fn walls<'a>(
     map: &'a PlanarMap,
+    bends: &'a Bends,
     boundary: &'a Boundary,
     view: &View,
 ) -> impl Iterator<Item = Wall> + use<'a> {
     let centers_from_du = centers_from_du(view);
-    let segment = move |nodes: [u32; 2]| {
-        Segment(nodes.map(|node| centers_from_du * map.triangulation().points()[node as usize]))
-    };
     let color = |side: SideId| boundary.sides.get(side.index()).copied().flatten();
-    let piece = move |(i, piece): (usize, &scumble_core::Piece)| {
-        let right = color(SideId::of(i, true)).map(|[start, middle, end]| [end, middle, start]);
-        Wall { segment: segment(piece.nodes), sides: [color(SideId::of(i, false)), right] }
+    let wall = move |Straight { piece, parts, ends }: Straight| {
+        let right = color(SideId::of(piece, true)).map(|[start, middle, end]| [end, middle, start]);
+        Wall { segment: Segment(ends), parts, sides: [color(SideId::of(piece, false)), right] }
     };
     let closed = map.gaps().iter().zip(&boundary.closed_gaps).filter(|(_, closed)| **closed);
-    let gaps = closed.map(move |(gap, _)| Wall { segment: segment(gap.nodes), sides: [None; 2] });
-    map.pieces().iter().enumerate().map(piece).chain(gaps)
+    let gaps = closed.map(move |(gap, _)| {
+        let ends = gap.nodes.map(|node| centers_from_du * map.triangulation().points()[node as usize]);
+        Wall { segment: Segment(ends), parts: [0.0, 1.0], sides: [None; 2] }
+    });
+    straights(map, bends, centers_from_du).map(wall).chain(gaps)
 }
 
 impl Segment {
@@ -123,7 +127,8 @@ impl Wall {
     pub(super) fn color(&self, is_left: bool, t: f64) -> Option<[f32; 4]> {
         let [left, right] = self.sides;
         let colors = if is_left { left } else { right }?;
-        let weights = quadratic::edge(t);
+        let [start, end] = self.parts;
+        let weights = quadratic::edge(start + t * (end - start));
         Some([0, 1, 2, 3].map(|c| (0..3).map(|i| weights[i] * colors[i][c]).sum::<f64>() as f32))
     }
 }

@@ -1,7 +1,7 @@
 //! A solved picture of the whole, which says what is beyond the borders of a part of it that is solved at a larger scale.
 
 use kurbo::{Point, Vec2};
-use scumble_core::{PlanarMap, clamped};
+use scumble_core::{Bends, PlanarMap, clamped};
 
 use super::constraints::{Constraints, Exits, Pull};
 use super::curve_cells::CurveCells;
@@ -27,12 +27,12 @@ pub struct Whole {
 impl Whole {
     /// What was found for the pixels of a view: blend-space colours times opacity, and opacity, row by row.
     pub fn new(map: &PlanarMap, view: &View, pixels: Vec<Texel>) -> Self {
-        Self { view: *view, pixels, curves: CurveCells::new(map, view) }
+        Self { view: *view, pixels, curves: CurveCells::new(map, &Bends::default(), view) }
     }
 
     /// What draws the pixels at the borders of a part to what lies beyond, along links as wide as any, walls beside them or not.
     pub(super) fn pulls(&self, constraints: &Constraints, view: &View) -> Vec<Pull> {
-        let exits = exits(constraints, view, &self.view);
+        let exits = exits(constraints, view, &self.view, &self.curves);
         let links = exits.iter().flat_map(|exits| exits.ways().map(|way| (exits.pixel, way)));
         let pull = |(pixel, way): (u32, [i64; 2])| {
             let [column, row] = [pixel % view.width_px, pixel / view.width_px].map(i64::from);
@@ -45,28 +45,40 @@ impl Whole {
     /// The colour at a place, in px: that of the centres around it that no curve hides, by their nearness. `None`
     /// between curves that are closer than pixels.
     fn color(&self, place: Point) -> Option<Texel> {
-        let [width, height] = [self.view.width_px, self.view.height_px].map(f64::from);
-        let cell = (place + Vec2::new(0.5, 0.5)).floor();
-        let listed = self.curves.pieces_of(cell.x as u32, cell.y as u32);
         let (mut sum, mut weights) = ([0.0; 4], 0.0);
-        for (dx, dy) in [(-0.5, -0.5), (0.5, -0.5), (-0.5, 0.5), (0.5, 0.5)] {
-            let corner = cell + Vec2::new(dx, dy);
-            // At the border what is there goes on.
-            let center =
-                Point::new(clamped(corner.x, [0.5, width - 0.5]), clamped(corner.y, [0.5, height - 0.5]));
-            if !is_hidden(place, center, listed) {
-                let weight = ((1.0 - (place.x - corner.x).abs()) * (1.0 - (place.y - corner.y).abs())) as f32;
-                let pixel = center.y as usize * self.view.width_px as usize + center.x as usize;
-                sum = plus(sum, times(self.pixels[pixel], weight));
-                weights += weight;
-            }
+        for Seen { pixel, weight } in seen(&self.view, &self.curves, place) {
+            sum = plus(sum, times(self.pixels[pixel], weight));
+            weights += weight;
         }
         (weights > 0.0).then(|| times(sum, 1.0 / weights))
     }
 }
 
-/// The links that lead out of a part of a larger picture and are not cut.
-pub(super) fn exits(constraints: &Constraints, view: &View, whole: &View) -> Vec<Exits> {
+/// A pixel that is seen from a place.
+struct Seen {
+    pixel: usize,
+    /// By its nearness.
+    weight: f32,
+}
+
+/// The pixels around a place, in px, whose centres no curve hides.
+fn seen(view: &View, curves: &CurveCells, place: Point) -> impl Iterator<Item = Seen> {
+    let [width, height] = [view.width_px, view.height_px].map(f64::from);
+    let cell = (place + Vec2::new(0.5, 0.5)).floor();
+    let listed = curves.pieces_of(cell.x as u32, cell.y as u32);
+    let corners = [(-0.5, -0.5), (0.5, -0.5), (-0.5, 0.5), (0.5, 0.5)].map(|shift| cell + Vec2::from(shift));
+    corners.into_iter().filter_map(move |corner| {
+        // At the border what is there goes on.
+        let center =
+            Point::new(clamped(corner.x, [0.5, width - 0.5]), clamped(corner.y, [0.5, height - 0.5]));
+        let weight = ((1.0 - (place.x - corner.x).abs()) * (1.0 - (place.y - corner.y).abs())) as f32;
+        let pixel = center.y as usize * width as usize + center.x as usize;
+        (!is_hidden(place, center, listed)).then_some(Seen { pixel, weight })
+    })
+}
+
+/// The links that lead out of a part of a larger picture to where that is seen, and are not cut.
+pub(super) fn exits(constraints: &Constraints, view: &View, whole: &View, curves: &CurveCells) -> Vec<Exits> {
     let [width, height] = [view.width_px, view.height_px].map(i64::from);
     let mut all = Vec::new();
     for y in 0..height {
@@ -74,7 +86,11 @@ pub(super) fn exits(constraints: &Constraints, view: &View, whole: &View) -> Vec
         for x in (0..width).step_by(if is_end { 1 } else { (width - 1).max(1) as usize }) {
             let is_exit = |(link, [dx, dy]): &(Link, [i64; 2])| {
                 let beyond = [x + dx, y + dy];
-                !holds(view, beyond) && holds_place(whole, view, beyond) && !constraints.is_cut([x, y], *link)
+                let place = place_in(whole, view, beyond);
+                !holds(view, beyond)
+                    && holds_place(whole, place)
+                    && !constraints.is_cut([x, y], *link)
+                    && seen(whole, curves, place).next().is_some()
             };
             let links = WAYS.iter().filter(|way| is_exit(way)).map(|(link, _)| 1 << *link as u32).sum();
             if links > 0 {
@@ -89,10 +105,9 @@ fn holds(view: &View, [x, y]: [i64; 2]) -> bool {
     (0..i64::from(view.width_px)).contains(&x) && (0..i64::from(view.height_px)).contains(&y)
 }
 
-/// Whether a larger picture holds a pixel that is beyond a part of it. What it has of its last pixels may be half a pixel more
-/// than the page.
-fn holds_place(whole: &View, part: &View, pixel: [i64; 2]) -> bool {
-    let place = place_in(whole, part, pixel);
+/// Whether a larger picture holds a place beyond a part of it. What it has of its last pixels may be half a pixel more than the
+/// page.
+fn holds_place(whole: &View, place: Point) -> bool {
     let is_within = |c: f64, count: u32| c >= 0.0 && c + 0.5 < f64::from(count);
     is_within(place.x, whole.width_px) && is_within(place.y, whole.height_px)
 }

@@ -22,7 +22,8 @@ impl Session {
     /// What the picture on the canvas is made of.
     pub(super) fn refresh_colors(&mut self) {
         if self.are_many_dragged() {
-            return;
+            // What is in view may be another part by now, and its colours are not known.
+            return self.refresh_sharp(None);
         }
         self.refresh_boundary();
         let source = self.choice();
@@ -114,8 +115,7 @@ impl Session {
         let (whole, part) = self.grid_scales();
         let view = self.page(whole);
         let is_other_view = self.problem.as_ref().is_none_or(|problem| problem.view != view);
-        let is_other = take(&mut self.stale.problem) || is_other_view;
-        if is_other {
+        if take(&mut self.stale.problem) || is_other_view {
             let blend = self.sheet.editor.document().settings.blend;
             match GridProblem::new(self.sheet.picture.map(), &self.boundary, &view, blend) {
                 Ok(problem) => self.problem = Some(problem),
@@ -123,13 +123,13 @@ impl Session {
             }
             self.sharp = None;
             self.changed.problem = true;
-        }
-        if self.refresh_sharp(part) || is_other {
             self.changed.add_everywhere();
             self.stale.view = true;
         }
+        self.refresh_sharp(part);
     }
 
+    /// By how much pixels of grids are wider for now.
     pub(super) fn haste(&self) -> f64 {
         let editor = &self.sheet.editor;
         if editor.is_scribbling() || editor.is_changing() { IN_HASTE } else { 1.0 }

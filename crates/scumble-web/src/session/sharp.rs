@@ -1,6 +1,7 @@
 //! What is in view, for the grid solver, where pixels of the whole page would be seen.
 
 use kurbo::Rect;
+use scumble_core::Bends;
 use scumble_core::drawing::LONGER_SIDE_DU;
 use scumble_solve::grid::{AROUND_PX, GridProblem};
 
@@ -34,28 +35,38 @@ impl Session {
         if part > HALF_STEP * whole { (few, Some(part)) } else { (whole, None) }
     }
 
-    /// Follows the view with a part at a scale, and tells whether that is another one. It stays as long as it serves, and all
-    /// parts have the same pixels, so that nothing that is seen shifts under a pan.
-    pub(super) fn refresh_sharp(&mut self, px_per_du: Option<f64>) -> bool {
+    /// Follows the view with a part at a scale. It stays as long as it serves, and all parts have the same pixels, so that
+    /// nothing that is seen shifts under a pan.
+    pub(super) fn refresh_sharp(&mut self, px_per_du: Option<f64>) {
         let page_du = self.document().drawing.frame();
         let seen_du = seen_du(&self.viewport.view());
         let within_du = ahead(seen_du, AHEAD).intersect(page_du);
         let serves =
             |it: &Sharp| Some(it.px_per_du) == px_per_du && holds(it.within_du, seen_du.intersect(page_du));
         if self.sharp.as_ref().map_or(px_per_du.is_none(), serves) {
-            return false;
+            return;
         }
         let sharp = px_per_du.and_then(|px_per_du| self.made_sharp(within_du, px_per_du));
-        self.changed.part |= sharp.is_some() || self.sharp.is_some();
+        if sharp.is_some() || self.sharp.is_some() {
+            self.changed.part = true;
+            self.changed.add_everywhere();
+            self.stale.view = true;
+        }
         self.sharp = sharp;
-        self.changed.part
     }
 
     fn made_sharp(&self, within_du: Rect, px_per_du: f64) -> Option<Sharp> {
         let (whole, page) = (self.problem.as_ref()?, self.page(px_per_du));
         let around_du = AROUND_PX / whole.view.px_from_du.as_coeffs()[0];
-        let view = page.part(&part_px(within_du.inflate(around_du, around_du), &page)?);
-        let problem = whole.part(self.sheet.picture.map(), &self.boundary, &view).ok()?;
+        let part_du = within_du.inflate(around_du, around_du);
+        let (view, picture) = (page.part(&part_px(part_du, &page)?), &self.sheet.picture);
+        // Lines that have gone on from their map bend elsewhere.
+        let bends = if self.sheet.has_stale_map() {
+            Bends::default()
+        } else {
+            picture.bends(&self.document().drawing, part_du, px_per_du)
+        };
+        let problem = whole.part(picture.map(), &bends, &self.boundary, &view).ok()?;
         Some(Sharp { problem, px_per_du, within_du })
     }
 }
