@@ -23,7 +23,10 @@ const ROOMS = /** @type {Point[]} */ ([[20, 80], [180, 80]]);
 /** So far that another part of the page is solved. */
 const ASIDE = /** @type {Point[]} */ ([[400, 300], [250, 200], [100, 100]]);
 
-/** How far solvers are apart where there is no edge: in the mean, and in most pixels, in levels. Without a graphics card a pixel of the grid is some four of the canvas wide, from close by eight. */
+/**
+ * How far solvers are apart where there is no edge: in the mean, and in most pixels, in levels. Without a graphics card a
+ * pixel of the grid is some four of the canvas wide, from close by eight.
+ */
 const MEAN_LEVELS = 1;
 const MOST_LEVELS = 3;
 const MOST_PART = 0.95;
@@ -145,5 +148,4 @@ describe("the solver", () => {
     await editor.shows("without-gpu");
     assert.ok((await editor.picture()).equals(mesh));
   });
-
 });

@@ -90,8 +90,8 @@ impl GpuGridSolver {
         Ok(Self { gpu: gpu.clone(), stack, start, steps, is_even: true, change })
     }
 
-    /// Takes other constraints, with a first picture as before. Where there are as many pixels and as many layers as before, only what
-    /// has changed is uploaded; tells for how many pixels that was.
+    /// Takes other constraints, with a first picture as [`GpuGridSolver::new`] does. Where there are as many pixels and as many
+    /// layers as before, only what has changed is uploaded; tells for how many pixels that was.
     ///
     /// # Errors
     /// When the device cannot draw so large a picture; then nothing has changed.
@@ -106,7 +106,7 @@ impl GpuGridSolver {
         Ok(changed)
     }
 
-    /// Begins anew, with what a grid of the whole, without shades, has beyond the borders of the part that this solves.
+    /// Begins, or begins anew, with what a grid of the whole, without shades, has beyond the borders of the part that this solves.
     pub(crate) fn begin_within(&mut self, kernels: &Kernels, whole: &wgpu::BindGroup) {
         self.stack.look_beyond(&self.gpu, kernels, whole);
         self.begin();

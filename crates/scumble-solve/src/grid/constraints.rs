@@ -8,7 +8,6 @@ use super::corners;
 use super::covers::Covers;
 use super::curve_cells::CurveCells;
 use super::cut_links::{self, Cut, Face, Link, WAYS};
-
 use super::regions::PixelRegions;
 use super::unreached;
 use super::whole::{self, Whole};

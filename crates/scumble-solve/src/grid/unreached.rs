@@ -1,6 +1,6 @@
 //! Pixels that are in a region with colours, and reach none: where the way to them is narrower than a pixel, or the side
-//! that has the colour is so short that it crosses no link. They take the mean of the colours of their region. Where a curve
-//! bends away from the edge of a triangle it is not known which region is beside it.
+//! that has the colour is so short that it crosses no link. They take the mean of the colours of their region. Not in
+//! triangles with an edge that a curve bends away from: which region is beside the curve there they do not say.
 
 use scumble_core::{Bends, BlendColor, HalfEdge, Triangulation};
 
@@ -24,6 +24,7 @@ pub(super) fn pulls(regions: &PixelRegions<'_>, bends: &Bends, constraints: &Con
     pulls
 }
 
+/// Whether a curve bends away from an edge of a triangle.
 fn is_bent(mesh: &Triangulation, bends: &Bends, triangle: u32) -> bool {
     let mut sides = (0..3).filter_map(|i| mesh.side(HalfEdge::of(triangle as usize, i)));
     sides.any(|side| bends.knot_count(side) > 0)
