@@ -145,13 +145,14 @@ impl Outcome {
 }
 
 fn sum_up(outcomes: &[Outcome]) -> Result<()> {
+    let lines: Vec<_> = outcomes.iter().map(Outcome::line).collect();
+    println!("\n{}", lines.join("\n"));
     let failed: Vec<_> = outcomes.iter().filter(|outcome| !outcome.is_ok).collect();
     for outcome in &failed {
         println!("\n== the last lines of {}\n{}", outcome.name, outcome.last_lines());
     }
     let failed = failed.len();
-    let lines: Vec<_> = outcomes.iter().map(Outcome::line).collect();
-    println!("\n{}\nchecks: {} passed, {failed} failed", lines.join("\n"), outcomes.len() - failed);
+    println!("\nchecks: {} passed, {failed} failed", outcomes.len() - failed);
     ensure!(failed == 0, "{failed} of {} checks failed; see above", outcomes.len());
     Ok(())
 }
