@@ -14,7 +14,7 @@ mod zones;
 use std::path::Path;
 
 use anyhow::Context;
-use scumble_core::{Boundary, PlanarMap, Settings, SideId};
+use scumble_core::{Bends, Boundary, PlanarMap, Settings, SideId};
 use scumble_solve::grid::{Constraints, GridSolver, JeschkeSolver, TOLERANCE};
 use scumble_solve::{Picture, View, centers};
 
@@ -105,8 +105,12 @@ fn row(
         uncolor_half(picture.map(), &mut boundary);
     }
     let blend = Settings::default().blend;
-    let constraints =
-        Constraints::new(picture.map(), &boundary, view)?.fitted(picture.map(), &boundary, view);
+    let constraints = Constraints::new(picture.map(), &boundary, view)?.fitted(
+        picture.map(),
+        &Bends::default(),
+        &boundary,
+        view,
+    );
     let zones = zones::zones(picture.map(), &boundary, view, SPECIAL_PX);
     let mesh = centers::colors(picture.mesh().solve(&boundary, blend)?, view);
     let mut solver = GridSolver::new(&constraints);

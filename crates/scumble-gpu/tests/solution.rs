@@ -92,8 +92,12 @@ fn pixel_for_pixel_it_is_what_the_painter_on_the_cpu_paints() {
     let Some(gpu) = gpu() else { return };
     let (problem, solver, mut renderer) = solved(&gpu, 300);
     let pixels = pollster::block_on(solver.pixels()).expect("the pixels come back");
-    let painted =
-        paint_grid(&GridPicture::new(&map(), &problem.view, Blend::Oklab, pixels), &[], &problem.view, PAPER);
+    let painted = paint_grid(
+        &GridPicture::new(&map(), &Bends::default(), &problem.view, Blend::Oklab, pixels),
+        &[],
+        &problem.view,
+        PAPER,
+    );
     let drawn = read(&mut renderer, &problem.view);
     assert_alike(&drawn, &painted);
 }
@@ -209,7 +213,8 @@ fn a_part_takes_what_the_whole_has_beyond_its_borders_as_on_the_cpu() {
     };
     let pixels = on_cpu(Constraints::new(&map, &without_shade, &whole.view).expect("a whole"));
     let whole = Whole::new(&map, &whole.view, pixels);
-    let expected = on_cpu(Constraints::within(&whole, &map, &boundary, &view).expect("a part"));
+    let expected =
+        on_cpu(Constraints::within(&whole, &map, &Bends::default(), &boundary, &view).expect("a part"));
     let levels =
         |(a, b): (&[f32; 4], &[f32; 4])| (0..4).map(|c| 255.0 * (a[c] - b[c]).abs()).fold(0.0, f32::max);
     let largest = found.iter().zip(&expected).map(levels).fold(0.0, f32::max);
@@ -218,6 +223,14 @@ fn a_part_takes_what_the_whole_has_beyond_its_borders_as_on_the_cpu() {
     let before = read(&mut renderer, &view);
     renderer.update_part(&on_gpu);
     let after = read(&mut renderer, &view);
-    assert_alike(&after, &paint_grid(&GridPicture::new(&map, &view, Blend::Oklab, found), &[], &view, PAPER));
+    assert_alike(
+        &after,
+        &paint_grid(
+            &GridPicture::new(&map, &Bends::default(), &view, Blend::Oklab, found),
+            &[],
+            &view,
+            PAPER,
+        ),
+    );
     assert_ne!(before, after, "the whole is less sharp");
 }

@@ -103,6 +103,12 @@ impl View {
         Part { columns: 0..self.width_px, rows: 0..self.height_px }
     }
 
+    /// The smallest upright rectangle that holds what it shows.
+    pub fn seen_du(&self) -> Rect {
+        let pixels = Rect::new(0.0, 0.0, self.width_px.into(), self.height_px.into());
+        self.px_from_du.inverse().transform_rect_bbox(pixels)
+    }
+
     /// Some pixels of it, as a view of their own.
     #[must_use]
     pub fn part(&self, Part { columns, rows }: &Part) -> Self {

@@ -1,7 +1,9 @@
 //! Shading scribbles on pixels, beside the mesh solver's.
 
 use kurbo::{Affine, BezPath, Circle, Line, Point, Rect, Shape};
-use scumble_core::{Boundary, Curve, Document, Drawing, PenPressure, Scribble, ScribbleKind, Shading, Srgb8};
+use scumble_core::{
+    Bends, Boundary, Curve, Document, Drawing, PenPressure, Scribble, ScribbleKind, Shading, Srgb8,
+};
 use scumble_solve::grid::{Constraints, GridPicture, GridSolver};
 use scumble_solve::{Picture, Pixmap, Scene, View, paint, paint_grid};
 
@@ -44,7 +46,12 @@ fn on_grid(picture: &Picture, document: &Document, boundary: &Boundary, view: &V
     let mut solver = GridSolver::new(&Constraints::new(picture.map(), boundary, view).expect("solved"));
     solver.solve(1e-4);
     let pixels = solver.pixels().to_vec();
-    paint_grid(&GridPicture::new(picture.map(), view, document.settings.blend, pixels), &[], view, PAPER)
+    paint_grid(
+        &GridPicture::new(picture.map(), &Bends::default(), view, document.settings.blend, pixels),
+        &[],
+        view,
+        PAPER,
+    )
 }
 
 /// The pixels of the mesh solver's picture that shades change, and the grid solver's there. The gap is closed.

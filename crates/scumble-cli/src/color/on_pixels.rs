@@ -23,7 +23,8 @@ const JESCHKE_STEPS: usize = 8;
 pub(super) fn paint(opened: &Opened, boundary: &Boundary, options: &ColorOptions) -> anyhow::Result<Pixmap> {
     let (drawing, look) = (&opened.document.drawing, &options.look);
     let page = Page {
-        map: opened.picture.map(),
+        drawing,
+        picture: &opened.picture,
         boundary,
         blend: options.settings.blend,
         view: stages::page_view(drawing, look.size_px),

@@ -4,9 +4,9 @@
 use std::ops::Range;
 
 use kurbo::Affine;
-use scumble_core::{Blend, Boundary, PlanarMap, Srgb8};
+use scumble_core::{Bends, Blend, Boundary, Drawing, Srgb8};
 use scumble_solve::grid::{AROUND_PX, Constraints, GridPicture, Whole};
-use scumble_solve::{Part, Pixmap, Shape, View, paint_grid};
+use scumble_solve::{Part, Picture, Pixmap, Shape, View, paint_grid};
 
 /// Longest side of what is solved at once, in px: that takes up to 1.5 GB.
 pub(crate) const MOST_PX: u32 = 2048;
@@ -14,7 +14,8 @@ pub(crate) const MOST_PX: u32 = 2048;
 /// All of a page, and how it is to look.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Page<'a> {
-    pub(super) map: &'a PlanarMap,
+    pub(super) drawing: &'a Drawing,
+    pub(super) picture: &'a Picture,
     pub(super) boundary: &'a Boundary,
     pub(super) blend: Blend,
     pub(super) view: View,
@@ -33,18 +34,21 @@ impl Page<'_> {
         &self,
         mut solve: impl FnMut(&Constraints) -> anyhow::Result<Vec<[f32; 4]>>,
     ) -> anyhow::Result<Pixmap> {
-        let Self { map, boundary, view, .. } = self;
+        let (map, Self { boundary, view, .. }) = (self.picture.map(), self);
         let scale = f64::from(view.width_px.max(view.height_px)) / f64::from(self.most_px);
         if scale <= 1.0 {
-            let constraints = Constraints::new(map, boundary, view)?.fitted(map, boundary, view);
-            return Ok(self.painted(view, solve(&constraints)?));
+            let bends = Bends::default();
+            let constraints = Constraints::new(map, boundary, view)?.fitted(map, &bends, boundary, view);
+            return Ok(self.painted(view, &bends, solve(&constraints)?));
         }
         let whole = self.whole(scale, &mut solve)?;
         let mut all = blank(view);
         for Tile { inner, part } in tiles(view, self.most_px, (AROUND_PX * scale).ceil() as u32) {
             let of = view.part(&part);
-            let constraints = Constraints::within(&whole, map, boundary, &of)?.fitted(map, boundary, &of);
-            copy(&self.painted(&of, solve(&constraints)?), &part, &inner, &mut all);
+            let bends = self.picture.bends(self.drawing, of.seen_du(), of.px_from_du.as_coeffs()[0]);
+            let constraints = Constraints::within(&whole, map, &bends, boundary, &of)?;
+            let pixels = solve(&constraints.fitted(map, &bends, boundary, &of))?;
+            copy(&self.painted(&of, &bends, pixels), &part, &inner, &mut all);
         }
         Ok(all)
     }
@@ -55,18 +59,20 @@ impl Page<'_> {
         scale: f64,
         solve: &mut impl FnMut(&Constraints) -> anyhow::Result<Vec<[f32; 4]>>,
     ) -> anyhow::Result<Whole> {
-        let map = self.map;
+        let map = self.picture.map();
         let boundary = &Boundary { sources: Vec::new(), ..self.boundary.clone() };
         let [width_px, height_px] = [self.view.width_px, self.view.height_px]
             .map(|side| (f64::from(side) / scale).round().max(1.0) as u32);
         let view =
             View { px_from_du: Affine::scale(1.0 / scale) * self.view.px_from_du, width_px, height_px };
-        let constraints = Constraints::new(map, boundary, &view)?.fitted(map, boundary, &view);
+        let constraints =
+            Constraints::new(map, boundary, &view)?.fitted(map, &Bends::default(), boundary, &view);
         Ok(Whole::new(map, &view, solve(&constraints)?))
     }
 
-    fn painted(&self, view: &View, pixels: Vec<[f32; 4]>) -> Pixmap {
-        paint_grid(&GridPicture::new(self.map, view, self.blend, pixels), self.shapes, view, self.paper)
+    fn painted(&self, view: &View, bends: &Bends, pixels: Vec<[f32; 4]>) -> Pixmap {
+        let picture = GridPicture::new(self.picture.map(), bends, view, self.blend, pixels);
+        paint_grid(&picture, self.shapes, view, self.paper)
     }
 }
 
@@ -117,7 +123,8 @@ fn copy(from: &Pixmap, part: &Part, inner: &Part, to: &mut Pixmap) {
 
 #[cfg(test)]
 mod tests {
-    use scumble_core::Settings;
+    use kurbo::{Circle, Point, Rect, Shape as _};
+    use scumble_core::{Curve, PlanarMap, Settings};
     use scumble_solve::Picture;
     use scumble_solve::grid::{GridSolver, TOLERANCE};
 
@@ -141,8 +148,9 @@ mod tests {
         let mut boundary = picture.color(&made::scribbles(), &[], &Settings::default());
         change(picture.map(), &mut boundary);
         let view = stages::page_view(&drawing, SIZE_PX);
-        let (map, boundary) = (picture.map(), &boundary);
-        let page = Page { map, boundary, blend, view, shapes: &[], paper: None, most_px: SIZE_PX };
+        let (drawing, picture, boundary) = (&drawing, &picture, &boundary);
+        let page =
+            Page { drawing, picture, boundary, blend, view, shapes: &[], paper: None, most_px: SIZE_PX };
         [SIZE_PX, SIZE_PX / 2].map(|most_px| Page { most_px, ..page }.paint(solved).expect("a picture"))
     }
 
@@ -165,5 +173,43 @@ mod tests {
         let pictures = painted(uncolor_half);
         let (most, mean) = differences(&pictures);
         assert!(most <= 3 && mean < 0.05, "{most} {mean}");
+    }
+
+    /// Red in a circle so small that the pieces of its curve are chords of some pixels off it.
+    #[test]
+    fn parts_from_close_by_are_cut_at_curves_as_they_bend() {
+        let (middle, radius_du, px_per_du) = (Point::new(512.0, 512.0), 20.0, 32.0);
+        let circle = Curve { path: Circle::new(middle, radius_du).to_path(1e-4), line: None };
+        let page_du = Rect::new(0.0, 0.0, 1024.0, 1024.0);
+        let drawing = Drawing { curves: vec![circle], ..Drawing::new(page_du) };
+        let picture = Picture::new(&drawing).expect("a map");
+        let map = picture.map();
+        let mut sides = vec![None; map.side_count()];
+        map.steps(0).iter().for_each(|step| sides[step.left.index()] = Some([[1.0, 0.0, 0.0, 1.0]; 3]));
+        let boundary = sides.into();
+        // A quarter of it.
+        let px_from_du = Affine::scale(px_per_du) * Affine::translate(-middle.to_vec2());
+        let view = View { px_from_du, width_px: 704, height_px: 704 };
+        let page = Page {
+            drawing: &drawing,
+            picture: &picture,
+            boundary: &boundary,
+            blend: Blend::Srgb,
+            view,
+            shapes: &[],
+            paper: None,
+            most_px: 352,
+        };
+        let painted = page.paint(solved).expect("a picture");
+        let alpha = |radius_px: f64, turn: f64| {
+            let [x, y] = [turn.cos(), turn.sin()].map(|part| (radius_px * part) as usize);
+            painted.rgba[4 * (704 * y + x) + 3]
+        };
+        for i in 1..100 {
+            let turn = std::f64::consts::FRAC_PI_2 * f64::from(i) / 100.0;
+            let edge_px = radius_du * px_per_du;
+            let near = [-2.0, 2.0].map(|off_px| alpha(edge_px + off_px, turn));
+            assert_eq!(near, [255, 0], "{i}");
+        }
     }
 }

@@ -86,17 +86,18 @@ impl Constraints {
         Self::with_borders(map, &Bends::default(), boundary, view, &|_| Vec::new())
     }
 
-    /// Those in what a view shows of a larger picture, which says what is beyond its borders.
+    /// Those in what a view shows of a larger picture, which says what is beyond its borders, along pieces as they bend.
     ///
     /// # Errors
     /// See [`SolveError`]: where something shades.
     pub fn within(
         whole: &Whole,
         map: &PlanarMap,
+        bends: &Bends,
         boundary: &Boundary,
         view: &View,
     ) -> Result<Self, SolveError> {
-        Self::with_borders(map, &Bends::default(), boundary, view, &|all| whole.pulls(all, view))
+        Self::with_borders(map, bends, boundary, view, &|all| whole.pulls(all, view))
     }
 
     /// The same of a larger picture of which only the view and the curves are known, where those of the part bend: at
@@ -139,8 +140,8 @@ impl Constraints {
 
     /// The same, fitted to what is known of the solution at corners and tips: all of a region is nearer to the truth then.
     /// The page does without: it is 10 KB for every visitor, for a picture of a moment.
-    pub fn fitted(mut self, map: &PlanarMap, boundary: &Boundary, view: &View) -> Self {
-        corners::fit(&mut self, map, boundary, view);
+    pub fn fitted(mut self, map: &PlanarMap, bends: &Bends, boundary: &Boundary, view: &View) -> Self {
+        corners::fit(&mut self, map, bends, boundary, view);
         self
     }
 

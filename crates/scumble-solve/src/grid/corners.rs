@@ -18,25 +18,32 @@ mod ground;
 mod jump;
 mod patch;
 
-use scumble_core::{Boundary, Piece, PlanarMap, SideId, sort};
+use scumble_core::{Bends, Boundary, PlanarMap, SideId, sort};
 
 use super::constraints::Constraints;
+use super::straights::{Straight, straights};
 use super::wall::centers_from_du;
 use crate::scene::View;
 use corner::{Corner, Face, Ray};
 use ground::Ground;
 
 /// Fits constraints to the corners of a map.
-pub(super) fn fit(constraints: &mut Constraints, map: &PlanarMap, boundary: &Boundary, view: &View) {
+pub(super) fn fit(
+    constraints: &mut Constraints,
+    map: &PlanarMap,
+    bends: &Bends,
+    boundary: &Boundary,
+    view: &View,
+) {
     let ground = Ground { map, closed_gaps: &boundary.closed_gaps, centers_from_du: centers_from_du(view) };
-    let corners = corners(&ground, boundary);
+    let corners = corners(&ground, bends, boundary);
     let fractions: Vec<_> = constraints.cuts.iter().map(|cut| cut.fraction).collect();
     fit::fit(constraints, &corners, &ground);
     jump::supply(constraints, &fractions, &corners, &ground);
 }
 
-fn corners(ground: &Ground<'_>, boundary: &Boundary) -> Vec<Corner> {
-    let rays = rays(ground, boundary);
+fn corners(ground: &Ground<'_>, bends: &Bends, boundary: &Boundary) -> Vec<Corner> {
+    let rays = rays(ground, bends, boundary);
     let mut corners = Vec::new();
     for around in rays.chunk_by(|a, b| a.node == b.node) {
         let tip = ground.place(around[0].node);
@@ -47,22 +54,26 @@ fn corners(ground: &Ground<'_>, boundary: &Boundary) -> Vec<Corner> {
 }
 
 /// The walls at all nodes: by node, and by their angles there.
-fn rays(ground: &Ground<'_>, boundary: &Boundary) -> Vec<Ray> {
+fn rays(ground: &Ground<'_>, bends: &Bends, boundary: &Boundary) -> Vec<Ray> {
     let face = |side: SideId, end: usize| {
         let colors = boundary.sides.get(side.index()).copied().flatten();
         Face { side: Some(side), color: colors.map(|colors| colors[end]) }
     };
-    let both = |[start, end]: [u32; 2], faces: [[Face; 2]; 2]| {
-        let along = ground.place(end) - ground.place(start);
-        [Ray { node: start, along, faces: faces[0] }, Ray { node: end, along: -along, faces: faces[1] }]
+    let piece = |Straight { piece, parts, ends: [a, b] }: Straight| {
+        let nodes = ground.map.pieces()[piece].nodes;
+        let [left, right] = [false, true].map(|is_right| SideId::of(piece, is_right));
+        let first = Ray { node: nodes[0], along: b - a, faces: [face(left, 0), face(right, 2)] };
+        let last = Ray { node: nodes[1], along: a - b, faces: [face(right, 0), face(left, 2)] };
+        [(parts[0] == 0.0).then_some(first), (parts[1] == 1.0).then_some(last)].into_iter().flatten()
     };
-    let piece = |(i, piece): (usize, &Piece)| {
-        let [left, right] = [false, true].map(|is_right| SideId::of(i, is_right));
-        both(piece.nodes, [[face(left, 0), face(right, 2)], [face(right, 0), face(left, 2)]])
+    let gap = |nodes: [u32; 2]| {
+        let along = ground.place(nodes[1]) - ground.place(nodes[0]);
+        let ray = |node, along| Ray { node, along, faces: [Face::default(); 2] };
+        [ray(nodes[0], along), ray(nodes[1], -along)]
     };
     let closed = ground.map.gaps().iter().zip(ground.closed_gaps).filter(|(_, closed)| **closed);
-    let gaps = closed.flat_map(|(gap, _)| both(gap.nodes, [[Face::default(); 2]; 2]));
-    let mut rays: Vec<_> = ground.map.pieces().iter().enumerate().flat_map(piece).chain(gaps).collect();
+    let pieces = straights(ground.map, bends, ground.centers_from_du).flat_map(piece);
+    let mut rays: Vec<_> = pieces.chain(closed.flat_map(|(closed, _)| gap(closed.nodes))).collect();
     sort::sort_copies_by_key(&mut rays, |ray| sort::float(ray.along.atan2()));
     sort::sort_copies_by_key(&mut rays, |ray| ray.node.into());
     rays
@@ -120,9 +131,9 @@ mod tests {
             let tip_px = Point::new(30.0, 31.0) + place + Vec2::new(0.013, 0.007);
             let (map, boundary) = line(tip_px, tilt, &view);
             let constraints = Constraints::new(&map, &boundary, &view).expect("constraints");
-            let constraints = constraints.fitted(&map, &boundary, &view);
+            let constraints = constraints.fitted(&map, &Bends::default(), &boundary, &view);
             let ground = Ground { map: &map, closed_gaps: &[], centers_from_du: centers_from_du(&view) };
-            let corners = corners(&ground, &boundary);
+            let corners = corners(&ground, &Bends::default(), &boundary);
             let corner =
                 corners.iter().find(|c| c.is_singular() && c.tip.distance(tip_px) < 0.1).expect("a corner");
             let patch = Patch::around(corner, 5.0, &constraints, &ground);

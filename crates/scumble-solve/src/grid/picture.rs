@@ -1,7 +1,8 @@
 //! A solved grid and the curves in it: all that a painter needs.
 
-use scumble_core::{Blend, PlanarMap};
+use scumble_core::{Bends, Blend, PlanarMap};
 
+use super::straights::straights;
 use crate::scene::View;
 
 /// The colours of pixels, and where between them the picture may jump.
@@ -15,19 +16,16 @@ pub struct GridPicture {
     pub blend: Blend,
     /// Blend-space colours times their opacity, and the opacity, at the centres of pixels, row by row.
     pub pixels: Vec<[f32; 4]>,
-    /// The ends of all pieces of curves, in px from the top left.
+    /// The ends of all straight stretches of curves, in px from the top left.
     pub edges: Vec<[[f64; 2]; 2]>,
 }
 
 impl GridPicture {
-    /// The pixels of a view, and the curves of a map in it.
-    pub fn new(map: &PlanarMap, view: &View, blend: Blend, pixels: Vec<[f32; 4]>) -> Self {
-        let at = |node: u32| {
-            let p = view.px_from_du * map.triangulation().points()[node as usize];
-            [p.x, p.y]
-        };
-        let curves = map.pieces().iter().filter(|piece| piece.curve.is_some());
-        let edges = curves.map(|piece| piece.nodes.map(at)).collect();
+    /// The pixels of a view, and the curves of a map in it, as they bend.
+    pub fn new(map: &PlanarMap, bends: &Bends, view: &View, blend: Blend, pixels: Vec<[f32; 4]>) -> Self {
+        let all = straights(map, bends, view.px_from_du);
+        let curves = all.filter(|straight| map.pieces()[straight.piece].curve.is_some());
+        let edges = curves.map(|straight| straight.ends.map(|p| [p.x, p.y])).collect();
         Self { width_px: view.width_px, height_px: view.height_px, blend, pixels, edges }
     }
 }

@@ -1,7 +1,7 @@
 //! A problem with a known answer, solved by either solver.
 
 use kurbo::{Affine, BezPath, Point, Rect, Vec2};
-use scumble_core::{Blend, Boundary, Curve, Drawing, PlanarMap, Sampling};
+use scumble_core::{Bends, Blend, Boundary, Curve, Drawing, PlanarMap, Sampling};
 use scumble_solve::grid::{AROUND_PX, Constraints, GridSolver, Whole};
 use scumble_solve::{Field, FieldTriangle, MeshSolver, View};
 
@@ -83,7 +83,7 @@ impl Problem<'_> {
         let map = self.map(GRID_DU);
         let (boundary, view) = (self.boundary(&map), page(size_px));
         let constraints = Constraints::new(&map, &boundary, &view).expect("solved");
-        values(&solved(&constraints.fitted(&map, &boundary, &view)), &view)
+        values(&solved(&constraints.fitted(&map, &Bends::default(), &boundary, &view)), &view)
     }
 
     /// The largest error of the grid solver in a part of a page of so many pixels: those pixels around a place in which nothing
@@ -92,14 +92,16 @@ impl Problem<'_> {
         let map = self.map(GRID_DU);
         let (boundary, view) = (self.boundary(&map), page(size_px));
         let constraints = Constraints::new(&map, &boundary, &view).expect("solved");
-        let whole = Whole::new(&map, &view, solved(&constraints.fitted(&map, &boundary, &view)));
+        let whole =
+            Whole::new(&map, &view, solved(&constraints.fitted(&map, &Bends::default(), &boundary, &view)));
 
         let px_from_du = view.px_from_du.then_scale(times);
         let half_px = Vec2::new(f64::from(size_px), f64::from(size_px)) / 2.0;
         let px_from_du = px_from_du.then_translate(half_px - (px_from_du * middle).to_vec2());
         let part = View { px_from_du, ..view };
-        let constraints = Constraints::within(&whole, &map, &boundary, &part).expect("solved");
-        let pixels = values(&solved(&constraints.fitted(&map, &boundary, &part)), &part);
+        let constraints =
+            Constraints::within(&whole, &map, &Bends::default(), &boundary, &part).expect("solved");
+        let pixels = values(&solved(&constraints.fitted(&map, &Bends::default(), &boundary, &part)), &part);
         let inner_du = (half_px.x - AROUND_PX * times) / px_from_du.as_coeffs()[0];
         let inner = Rect::from_center_size(middle, (2.0 * inner_du, 2.0 * inner_du));
         let there = pixels.into_iter().filter(|(p, _)| inner.contains(*p));

@@ -29,7 +29,7 @@ impl Session {
     /// Follows the colours and the view. The part stays as long as it serves, so that what is seen does not change under a
     /// pan.
     pub(super) fn refresh_close_up(&mut self) {
-        let (seen_du, px_per_du) = (seen_du(&self.viewport.view()), next_double(self.px_per_du()));
+        let (seen_du, px_per_du) = (self.viewport.view().seen_du(), next_double(self.px_per_du()));
         let serves = |it: &CloseUp| it.px_per_du == px_per_du && holds(it.part_du, seen_du);
         let part_du = self.close_up.as_ref().filter(|it| serves(it)).map(|it| it.part_du);
         let is_wanted = self.source == Source::Mesh && !self.sheet.has_stale_map();
@@ -63,12 +63,6 @@ pub(super) fn ahead(seen_du: Rect, by: f64) -> Rect {
 /// Whether one part of the plane lies within another.
 pub(super) fn holds(all_du: Rect, part_du: Rect) -> bool {
     all_du.union(part_du) == all_du
-}
-
-/// What a view shows.
-pub(super) fn seen_du(view: &View) -> Rect {
-    let canvas_px = Rect::new(0.0, 0.0, view.width_px.into(), view.height_px.into());
-    view.px_from_du.inverse().transform_rect_bbox(canvas_px)
 }
 
 /// The least power of two that a scale does not exceed: what is made at it serves all scales down to half of it.

@@ -6,7 +6,7 @@ use scumble_core::drawing::LONGER_SIDE_DU;
 use scumble_solve::grid::{AROUND_PX, GridProblem};
 
 use super::Session;
-use super::close::{ahead, holds, seen_du};
+use super::close::{ahead, holds};
 use crate::painting::part_px;
 use crate::solver::{HALF_STEP, WHOLE_PX};
 
@@ -29,7 +29,7 @@ impl Session {
         let (moment, haste) = (self.moment(), self.haste());
         let whole = moment.grid_scale(self.solver) / haste;
         let few = whole.min(WHOLE_PX / LONGER_SIDE_DU / haste);
-        let ahead_du = ahead(seen_du(&self.viewport.view()), AHEAD);
+        let ahead_du = ahead(self.viewport.view().seen_du(), AHEAD);
         let side_du = ahead_du.width().max(ahead_du.height()) + 2.0 * AROUND_PX / few;
         let part = moment.part_scale(self.solver, side_du) / haste;
         if part > HALF_STEP * whole { (few, Some(part)) } else { (whole, None) }
@@ -39,7 +39,7 @@ impl Session {
     /// nothing that is seen shifts under a pan.
     pub(super) fn refresh_sharp(&mut self, px_per_du: Option<f64>) {
         let page_du = self.document().drawing.frame();
-        let seen_du = seen_du(&self.viewport.view());
+        let seen_du = self.viewport.view().seen_du();
         let within_du = ahead(seen_du, AHEAD).intersect(page_du);
         let serves =
             |it: &Sharp| Some(it.px_per_du) == px_per_du && holds(it.within_du, seen_du.intersect(page_du));
