@@ -6,7 +6,7 @@ use scumble_core::source::weight;
 use scumble_core::{Bends, Blend, Boundary, Curve, Drawing, PlanarMap, Sampling, SoftSource, Srgb8};
 use scumble_gpu::wgpu::TextureFormat::Rgba8Unorm;
 use scumble_gpu::{Gpu, GpuError, GpuGridSolver, GridKernels, Renderer};
-use scumble_solve::grid::{Constraints, GridPicture, GridProblem, GridSolver, Whole};
+use scumble_solve::grid::{Constraints, GridPicture, GridProblem, GridSolver, Shades, Whole};
 use scumble_solve::{Field, FieldTriangle, Part, Pixmap, View, paint_grid};
 
 const PAPER: Option<Srgb8> = Some(Srgb8([255; 3]));
@@ -142,7 +142,7 @@ fn a_part_from_close_by_is_cut_at_curves_as_they_bend() {
     let px_from_du = Affine::scale(px_per_du) * Affine::translate(-corner_du.to_vec2());
     let view = View { px_from_du, width_px: 512, height_px: 512 };
     let bends = Bends::within(&drawing, &map, Rect::from_origin_size(corner_du, (16.0, 16.0)), 0.003);
-    let part = whole.part(&map, &bends, &boundary, &view).expect("a part");
+    let part = whole.part(&map, &bends, &boundary, &view);
     let mut on_part = GpuGridSolver::new(&gpu, &kernels, &part.constraints).expect("a solver");
     let mut renderer = Renderer::new(&gpu, Rgba8Unorm);
     renderer.set_problem(&whole);
@@ -195,7 +195,7 @@ fn a_part_takes_what_the_whole_has_beyond_its_borders_as_on_the_cpu() {
     let boundary = Boundary { sources: vec![shade()], ..without_shade.clone() };
     let (whole, solver, mut renderer) = solved_with(&gpu, 256, &boundary);
 
-    let part = whole.part(&map, &Bends::default(), &boundary, &view).expect("a part");
+    let part = whole.part(&map, &Bends::default(), &boundary, &view);
     let kernels = GridKernels::new(&gpu.device);
     let mut on_gpu = GpuGridSolver::new(&gpu, &kernels, &part.constraints).expect("a solver");
     renderer.set_part(Some(&part));
@@ -213,8 +213,8 @@ fn a_part_takes_what_the_whole_has_beyond_its_borders_as_on_the_cpu() {
     };
     let pixels = on_cpu(Constraints::new(&map, &without_shade, &whole.view).expect("a whole"));
     let whole = Whole::new(&map, &whole.view, pixels);
-    let expected =
-        on_cpu(Constraints::within(&whole, &map, &Bends::default(), &boundary, &view).expect("a part"));
+    let shades = Shades::new(&map, &boundary).expect("shades");
+    let expected = on_cpu(Constraints::within(&whole, &map, &Bends::default(), &boundary, &shades, &view));
     let levels =
         |(a, b): (&[f32; 4], &[f32; 4])| (0..4).map(|c| 255.0 * (a[c] - b[c]).abs()).fold(0.0, f32::max);
     let largest = found.iter().zip(&expected).map(levels).fold(0.0, f32::max);

@@ -49,7 +49,7 @@ mod wall;
 mod whole;
 
 pub use constraints::{Constraints, Exits, Pull, Source};
-pub use covers::Covers;
+pub use covers::{Covers, Shades};
 pub use curve_cells::CurveCells;
 pub use cut_links::{Cut, Face, LEAST_FRACTION, Link};
 pub use equations::Equation;

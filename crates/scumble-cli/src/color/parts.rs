@@ -5,7 +5,7 @@ use std::ops::Range;
 
 use kurbo::Affine;
 use scumble_core::{Bends, Blend, Boundary, Drawing, Srgb8};
-use scumble_solve::grid::{AROUND_PX, Constraints, GridPicture, Whole};
+use scumble_solve::grid::{AROUND_PX, Constraints, GridPicture, Shades, Whole};
 use scumble_solve::{Part, Picture, Pixmap, Shape, View, paint_grid};
 
 /// Longest side of what is solved at once, in px: that takes up to 1.5 GB.
@@ -41,12 +41,12 @@ impl Page<'_> {
             let constraints = Constraints::new(map, boundary, view)?.fitted(map, &bends, boundary, view);
             return Ok(self.painted(view, &bends, solve(&constraints)?));
         }
-        let whole = self.whole(scale, &mut solve)?;
+        let (whole, shades) = (self.whole(scale, &mut solve)?, Shades::new(map, boundary)?);
         let mut all = blank(view);
         for Tile { inner, part } in tiles(view, self.most_px, (AROUND_PX * scale).ceil() as u32) {
             let of = view.part(&part);
             let bends = self.picture.bends(self.drawing, of.seen_du(), of.px_from_du.as_coeffs()[0]);
-            let constraints = Constraints::within(&whole, map, &bends, boundary, &of)?;
+            let constraints = Constraints::within(&whole, map, &bends, boundary, &shades, &of);
             let pixels = solve(&constraints.fitted(map, &bends, boundary, &of))?;
             copy(&self.painted(&of, &bends, pixels), &part, &inner, &mut all);
         }

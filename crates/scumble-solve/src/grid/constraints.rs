@@ -5,7 +5,7 @@ use std::ops::Range;
 use scumble_core::{Bends, Boundary, PlanarMap, sort};
 
 use super::corners;
-use super::covers::Covers;
+use super::covers::{Covers, Shades};
 use super::curve_cells::CurveCells;
 use super::cut_links::{self, Cut, Face, Link, WAYS};
 use super::regions::PixelRegions;
@@ -83,36 +83,38 @@ impl Constraints {
     /// # Errors
     /// See [`SolveError`]: where something shades.
     pub fn new(map: &PlanarMap, boundary: &Boundary, view: &View) -> Result<Self, SolveError> {
-        Self::with_borders(map, &Bends::default(), boundary, view, &|_| Vec::new())
+        Ok(Self::shaded(map, boundary, &Shades::new(map, boundary)?, view))
     }
 
-    /// Those in what a view shows of a larger picture, which says what is beyond its borders, along pieces as they bend.
-    ///
-    /// # Errors
-    /// See [`SolveError`]: where something shades.
+    /// The same with shades of these sources that are known.
+    pub(super) fn shaded(map: &PlanarMap, boundary: &Boundary, shades: &Shades, view: &View) -> Self {
+        Self::with_borders(map, &Bends::default(), boundary, shades, view, &|_| Vec::new())
+    }
+
+    /// Those in what a view shows of a larger picture, which says what is beyond its borders, along pieces as they bend, with the shades of
+    /// the page.
     pub fn within(
         whole: &Whole,
         map: &PlanarMap,
         bends: &Bends,
         boundary: &Boundary,
+        shades: &Shades,
         view: &View,
-    ) -> Result<Self, SolveError> {
-        Self::with_borders(map, bends, boundary, view, &|all| whole.pulls(all, view))
+    ) -> Self {
+        Self::with_borders(map, bends, boundary, shades, view, &|all| whole.pulls(all, view))
     }
 
     /// The same of a larger picture of which only the view and the curves are known, where those of the part bend: at
     /// [`Self::exits`] pixels are held to no colour, and who solves them adds what there is beyond.
-    ///
-    /// # Errors
-    /// See [`SolveError`]: where something shades.
     pub(super) fn part(
         (whole, curves): (&View, &CurveCells),
         map: &PlanarMap,
         bends: &Bends,
         boundary: &Boundary,
+        shades: &Shades,
         view: &View,
-    ) -> Result<Self, SolveError> {
-        Self::with_borders(map, bends, boundary, view, &|all| {
+    ) -> Self {
+        Self::with_borders(map, bends, boundary, shades, view, &|all| {
             all.exits = whole::exits(all, view, whole, curves);
             all.exits.iter().map(Exits::pull).collect()
         })
@@ -122,20 +124,20 @@ impl Constraints {
         map: &PlanarMap,
         bends: &Bends,
         boundary: &Boundary,
+        shades: &Shades,
         view: &View,
         borders: &dyn Fn(&mut Self) -> Vec<Pull>,
-    ) -> Result<Self, SolveError> {
+    ) -> Self {
         let (cuts, faces) = cut_links::cut_links(map, bends, boundary, view);
         let (width_px, height_px) = (view.width_px, view.height_px);
-        let covers = Covers::new(map, boundary, view)?;
-        let (pulls, sources, exits) = (Vec::new(), Vec::new(), Vec::new());
+        let (covers, pulls, sources, exits) = (shades.covers(view), Vec::new(), Vec::new(), Vec::new());
         let mut all = Self { width_px, height_px, cuts, faces, pulls, sources, exits, covers };
         let pulls = borders(&mut all);
         all.add_pulls(pulls);
         let regions = PixelRegions::new(map.triangulation(), boundary, view);
         let pulls = unreached::pulls(&regions, bends, &all);
         all.add_pulls(pulls);
-        Ok(all)
+        all
     }
 
     /// The same, fitted to what is known of the solution at corners and tips: all of a region is nearer to the truth then.

@@ -4,6 +4,7 @@ use scumble_core::{Blend, Boundary, PlanarMap, SoftSource};
 
 use super::texture::Texture;
 use crate::centers;
+use crate::field::Field;
 use crate::mesh::{MeshSolver, SolveError};
 use crate::scene::View;
 
@@ -16,29 +17,49 @@ pub struct Covers {
     pub parts: Option<Texture>,
 }
 
-impl Covers {
-    /// Those of the sources of a boundary in what a view shows; none where nothing shades.
+/// The same layer on all of a page.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Shades {
+    /// What it lays over the picture, and how much of that is covered, where that is not its opacity. Nothing where nothing shades.
+    layers: Vec<Field>,
+}
+
+impl Shades {
+    /// That of the sources of a boundary.
     ///
     /// # Errors
     /// See [`SolveError`].
-    pub(super) fn new(map: &PlanarMap, boundary: &Boundary, view: &View) -> Result<Option<Self>, SolveError> {
+    pub fn new(map: &PlanarMap, boundary: &Boundary) -> Result<Self, SolveError> {
         let sources = &boundary.sources;
         if sources.is_empty() {
-            return Ok(None);
+            return Ok(Self::default());
         }
         let mut solver = MeshSolver::new(map.refined().clone());
         let mut layer = |sources: Vec<SoftSource>| {
             let boundary = Boundary { sides: Vec::new(), closed_gaps: boundary.closed_gaps.clone(), sources };
-            let texels = centers::colors(solver.solve(&boundary, Blend::default())?, view);
-            Ok(Texture { width: view.width_px as usize, height: view.height_px as usize, texels })
+            solver.solve(&boundary, Blend::default()).cloned()
         };
-        let colors = layer(sources.clone())?;
-        let is_opaque = sources.iter().all(|source| source.color[3] == 1.0);
-        let covering = || sources.iter().map(|source| SoftSource { color: [1.0; 4], ..source.clone() });
-        let parts = if is_opaque { None } else { Some(layer(covering().collect())?) };
-        Ok(Some(Self { colors, parts }))
+        let mut layers = vec![layer(sources.clone())?];
+        if sources.iter().any(|source| source.color[3] != 1.0) {
+            let mut covering = sources.clone();
+            covering.iter_mut().for_each(|source| source.color = [1.0; 4]);
+            layers.push(layer(covering)?);
+        }
+        Ok(Self { layers })
     }
 
+    /// What a view shows of it.
+    pub(super) fn covers(&self, view: &View) -> Option<Covers> {
+        let mut layers = self.layers.iter().map(|field| Texture {
+            width: view.width_px as usize,
+            height: view.height_px as usize,
+            texels: centers::colors(field, view),
+        });
+        Some(Covers { colors: layers.next()?, parts: layers.next() })
+    }
+}
+
+impl Covers {
     /// How much is covered, in the last channel.
     pub fn parts(&self) -> &Texture {
         self.parts.as_ref().unwrap_or(&self.colors)

@@ -4,10 +4,10 @@
 //! curve and the colour of the side that it faces (F. Gibou et al., *A second-order-accurate symmetric discretization
 //! of the Poisson equation on irregular domains*, 2002).
 
-use kurbo::Vec2;
+use kurbo::{Rect, Vec2};
 use scumble_core::{Bends, Boundary, PlanarMap, sort};
 
-use super::wall::{Place, Segment, Wall, walls};
+use super::wall::{Place, Segment, Wall, around, walls};
 use crate::scene::View;
 
 /// The neighbour that a link of a pixel leads to.
@@ -67,7 +67,12 @@ pub(super) fn cut_links(
     view: &View,
 ) -> (Vec<Cut>, Vec<Face>) {
     let [mut crossings, mut eastern, mut southern] = [(); 3].map(|()| Crossings::new(view));
+    let around = around(view);
     for wall in walls(map, bends, boundary, view) {
+        let Segment([a, b]) = wall.segment;
+        if !around.overlaps(Rect::from_points(a, b)) {
+            continue;
+        }
         crossings.cut_rows(&wall, wall.segment);
         crossings.cut_columns(&wall, wall.segment);
         eastern.cut_columns(&wall, wall.segment.moved(Vec2::new(-0.5, 0.0)));

@@ -1,8 +1,11 @@
 //! What the grid solver is given, with what it takes to show what it finds.
 
+use std::sync::Arc;
+
 use scumble_core::{Bends, Blend, Boundary, PlanarMap};
 
 use super::constraints::Constraints;
+use super::covers::Shades;
 use super::curve_cells::CurveCells;
 use crate::mesh::SolveError;
 use crate::scene::View;
@@ -18,6 +21,7 @@ pub struct GridProblem {
     pub constraints: Constraints,
     /// Where the picture may jump.
     pub curves: CurveCells,
+    shades: Arc<Shades>,
 }
 
 impl GridProblem {
@@ -26,25 +30,17 @@ impl GridProblem {
     /// # Errors
     /// See [`SolveError`]: where something shades.
     pub fn new(map: &PlanarMap, boundary: &Boundary, view: &View, blend: Blend) -> Result<Self, SolveError> {
-        let constraints = Constraints::new(map, boundary, view)?;
+        let shades = Arc::new(Shades::new(map, boundary)?);
+        let constraints = Constraints::shaded(map, boundary, &shades, view);
         let curves = CurveCells::new(map, &Bends::default(), view);
-        Ok(Self { view: *view, blend, constraints, curves })
+        Ok(Self { view: *view, blend, constraints, curves, shades })
     }
 
     /// The same for a part of this problem's picture, on smaller pixels, among which curves bend.
-    ///
-    /// # Errors
-    /// See [`SolveError`]: where something shades.
-    pub fn part(
-        &self,
-        map: &PlanarMap,
-        bends: &Bends,
-        boundary: &Boundary,
-        view: &View,
-    ) -> Result<Self, SolveError> {
+    pub fn part(&self, map: &PlanarMap, bends: &Bends, boundary: &Boundary, view: &View) -> Self {
         let whole = (&self.view, &self.curves);
-        let constraints = Constraints::part(whole, map, bends, boundary, view)?;
+        let constraints = Constraints::part(whole, map, bends, boundary, &self.shades, view);
         let curves = CurveCells::new(map, bends, view);
-        Ok(Self { view: *view, blend: self.blend, constraints, curves })
+        Self { view: *view, blend: self.blend, constraints, curves, shades: Arc::clone(&self.shades) }
     }
 }

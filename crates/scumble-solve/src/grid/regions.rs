@@ -59,7 +59,10 @@ impl<'a> PixelRegions<'a> {
         let edges = [[a, b], [b, c], [c, a]].map(Segment);
         let rows = edges.map(|edge| edge.rows(height_px));
         let [first, end] = [a.y.min(b.y).min(c.y), a.y.max(b.y).max(c.y)];
-        let all = Segment([Point::new(a.x, first), Point::new(a.x, end)]).rows(height_px);
+        // Columns are exact below; this is so that triangles beside the picture cost nothing.
+        let is_beside = a.x.max(b.x).max(c.x) < -1.0 || a.x.min(b.x).min(c.x) > f64::from(width_px);
+        let upright = Segment([Point::new(a.x, first), Point::new(a.x, end)]);
+        let all = upright.rows(if is_beside { 0 } else { height_px });
         all.filter_map(move |row| {
             let crossing = edges.iter().zip(&rows).filter(|(_, rows)| rows.contains(&row));
             let mut ends = crossing.map(|(edge, _)| edge.on_row(row).before + 1);

@@ -4,13 +4,16 @@
 
 use std::ops::Range;
 
-use kurbo::{Affine, Point, Vec2};
+use kurbo::{Affine, Point, Rect, Vec2};
 use robust::{Coord, orient2d};
 use scumble_core::{Bends, BlendColor, Boundary, PlanarMap, SideId};
 
 use super::straights::{Straight, straights};
 use crate::quadratic;
 use crate::scene::View;
+
+/// Links and faces are within this of the centres of pixels, in px.
+const RIM_PX: f64 = 2.0;
 
 /// A straight line in px, pixel centres having whole coordinates.
 #[derive(Clone, Copy)]
@@ -135,6 +138,11 @@ impl Wall {
 
 fn coord(p: Point) -> Coord<f64> {
     Coord { x: p.x, y: p.y }
+}
+
+/// What lies beyond this, in px, is at no pixel of a view, and cuts no link of one.
+pub(super) fn around(view: &View) -> Rect {
+    Rect::new(-RIM_PX, -RIM_PX, f64::from(view.width_px) + RIM_PX, f64::from(view.height_px) + RIM_PX)
 }
 
 /// The whole numbers of a half-open range that count a picture's rows or columns.

@@ -2,7 +2,7 @@
 
 use kurbo::{Affine, BezPath, Point, Rect, Vec2};
 use scumble_core::{Bends, Blend, Boundary, Curve, Drawing, PlanarMap, Sampling};
-use scumble_solve::grid::{AROUND_PX, Constraints, GridSolver, Whole};
+use scumble_solve::grid::{AROUND_PX, Constraints, GridSolver, Shades, Whole};
 use scumble_solve::{Field, FieldTriangle, MeshSolver, View};
 
 use super::DEFAULT_DU;
@@ -100,7 +100,7 @@ impl Problem<'_> {
         let px_from_du = px_from_du.then_translate(half_px - (px_from_du * middle).to_vec2());
         let part = View { px_from_du, ..view };
         let constraints =
-            Constraints::within(&whole, &map, &Bends::default(), &boundary, &part).expect("solved");
+            Constraints::within(&whole, &map, &Bends::default(), &boundary, &Shades::default(), &part);
         let pixels = values(&solved(&constraints.fitted(&map, &Bends::default(), &boundary, &part)), &part);
         let inner_du = (half_px.x - AROUND_PX * times) / px_from_du.as_coeffs()[0];
         let inner = Rect::from_center_size(middle, (2.0 * inner_du, 2.0 * inner_du));

@@ -1,7 +1,7 @@
 //! The picture from close by, where the pieces of curves would be seen as chords.
 
 use kurbo::Rect;
-use scumble_solve::{Field, View};
+use scumble_solve::Field;
 
 use super::Session;
 use crate::solver::Source;
