@@ -212,7 +212,7 @@ fn a_part_takes_what_the_whole_has_beyond_its_borders_as_on_the_cpu() {
         solver.pixels()
     };
     let pixels = on_cpu(Constraints::new(&map, &without_shade, &whole.view).expect("a whole"));
-    let whole = Whole::new(&map, &whole.view, pixels);
+    let whole = Whole::new(&map, &Bends::default(), &whole.view, pixels);
     let shades = Shades::new(&map, &boundary).expect("shades");
     let expected = on_cpu(Constraints::within(&whole, &map, &Bends::default(), &boundary, &shades, &view));
     let levels =

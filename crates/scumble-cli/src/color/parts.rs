@@ -41,11 +41,13 @@ impl Page<'_> {
             let constraints = Constraints::new(map, boundary, view)?.fitted(map, &bends, boundary, view);
             return Ok(self.painted(view, &bends, solve(&constraints)?));
         }
-        let (whole, shades) = (self.whole(scale, &mut solve)?, Shades::new(map, boundary)?);
+        let shades = Shades::new(map, boundary)?;
+        let page_du = self.drawing.frame();
+        let bends = self.picture.bends(self.drawing, page_du, view.px_from_du.as_coeffs()[0]);
+        let whole = self.whole(scale, &bends, &mut solve)?;
         let mut all = blank(view);
         for Tile { inner, part } in tiles(view, self.most_px, (AROUND_PX * scale).ceil() as u32) {
             let of = view.part(&part);
-            let bends = self.picture.bends(self.drawing, of.seen_du(), of.px_from_du.as_coeffs()[0]);
             let constraints = Constraints::within(&whole, map, &bends, boundary, &shades, &of);
             let pixels = solve(&constraints.fitted(map, &bends, boundary, &of))?;
             copy(&self.painted(&of, &bends, pixels), &part, &inner, &mut all);
@@ -57,6 +59,7 @@ impl Page<'_> {
     fn whole(
         &self,
         scale: f64,
+        bends: &Bends,
         solve: &mut impl FnMut(&Constraints) -> anyhow::Result<Vec<[f32; 4]>>,
     ) -> anyhow::Result<Whole> {
         let map = self.picture.map();
@@ -67,7 +70,7 @@ impl Page<'_> {
             View { px_from_du: Affine::scale(1.0 / scale) * self.view.px_from_du, width_px, height_px };
         let constraints =
             Constraints::new(map, boundary, &view)?.fitted(map, &Bends::default(), boundary, &view);
-        Ok(Whole::new(map, &view, solve(&constraints)?))
+        Ok(Whole::new(map, bends, &view, solve(&constraints)?))
     }
 
     fn painted(&self, view: &View, bends: &Bends, pixels: Vec<[f32; 4]>) -> Pixmap {
@@ -124,7 +127,8 @@ fn copy(from: &Pixmap, part: &Part, inner: &Part, to: &mut Pixmap) {
 #[cfg(test)]
 mod tests {
     use kurbo::{Circle, Point, Rect, Shape as _};
-    use scumble_core::{Curve, PlanarMap, Settings};
+    use scumble_core::source::weight;
+    use scumble_core::{Curve, PlanarMap, Settings, SoftSource};
     use scumble_solve::Picture;
     use scumble_solve::grid::{GridSolver, TOLERANCE};
 
@@ -175,31 +179,19 @@ mod tests {
         assert!(most <= 3 && mean < 0.05, "{most} {mean}");
     }
 
-    /// Red in a circle so small that the pieces of its curve are chords of some pixels off it.
-    #[test]
-    fn parts_from_close_by_are_cut_at_curves_as_they_bend() {
+    /// Paints a quarter of a circle in parts, at a scale at which the pieces of its curve are chords of some pixels off it, and
+    /// checks how opaque it is within and beyond.
+    fn check_quarter(boundary_of: impl Fn(&PlanarMap, Point) -> Boundary, least_alpha: u8) {
         let (middle, radius_du, px_per_du) = (Point::new(512.0, 512.0), 20.0, 32.0);
         let circle = Curve { path: Circle::new(middle, radius_du).to_path(1e-4), line: None };
         let page_du = Rect::new(0.0, 0.0, 1024.0, 1024.0);
-        let drawing = Drawing { curves: vec![circle], ..Drawing::new(page_du) };
-        let picture = Picture::new(&drawing).expect("a map");
-        let map = picture.map();
-        let mut sides = vec![None; map.side_count()];
-        map.steps(0).iter().for_each(|step| sides[step.left.index()] = Some([[1.0, 0.0, 0.0, 1.0]; 3]));
-        let boundary = sides.into();
-        // A quarter of it.
+        let drawing = &Drawing { curves: vec![circle], ..Drawing::new(page_du) };
+        let picture = &Picture::new(drawing).expect("a map");
+        let boundary = &boundary_of(picture.map(), middle);
         let px_from_du = Affine::scale(px_per_du) * Affine::translate(-middle.to_vec2());
         let view = View { px_from_du, width_px: 704, height_px: 704 };
-        let page = Page {
-            drawing: &drawing,
-            picture: &picture,
-            boundary: &boundary,
-            blend: Blend::Srgb,
-            view,
-            shapes: &[],
-            paper: None,
-            most_px: 352,
-        };
+        let blend = Blend::Srgb;
+        let page = Page { drawing, picture, boundary, blend, view, shapes: &[], paper: None, most_px: 352 };
         let painted = page.paint(solved).expect("a picture");
         let alpha = |radius_px: f64, turn: f64| {
             let [x, y] = [turn.cos(), turn.sin()].map(|part| (radius_px * part) as usize);
@@ -207,9 +199,35 @@ mod tests {
         };
         for i in 1..100 {
             let turn = std::f64::consts::FRAC_PI_2 * f64::from(i) / 100.0;
-            let edge_px = radius_du * px_per_du;
-            let near = [-2.0, 2.0].map(|off_px| alpha(edge_px + off_px, turn));
-            assert_eq!(near, [255, 0], "{i}");
+            let [within, beyond] = [-2.0, 2.0].map(|off_px| alpha(radius_du * px_per_du + off_px, turn));
+            assert!(within >= least_alpha && beyond == 0, "{i}: {within} {beyond}");
         }
+    }
+
+    #[test]
+    fn parts_from_close_by_are_cut_at_curves_as_they_bend() {
+        let red_within = |map: &PlanarMap, _| {
+            let mut sides = vec![None; map.side_count()];
+            map.steps(0).iter().for_each(|step| sides[step.left.index()] = Some([[1.0, 0.0, 0.0, 1.0]; 3]));
+            sides.into()
+        };
+        check_quarter(red_within, 255);
+    }
+
+    #[test]
+    fn from_close_by_shades_end_at_curves_as_they_bend() {
+        let shade = |middle| SoftSource {
+            points: vec![middle],
+            radius_du: 20.0,
+            weight: weight(1.0),
+            color: [0.0, 0.0, 0.0, 1.0],
+            crosses: false,
+            parts: Vec::new(),
+        };
+        let of = |map: &PlanarMap, middle| Boundary {
+            sources: vec![shade(middle)],
+            ..vec![None; map.side_count()].into()
+        };
+        check_quarter(of, 100);
     }
 }

@@ -86,7 +86,7 @@ impl Constraints {
         Ok(Self::shaded(map, boundary, &Shades::new(map, boundary)?, view))
     }
 
-    /// The same with shades of these sources that are known.
+    /// The same, with the shades of these sources already solved.
     pub(super) fn shaded(map: &PlanarMap, boundary: &Boundary, shades: &Shades, view: &View) -> Self {
         Self::with_borders(map, &Bends::default(), boundary, shades, view, &|_| Vec::new())
     }
@@ -130,7 +130,8 @@ impl Constraints {
     ) -> Self {
         let (cuts, faces) = cut_links::cut_links(map, bends, boundary, view);
         let (width_px, height_px) = (view.width_px, view.height_px);
-        let (covers, pulls, sources, exits) = (shades.covers(view), Vec::new(), Vec::new(), Vec::new());
+        let (covers, pulls, sources, exits) =
+            (shades.covers(bends, view), Vec::new(), Vec::new(), Vec::new());
         let mut all = Self { width_px, height_px, cuts, faces, pulls, sources, exits, covers };
         let pulls = borders(&mut all);
         all.add_pulls(pulls);

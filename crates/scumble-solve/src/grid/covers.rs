@@ -1,10 +1,9 @@
 //! What shading scribbles lay over pixels: their layer, as the mesh solver finds it, which no pixel can do as well.
 
-use scumble_core::{Blend, Boundary, PlanarMap, SoftSource};
+use scumble_core::{Bends, Blend, Boundary, PlanarMap, SoftSource};
 
 use super::texture::Texture;
 use crate::centers;
-use crate::field::Field;
 use crate::mesh::{MeshSolver, SolveError};
 use crate::scene::View;
 
@@ -18,10 +17,10 @@ pub struct Covers {
 }
 
 /// The same layer on all of a page.
-#[derive(Clone, Debug, Default, PartialEq)]
+#[derive(Debug, Default)]
 pub struct Shades {
-    /// What it lays over the picture, and how much of that is covered, where that is not its opacity. Nothing where nothing shades.
-    layers: Vec<Field>,
+    /// Of its colours, and of how much is covered where that is not their opacity; none where nothing shades.
+    solvers: Vec<MeshSolver>,
 }
 
 impl Shades {
@@ -30,30 +29,32 @@ impl Shades {
     /// # Errors
     /// See [`SolveError`].
     pub fn new(map: &PlanarMap, boundary: &Boundary) -> Result<Self, SolveError> {
-        let sources = &boundary.sources;
-        if sources.is_empty() {
-            return Ok(Self::default());
-        }
-        let mut solver = MeshSolver::new(map.refined().clone());
-        let mut layer = |sources: Vec<SoftSource>| {
+        let (sources, mut solvers) = (&boundary.sources, Vec::new());
+        let mut add_layer = |sources: Vec<SoftSource>| {
             let boundary = Boundary { sides: Vec::new(), closed_gaps: boundary.closed_gaps.clone(), sources };
-            solver.solve(&boundary, Blend::default()).cloned()
+            let mut solver = MeshSolver::new(map.refined().clone());
+            solver.solve(&boundary, Blend::default())?;
+            solvers.push(solver);
+            Ok(())
         };
-        let mut layers = vec![layer(sources.clone())?];
+        if !sources.is_empty() {
+            add_layer(sources.clone())?;
+        }
         if sources.iter().any(|source| source.color[3] != 1.0) {
             let mut covering = sources.clone();
             covering.iter_mut().for_each(|source| source.color = [1.0; 4]);
-            layers.push(layer(covering)?);
+            add_layer(covering)?;
         }
-        Ok(Self { layers })
+        Ok(Self { solvers })
     }
 
-    /// What a view shows of it.
-    pub(super) fn covers(&self, view: &View) -> Option<Covers> {
-        let mut layers = self.layers.iter().map(|field| Texture {
+    /// What a view shows of it, up to curves as they bend.
+    pub(super) fn covers(&self, bends: &Bends, view: &View) -> Option<Covers> {
+        let part_du = view.seen_du();
+        let mut layers = self.solvers.iter().map(|solver| Texture {
             width: view.width_px as usize,
             height: view.height_px as usize,
-            texels: centers::colors(field, view),
+            texels: centers::colors(&solver.bent(bends, part_du), view),
         });
         Some(Covers { colors: layers.next()?, parts: layers.next() })
     }

@@ -11,7 +11,7 @@ use crate::mesh::SolveError;
 use crate::scene::View;
 
 /// A picture to be solved on the pixels of a view.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug)]
 pub struct GridProblem {
     /// The pixels.
     pub view: View,
@@ -21,6 +21,7 @@ pub struct GridProblem {
     pub constraints: Constraints,
     /// Where the picture may jump.
     pub curves: CurveCells,
+    /// Of the whole page.
     shades: Arc<Shades>,
 }
 

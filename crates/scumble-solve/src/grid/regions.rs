@@ -62,7 +62,7 @@ impl<'a> PixelRegions<'a> {
         // Columns are exact below; this is so that triangles beside the picture cost nothing.
         let is_beside = a.x.max(b.x).max(c.x) < -1.0 || a.x.min(b.x).min(c.x) > f64::from(width_px);
         let upright = Segment([Point::new(a.x, first), Point::new(a.x, end)]);
-        let all = upright.rows(if is_beside { 0 } else { height_px });
+        let all = if is_beside { 0..0 } else { upright.rows(height_px) };
         all.filter_map(move |row| {
             let crossing = edges.iter().zip(&rows).filter(|(_, rows)| rows.contains(&row));
             let mut ends = crossing.map(|(edge, _)| edge.on_row(row).before + 1);

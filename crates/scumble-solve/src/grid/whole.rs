@@ -25,9 +25,10 @@ pub struct Whole {
 }
 
 impl Whole {
-    /// What was found for the pixels of a view: blend-space colours times opacity, and opacity, row by row.
-    pub fn new(map: &PlanarMap, view: &View, pixels: Vec<Texel>) -> Self {
-        Self { view: *view, pixels, curves: CurveCells::new(map, &Bends::default(), view) }
+    /// What was found for the pixels of a view: blend-space colours times opacity, and opacity, row by row. Its curves bend as
+    /// those of its parts.
+    pub fn new(map: &PlanarMap, bends: &Bends, view: &View, pixels: Vec<Texel>) -> Self {
+        Self { view: *view, pixels, curves: CurveCells::new(map, bends, view) }
     }
 
     /// What draws the pixels at the borders of a part to what lies beyond, along links as wide as any, walls beside them or not.

@@ -92,8 +92,12 @@ impl Problem<'_> {
         let map = self.map(GRID_DU);
         let (boundary, view) = (self.boundary(&map), page(size_px));
         let constraints = Constraints::new(&map, &boundary, &view).expect("solved");
-        let whole =
-            Whole::new(&map, &view, solved(&constraints.fitted(&map, &Bends::default(), &boundary, &view)));
+        let whole = Whole::new(
+            &map,
+            &Bends::default(),
+            &view,
+            solved(&constraints.fitted(&map, &Bends::default(), &boundary, &view)),
+        );
 
         let px_from_du = view.px_from_du.then_scale(times);
         let half_px = Vec2::new(f64::from(size_px), f64::from(size_px)) / 2.0;
