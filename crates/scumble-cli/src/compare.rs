@@ -105,12 +105,8 @@ fn row(
         uncolor_half(picture.map(), &mut boundary);
     }
     let blend = Settings::default().blend;
-    let constraints = Constraints::new(picture.map(), &boundary, view)?.fitted(
-        picture.map(),
-        &Bends::default(),
-        &boundary,
-        view,
-    );
+    let (map, bends) = (picture.map(), Bends::default());
+    let constraints = Constraints::new(map, &boundary, view)?.fitted(map, &bends, &boundary, view);
     let zones = zones::zones(picture.map(), &boundary, view, SPECIAL_PX);
     let mesh = centers::colors(picture.mesh().solve(&boundary, blend)?, view);
     let mut solver = GridSolver::new(&constraints);

@@ -92,12 +92,8 @@ fn pixel_for_pixel_it_is_what_the_painter_on_the_cpu_paints() {
     let Some(gpu) = gpu() else { return };
     let (problem, solver, mut renderer) = solved(&gpu, 300);
     let pixels = pollster::block_on(solver.pixels()).expect("the pixels come back");
-    let painted = paint_grid(
-        &GridPicture::new(&map(), &Bends::default(), &problem.view, Blend::Oklab, pixels),
-        &[],
-        &problem.view,
-        PAPER,
-    );
+    let found = GridPicture::new(&map(), &Bends::default(), &problem.view, Blend::Oklab, pixels);
+    let painted = paint_grid(&found, &[], &problem.view, PAPER);
     let drawn = read(&mut renderer, &problem.view);
     assert_alike(&drawn, &painted);
 }
@@ -195,7 +191,8 @@ fn a_part_takes_what_the_whole_has_beyond_its_borders_as_on_the_cpu() {
     let boundary = Boundary { sources: vec![shade()], ..without_shade.clone() };
     let (whole, solver, mut renderer) = solved_with(&gpu, 256, &boundary);
 
-    let part = whole.part(&map, &Bends::default(), &boundary, &view);
+    let straight = Bends::default();
+    let part = whole.part(&map, &straight, &boundary, &view);
     let kernels = GridKernels::new(&gpu.device);
     let mut on_gpu = GpuGridSolver::new(&gpu, &kernels, &part.constraints).expect("a solver");
     renderer.set_part(Some(&part));
@@ -212,9 +209,9 @@ fn a_part_takes_what_the_whole_has_beyond_its_borders_as_on_the_cpu() {
         solver.pixels()
     };
     let pixels = on_cpu(Constraints::new(&map, &without_shade, &whole.view).expect("a whole"));
-    let whole = Whole::new(&map, &Bends::default(), &whole.view, pixels);
+    let whole = Whole::new(&map, &straight, &whole.view, pixels);
     let shades = Shades::new(&map, &boundary).expect("shades");
-    let expected = on_cpu(Constraints::within(&whole, &map, &Bends::default(), &boundary, &shades, &view));
+    let expected = on_cpu(Constraints::within(&whole, &map, &straight, &boundary, &shades, &view));
     let levels =
         |(a, b): (&[f32; 4], &[f32; 4])| (0..4).map(|c| 255.0 * (a[c] - b[c]).abs()).fold(0.0, f32::max);
     let largest = found.iter().zip(&expected).map(levels).fold(0.0, f32::max);
@@ -223,14 +220,7 @@ fn a_part_takes_what_the_whole_has_beyond_its_borders_as_on_the_cpu() {
     let before = read(&mut renderer, &view);
     renderer.update_part(&on_gpu);
     let after = read(&mut renderer, &view);
-    assert_alike(
-        &after,
-        &paint_grid(
-            &GridPicture::new(&map, &Bends::default(), &view, Blend::Oklab, found),
-            &[],
-            &view,
-            PAPER,
-        ),
-    );
+    let found = GridPicture::new(&map, &straight, &view, Blend::Oklab, found);
+    assert_alike(&after, &paint_grid(&found, &[], &view, PAPER));
     assert_ne!(before, after, "the whole is less sharp");
 }

@@ -46,12 +46,8 @@ fn on_grid(picture: &Picture, document: &Document, boundary: &Boundary, view: &V
     let mut solver = GridSolver::new(&Constraints::new(picture.map(), boundary, view).expect("solved"));
     solver.solve(1e-4);
     let pixels = solver.pixels().to_vec();
-    paint_grid(
-        &GridPicture::new(picture.map(), &Bends::default(), view, document.settings.blend, pixels),
-        &[],
-        view,
-        PAPER,
-    )
+    let found = GridPicture::new(picture.map(), &Bends::default(), view, document.settings.blend, pixels);
+    paint_grid(&found, &[], view, PAPER)
 }
 
 /// The pixels of the mesh solver's picture that shades change, and the grid solver's there. The gap is closed.

@@ -217,8 +217,8 @@ fn a_painted_grid_looks_like_the_painted_mesh_at_its_edges_too() {
     let view = view(128);
     let (pixels, _) = solved(&map, &boundary, 128);
     let paper = Some(Srgb8([255; 3]));
-    let grid =
-        paint_grid(&GridPicture::new(&map, &Bends::default(), &view, Blend::Srgb, pixels), &[], &view, paper);
+    let found = GridPicture::new(&map, &Bends::default(), &view, Blend::Srgb, pixels);
+    let grid = paint_grid(&found, &[], &view, paper);
     let mut solver = MeshSolver::new(map.refined().clone());
     let field = solver.solve(&boundary, Blend::Srgb).expect("a field");
     let mesh = paint(&Scene { paper, field, shapes: &[] }, &view);

@@ -192,7 +192,7 @@ fn what_is_done_to_a_drawing_is_done_to_the_part_that_is_in_view() {
         frames(&mut session, &mut screen);
         let part = screen.part.as_ref().expect("a part");
         assert_eq!((part.view, part.blend), (expected.view, expected.blend));
-        assert_eq!(part.constraints, expected.constraints);
+        assert_eq!((&part.constraints, &part.curves), (&expected.constraints, &expected.curves));
     }
 }
 

@@ -91,8 +91,8 @@ impl Constraints {
         Self::with_borders(map, &Bends::default(), boundary, shades, view, &|_| Vec::new())
     }
 
-    /// Those in what a view shows of a larger picture, which says what is beyond its borders, along pieces as they bend, with the shades of
-    /// the page.
+    /// Those in what a view shows of a larger picture, which says what is beyond its borders, along pieces as they bend, with
+    /// the shades of the page.
     pub fn within(
         whole: &Whole,
         map: &PlanarMap,

@@ -92,20 +92,16 @@ impl Problem<'_> {
         let map = self.map(GRID_DU);
         let (boundary, view) = (self.boundary(&map), page(size_px));
         let constraints = Constraints::new(&map, &boundary, &view).expect("solved");
-        let whole = Whole::new(
-            &map,
-            &Bends::default(),
-            &view,
-            solved(&constraints.fitted(&map, &Bends::default(), &boundary, &view)),
-        );
+        let straight = &Bends::default();
+        let pixels = solved(&constraints.fitted(&map, straight, &boundary, &view));
+        let whole = Whole::new(&map, straight, &view, pixels);
 
         let px_from_du = view.px_from_du.then_scale(times);
         let half_px = Vec2::new(f64::from(size_px), f64::from(size_px)) / 2.0;
         let px_from_du = px_from_du.then_translate(half_px - (px_from_du * middle).to_vec2());
         let part = View { px_from_du, ..view };
-        let constraints =
-            Constraints::within(&whole, &map, &Bends::default(), &boundary, &Shades::default(), &part);
-        let pixels = values(&solved(&constraints.fitted(&map, &Bends::default(), &boundary, &part)), &part);
+        let constraints = Constraints::within(&whole, &map, straight, &boundary, &Shades::default(), &part);
+        let pixels = values(&solved(&constraints.fitted(&map, straight, &boundary, &part)), &part);
         let inner_du = (half_px.x - AROUND_PX * times) / px_from_du.as_coeffs()[0];
         let inner = Rect::from_center_size(middle, (2.0 * inner_du, 2.0 * inner_du));
         let there = pixels.into_iter().filter(|(p, _)| inner.contains(*p));
