@@ -111,7 +111,7 @@ pub(crate) fn gaps(subpaths: &[BezPath]) -> Vec<BezPath> {
 
 /// Whether a subpath is an upright rectangle that covers a frame.
 pub(crate) fn is_rectangle_over(path: &BezPath, frame: Rect) -> bool {
-    let bounds = path.bounding_box();
+    let bounds = path.control_box();
     let covers = bounds.inflate(0.5, 0.5).contains_rect(frame);
     covers && (path.area().abs() - bounds.area()).abs() <= 1e-6 * bounds.area()
 }

@@ -3,13 +3,17 @@
 //! The outlines of fills are curves of the drawing, also where no line is drawn along them. A file that was written by hand may
 //! have fills of which that is not so: these get a map of their own.
 
-use kurbo::{PathEl, Point, Rect, Shape as _};
+use kurbo::{BezPath, PathEl, Point};
 use scumble_core::sort;
 use scumble_core::starts::{Starts, subpaths};
 use scumble_core::{Curve, Drawing, Fill, PlanarMap, Sampling, Triangulation};
 
-use super::soup::Soup;
+use super::flatten;
+use super::soup::{Soup, Stop};
 use crate::scene::Shape;
+
+/// How far outlines are off at most where it is asked what is inside them.
+const TOLERANCE_DU: f64 = 0.01;
 
 /// The fills of a drawing. Those of which nothing would be seen have no shape.
 pub(super) fn shapes(drawing: &Drawing, map: &PlanarMap) -> Vec<Shape> {
@@ -52,18 +56,39 @@ struct Region {
 
 /// The triangles of the regions inside a fill.
 fn filled(fill: &Fill, regions: &[Region]) -> Soup {
-    let bounds = fill.path.bounding_box();
+    let bounds = fill.path.control_box();
+    let outlines = outlines(&fill.path);
     let first = regions.partition_point(|region| region.inner.x < bounds.x0);
     let beside = regions[first..].iter().take_while(|region| region.inner.x <= bounds.x1);
-    let inside = beside.filter(|region| is_inside(fill, bounds, region.inner));
+    let is_inside = |p: Point| {
+        let winding = winding(&outlines, p);
+        if fill.even_odd { winding % 2 != 0 } else { winding != 0 }
+    };
+    let inside = beside.filter(|region| bounds.contains(region.inner) && is_inside(region.inner));
     inside.flat_map(|region| region.triangles.iter().copied()).collect()
 }
 
-fn is_inside(fill: &Fill, bounds: Rect, p: Point) -> bool {
-    bounds.contains(p) && {
-        let winding = fill.path.winding(p);
-        if fill.even_odd { winding % 2 != 0 } else { winding != 0 }
-    }
+/// A path as polygons, each from its last corner around to it.
+fn outlines(path: &BezPath) -> Vec<Vec<Point>> {
+    let polygon = |(stops, _): (Vec<Stop>, bool)| {
+        let last = stops.last().map(|stop| stop.point);
+        last.into_iter().chain(stops.iter().map(|stop| stop.point)).collect()
+    };
+    flatten(path.iter(), TOLERANCE_DU).into_iter().map(polygon).collect()
+}
+
+/// How often polygons go around a point to the left.
+fn winding(polygons: &[Vec<Point>], p: Point) -> i32 {
+    let edges = polygons.iter().flat_map(|polygon| polygon.windows(2));
+    let crossing = |edge: &[Point]| {
+        let (from, to) = (edge[0] - p, edge[1] - p);
+        match (from.y <= 0.0, to.y <= 0.0) {
+            (true, false) => i32::from(from.cross(to) > 0.0),
+            (false, true) => -i32::from(from.cross(to) < 0.0),
+            _ => 0,
+        }
+    };
+    edges.map(crossing).sum()
 }
 
 /// The regions of a map, from left to right.

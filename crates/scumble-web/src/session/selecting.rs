@@ -3,7 +3,7 @@
 
 use std::mem::replace;
 
-use kurbo::{Affine, BezPath, Point, Rect, Shape, Vec2};
+use kurbo::{Affine, BezPath, Point, Rect, Shape as _, Vec2};
 use scumble_core::{Curve, Deed, Document};
 
 use super::Session;
@@ -20,6 +20,9 @@ const RIM_CSS: f64 = 4.0;
 /// A frame has handles if its longer side is so long, in CSS pixels, and those of a side if that is.
 const LEAST_FRAME_CSS: f64 = 24.0;
 const LEAST_SIDE_CSS: f64 = 64.0;
+
+/// Bounds of curves are that far off at most.
+const ACCURACY_DU: f64 = 1e-3;
 
 /// What is chosen by a key is brought so far into sight, in CSS pixels.
 const MARGIN_CSS: f64 = 48.0;
@@ -315,5 +318,12 @@ impl Session {
 
 /// The bounds of a path in du, taken to elsewhere.
 fn bounds(path: &BezPath, from_du: Affine) -> Rect {
-    (from_du * path).bounding_box()
+    let mut bounds: Option<Rect> = None;
+    for segment in (from_du * path).segments() {
+        for (.., quad) in segment.to_cubic().to_quads(ACCURACY_DU) {
+            let own = quad.bounding_box();
+            bounds = Some(bounds.map_or(own, |bounds| bounds.union(own)));
+        }
+    }
+    bounds.unwrap_or_default()
 }
