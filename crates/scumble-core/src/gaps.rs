@@ -78,10 +78,12 @@ async fn find(map: &PlanarMap, clearance: &Clearance, ratio: f64) -> Vec<Gap> {
     pace::for_each(passages, |(width_du, h, twin)| {
         let [a, b] = [h, twin].map(|h| basins.sets.find(h.triangle() as u32));
         let narrower_du = basins.width_du(a).min(basins.width_du(b)).max(0.0);
-        let is_at_tip =
-            mesh.ends(h).iter().any(|&node| clearance.tips.loose(node, clear_width_du(map, h)).is_some());
-        let ratio = if is_at_tip { ratio } else { WAIST * ratio };
-        if a != b && is_gabriel(mesh, h) && width_du < ratio * narrower_du {
+        let is_at_tip = || {
+            let clear_du = clear_width_du(map, h);
+            mesh.ends(h).iter().any(|&node| clearance.tips.loose(node, clear_du).is_some())
+        };
+        let is_narrow = |ratio: f64| width_du < ratio * narrower_du;
+        if a != b && is_narrow(ratio) && is_gabriel(mesh, h) && (is_narrow(WAIST * ratio) || is_at_tip()) {
             let [is_wide, is_plain] =
                 wide_widths_du(map, &lengths_du, h, width_du).map(|du| du > WIDE * narrower_du);
             gaps.push(Gap { nodes: mesh.ends(h), is_wide, is_plain: is_wide && is_plain });
