@@ -50,7 +50,9 @@ impl Clearance {
     /// Measures all passages, in slices.
     pub(crate) async fn measuring(map: &PlanarMap) -> Self {
         let mesh = map.triangulation();
-        let tips = Tips::new(map);
+        let beside_du = beside_du(map).await;
+        pace::pause().await;
+        let tips = Tips::new(map, &beside_du);
         pace::pause().await;
         let mut circle_widths_du = Vec::with_capacity(mesh.triangle_count());
         pace::for_each(0..mesh.triangle_count(), |t| circle_widths_du.push(circle_width_du(map, t))).await;
@@ -236,9 +238,9 @@ struct Tip {
 }
 
 impl Tips {
-    fn new(map: &PlanarMap) -> Self {
+    fn new(map: &PlanarMap, beside_du: &[f64]) -> Self {
         let points = map.triangulation().points();
-        let (neighbours, beside_du) = (Neighbours::new(map), beside_du(map));
+        let neighbours = Neighbours::new(map);
         let tip = |node: usize| {
             let way = neighbours.way_back(points, node as u32);
             let along = points[node] - points[way.last()?.0 as usize];
@@ -268,15 +270,17 @@ impl Tips {
 }
 
 /// Per node the clear width of the narrowest passage at it between drawn lines, in du; not less than none.
-fn beside_du(map: &PlanarMap) -> Vec<f64> {
+async fn beside_du(map: &PlanarMap) -> Vec<f64> {
     let mesh = map.triangulation();
     let mut beside_du = vec![OPEN_DU; mesh.points().len()];
-    for h in mesh.half_edges().filter(|&h| mesh.passage(h).is_some() && is_gabriel(mesh, h)) {
-        if mesh.ends(h).iter().all(|&node| map.half_width_du(node).is_some()) {
+    let is_drawn = |node: &u32| map.half_width_du(*node).is_some();
+    pace::for_each(mesh.half_edges(), |h| {
+        if mesh.passage(h).is_some() && is_gabriel(mesh, h) && mesh.ends(h).iter().all(is_drawn) {
             let beside_du = &mut beside_du[mesh.ends(h)[0] as usize];
             *beside_du = beside_du.min(clear_width_du(map, h).max(0.0));
         }
-    }
+    })
+    .await;
     beside_du
 }
 

@@ -104,9 +104,10 @@ fn shortest_piece_du(cdt: &Cdt, v: FixedVertexHandle) -> f64 {
 pub(crate) async fn flatten(cdt: &Cdt, pieces: &[Piece]) -> Triangulation {
     let points = cdt.vertices().map(|v| v.position());
     let points = points.map(|p| kurbo::Point::new(p.x - SHIFT_DU, p.y - SHIFT_DU)).collect();
+    pace::pause().await;
     let mut half_edge_of = vec![u32::MAX; cdt.num_directed_edges()];
     let edges = || cdt.inner_faces().flat_map(|face| face.adjacent_edges());
-    (0..).zip(edges()).for_each(|(h, edge)| half_edge_of[edge.fix().index()] = h);
+    pace::for_each((0..).zip(edges()), |(h, edge)| half_edge_of[edge.fix().index()] = h).await;
     pace::pause().await;
     let half_edges = edges().map(|edge| {
         let from = edge.from().fix().index() as u32;

@@ -73,6 +73,7 @@ async fn find(map: &PlanarMap, clearance: &Clearance, ratio: f64) -> Vec<Gap> {
     let mut basins = Basins::new(clearance.place_widths_du.clone());
     let mut gaps = Vec::new();
     let lengths_du = line_lengths_du(map);
+    pace::pause().await;
     let passages = passages(mesh, clearance);
     pace::pause().await;
     pace::for_each(passages, |(width_du, h, twin)| {

@@ -143,6 +143,7 @@ impl Global {
         if self.claims.iter().any(Claim::gives_up) {
             self.dry(map);
         }
+        pace::pause().await;
         self.let_in(&ranks);
         let Self { flood, at_hand, nearest, .. } = self;
         for (flood, costs) in [(flood, &ways.costs), (at_hand, &ways.lengths), (nearest, &ways.lengths)] {

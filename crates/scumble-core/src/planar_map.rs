@@ -11,7 +11,7 @@ use thiserror::Error;
 use crate::clearance::Clearance;
 use crate::delaunay::{self, Cdt};
 use crate::drawing::Drawing;
-use crate::pace::{self, Slices, now};
+use crate::pace::{self, Pace, Slices, now};
 use crate::refinement;
 use crate::sample::{self, LatticePoint, Stretch};
 use crate::snap::{self, Snapped};
@@ -123,13 +123,15 @@ impl PlanarMap {
     async fn built(drawing: &Drawing, sampling: &Sampling) -> Result<Self, MapError> {
         let too_many = MapError::TooManyPieces { limit: MAX_PIECES };
         let frame = sample::lattice_frame(drawing.size_du());
-        let polylines = polylines(drawing, frame, sampling).ok_or(too_many.clone())?;
-        let segments: Vec<_> = polylines.iter().flatten().map(|stretch| stretch.ends).collect();
+        let polylines = polylines(drawing, frame, sampling).await.ok_or(too_many.clone())?;
         pace::pause().await;
+        let segments: Vec<_> = polylines.iter().flatten().map(|stretch| stretch.ends).collect();
         let snapped = snap::snap(&segments, frame, MAX_PIECES).await.ok_or(too_many)?;
         pace::pause().await;
-        let (pieces, steps) = pieces_and_steps(&polylines, &snapped);
+        let (pieces, steps) = pieces_and_steps(&polylines, &snapped).await;
+        pace::pause().await;
         let half_widths_du = half_widths_du(drawing, &steps, &pieces, snapped.nodes.len());
+        pace::pause().await;
         let cdt = delaunay::triangulate(&snapped.nodes, &pieces).await?;
         let triangulation = Slices::new(delaunay::flatten(&cdt, &pieces)).await;
         Ok(Self {
@@ -283,8 +285,8 @@ impl PlanarMap {
 const FRAME_COARSENING: f64 = 4.0;
 
 /// The curves as stretches, and the frame after them; `None` where there are too many.
-fn polylines(drawing: &Drawing, frame: LatticePoint, sampling: &Sampling) -> Option<Vec<Vec<Stretch>>> {
-    let mut left = MAX_PIECES;
+async fn polylines(drawing: &Drawing, frame: LatticePoint, sampling: &Sampling) -> Option<Vec<Vec<Stretch>>> {
+    let (mut left, mut pace) = (MAX_PIECES, Pace::default());
     let frame_path = sample::frame_path(frame);
     let frame = sample::frame_rect(frame);
     let frame_sampling = Sampling { spacing_du: FRAME_COARSENING * sampling.spacing_du, ..*sampling };
@@ -293,13 +295,14 @@ fn polylines(drawing: &Drawing, frame: LatticePoint, sampling: &Sampling) -> Opt
     for (path, sampling) in curves.chain([(&frame_path, &frame_sampling)]) {
         let polyline = sample::sample(path, frame, sampling, left)?;
         left = left.checked_sub(polyline.len())?;
+        pace.work(1 + polyline.len()).await;
         polylines.push(polyline);
     }
     Some(polylines)
 }
 
 /// Pieces without repeats, and each curve's steps along them. The last polyline is the frame.
-fn pieces_and_steps(polylines: &[Vec<Stretch>], snapped: &Snapped) -> (Vec<Piece>, Vec<Vec<Step>>) {
+async fn pieces_and_steps(polylines: &[Vec<Stretch>], snapped: &Snapped) -> (Vec<Piece>, Vec<Vec<Step>>) {
     let mut ends: Vec<[u32; 2]> = snapped
         .chains
         .iter()
@@ -309,7 +312,7 @@ fn pieces_and_steps(polylines: &[Vec<Stretch>], snapped: &Snapped) -> (Vec<Piece
     ends.dedup();
     let mut pieces: Vec<_> = ends.iter().map(|&nodes| Piece { nodes, curve: None }).collect();
     let mut chains = snapped.chains.iter();
-    let mut steps = Vec::with_capacity(polylines.len());
+    let (mut steps, mut pace) = (Vec::with_capacity(polylines.len()), Pace::default());
     for (curve, polyline) in polylines.iter().enumerate() {
         let way: Vec<Step> = polyline
             .iter()
@@ -320,6 +323,7 @@ fn pieces_and_steps(polylines: &[Vec<Stretch>], snapped: &Snapped) -> (Vec<Piece
             for step in &way {
                 pieces[step.left.piece()].curve.get_or_insert(curve as u32);
             }
+            pace.work(1 + way.len()).await;
             steps.push(way);
         }
     }

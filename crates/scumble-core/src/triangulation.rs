@@ -7,7 +7,7 @@ mod halved;
 
 use kurbo::Point;
 
-use crate::pace;
+use crate::pace::{self, Pace, Slices, now};
 use crate::sort;
 
 /// One edge of one triangle, in the triangle's direction of turn.
@@ -226,36 +226,50 @@ impl Triangulation {
     /// Numbers the sets of triangles that are joined without crossing a curve: per triangle its region, counted
     /// from 0 in the order of each region's first triangle; and the number of regions.
     pub fn regions(&self) -> (Vec<u32>, usize) {
-        self.parts(|_| true)
+        now(self.finding_regions())
+    }
+
+    /// The same in slices.
+    pub(crate) fn finding_regions(&self) -> Slices<'_, (Vec<u32>, usize)> {
+        Slices::new(self.parts(true))
     }
 
     /// The same for rooms, the parts of regions that gaps part.
     pub fn rooms(&self) -> (Vec<u32>, usize) {
-        self.parts(|h| self.gap(h).is_none())
+        now(self.finding_rooms())
     }
 
-    fn parts(&self, is_open: impl Fn(HalfEdge) -> bool) -> (Vec<u32>, usize) {
-        let mut region_of = vec![NONE; self.triangle_count()];
-        let mut count = 0;
-        let mut stack = Vec::new();
-        for first in 0..region_of.len() {
-            if region_of[first] != NONE {
-                continue;
+    /// The same in slices.
+    pub(crate) fn finding_rooms(&self) -> Slices<'_, (Vec<u32>, usize)> {
+        Slices::new(self.parts(false))
+    }
+
+    async fn parts(&self, gaps_are_open: bool) -> (Vec<u32>, usize) {
+        let mut part_of = vec![NONE; self.triangle_count()];
+        let (mut count, mut pace) = (0, Pace::default());
+        for first in 0..part_of.len() {
+            if part_of[first] == NONE {
+                part_of[first] = count;
+                let mut stack = vec![first];
+                pace::repeat(|| self.flood_on(&mut stack, &mut part_of, gaps_are_open)).await;
+                count += 1;
             }
-            region_of[first] = count;
-            stack.push(first);
-            while let Some(t) = stack.pop() {
-                let ways = (0..3).map(|i| HalfEdge::of(t, i)).filter(|&h| is_open(h));
-                for twin in ways.filter_map(|h| self.passage(h)) {
-                    if region_of[twin.triangle()] == NONE {
-                        region_of[twin.triangle()] = count;
-                        stack.push(twin.triangle());
-                    }
-                }
-            }
-            count += 1;
+            pace.work(1).await;
         }
-        (region_of, count as usize)
+        (part_of, count as usize)
+    }
+
+    /// Goes on from one of some triangles to those beside it, which are of the same part; tells whether there was one.
+    fn flood_on(&self, stack: &mut Vec<usize>, part_of: &mut [u32], gaps_are_open: bool) -> bool {
+        let Some(t) = stack.pop() else { return false };
+        let ways = (0..3).map(|i| HalfEdge::of(t, i)).filter(|&h| gaps_are_open || self.gap(h).is_none());
+        for next in ways.filter_map(|h| self.passage(h)).map(HalfEdge::triangle) {
+            if part_of[next] == NONE {
+                part_of[next] = part_of[t];
+                stack.push(next);
+            }
+        }
+        true
     }
 
     fn ends_key(&self, h: HalfEdge) -> u64 {

@@ -39,6 +39,7 @@ impl Barriers<'_> {
                 pace.work(count).await;
             }
         }
+        pace::pause_after(triangles.len()).await;
         triangles.iter().for_each(|&t| regions[region_of[t as usize] as usize].push(t));
         regions
     }

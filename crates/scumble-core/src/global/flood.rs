@@ -81,20 +81,22 @@ impl Ways {
     /// With `spread`, all gaps are open, else none until [`Ways::open_to`].
     pub(super) async fn new(map: &PlanarMap, spread: bool) -> Self {
         let mesh = map.refined();
-        let (room_of, room_count) = mesh.rooms();
+        let (room_of, room_count) = mesh.finding_rooms().await;
         pace::pause().await;
         let gaps: Vec<_> = mesh.half_edges().filter(|&h| mesh.gap(h).is_some()).collect();
         pace::pause().await;
-        let regions = mesh.regions();
+        let regions = mesh.finding_regions().await;
         pace::pause().await;
         let rooms = Rooms::new(map, &gaps, &room_of, room_count, regions).await;
         pace::pause().await;
         let is_open = mesh.half_edges().map(|h| spread || mesh.gap(h).is_none()).collect();
+        pace::pause().await;
         let are_clear = vec![false; room_count];
         let triangle_of_side = vec![NONE; map.side_count()];
         let costs = vec![0; 3 * mesh.triangle_count()];
         let lengths = costs.clone();
         let mut ways = Self { costs, lengths, room_of, rooms, are_clear, triangle_of_side, gaps, is_open };
+        pace::pause().await;
         let gap_costs = gap_costs(map);
         pace::pause().await;
         let bases = bases(map).await;

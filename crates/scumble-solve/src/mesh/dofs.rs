@@ -126,10 +126,12 @@ impl Numbers<'_> {
         let of_element = triangles.iter().map(|&t| self.of_triangle[t as usize]).collect();
         let sides = self.sides(&triangles);
         pace::pause_after(triangles.len()).await;
+        let corners = self.corners(&triangles).await;
+        pace::pause_after(triangles.len()).await;
         Dofs {
             unknowns: Unknowns { of_element, group_ends: Vec::new(), count: self.next as usize },
             sides,
-            corners: self.corners(&triangles),
+            corners,
             gaps: gaps(self.barriers.mesh, &triangles),
             triangles,
         }
@@ -172,13 +174,16 @@ impl Numbers<'_> {
             .collect()
     }
 
-    fn corners(&mut self, triangles: &[u32]) -> Vec<Corner> {
-        let walls: Vec<_> = half_edges(triangles).filter(|&h| self.barriers.passage(h).is_none()).collect();
+    async fn corners(&mut self, triangles: &[u32]) -> Vec<Corner> {
+        let (mut walls, barriers) = (Vec::new(), self.barriers);
+        let is_wall = |h: &HalfEdge| barriers.passage(*h).is_none();
+        pace::for_each(triangles, |&t| walls.extend(half_edges(&[t]).filter(is_wall))).await;
         let mut ends = vec![None; self.next as usize];
-        for &h in &walls {
-            let [from, to] = self.barriers.mesh.segment(h);
+        pace::for_each(&walls, |&h| {
+            let [from, to] = barriers.mesh.segment(h);
             ends[*self.corner(h.next()) as usize] = Some(from - to);
-        }
+        })
+        .await;
         let corner = |h: HalfEdge| {
             let ([from, to], dof) = (self.barriers.mesh.segment(h), *self.corner(h));
             ends[dof as usize].map(|last| Corner { dof, ways: [to - from, last] })
