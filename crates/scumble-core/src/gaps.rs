@@ -83,7 +83,7 @@ async fn find(map: &PlanarMap, clearance: &Clearance, ratio: f64) -> Vec<Gap> {
             let clear_du = clear_width_du(map, h);
             mesh.ends(h).iter().any(|&node| clearance.tips.loose(node, clear_du).is_some())
         };
-        let is_narrow = |ratio: f64| width_du < ratio * narrower_du;
+        let is_narrow = |below: f64| width_du < below * narrower_du;
         if a != b && is_narrow(ratio) && is_gabriel(mesh, h) && (is_narrow(WAIST * ratio) || is_at_tip()) {
             let [is_wide, is_plain] =
                 wide_widths_du(map, &lengths_du, h, width_du).map(|du| du > WIDE * narrower_du);

@@ -133,6 +133,7 @@ impl Global {
         if !self.goes_on(scribbles, &ranks) {
             self.keep_claims(scribbles);
             self.dry(map);
+            pace::pause().await;
         }
         let mut pace = Pace::default();
         self.claims.resize_with(scribbles.len(), Claim::default);
@@ -143,7 +144,6 @@ impl Global {
         if self.claims.iter().any(Claim::gives_up) {
             self.dry(map);
         }
-        pace::pause().await;
         self.let_in(&ranks);
         let Self { flood, at_hand, nearest, .. } = self;
         for (flood, costs) in [(flood, &ways.costs), (at_hand, &ways.lengths), (nearest, &ways.lengths)] {

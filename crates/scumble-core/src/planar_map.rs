@@ -126,6 +126,7 @@ impl PlanarMap {
         let polylines = polylines(drawing, frame, sampling).await.ok_or(too_many.clone())?;
         pace::pause().await;
         let segments: Vec<_> = polylines.iter().flatten().map(|stretch| stretch.ends).collect();
+        pace::pause().await;
         let snapped = snap::snap(&segments, frame, MAX_PIECES).await.ok_or(too_many)?;
         pace::pause().await;
         let (pieces, steps) = pieces_and_steps(&polylines, &snapped).await;

@@ -7,7 +7,7 @@ mod halved;
 
 use kurbo::Point;
 
-use crate::pace::{self, Pace, Slices, now};
+use crate::pace::{self, Slices, now};
 use crate::sort;
 
 /// One edge of one triangle, in the triangle's direction of turn.
@@ -229,39 +229,43 @@ impl Triangulation {
         now(self.finding_regions())
     }
 
-    /// The same in slices.
+    /// [`Triangulation::regions`] in slices.
     pub(crate) fn finding_regions(&self) -> Slices<'_, (Vec<u32>, usize)> {
         Slices::new(self.parts(true))
     }
 
-    /// The same for rooms, the parts of regions that gaps part.
+    /// The same as [`Triangulation::regions`] for rooms, the parts of regions that gaps part.
     pub fn rooms(&self) -> (Vec<u32>, usize) {
         now(self.finding_rooms())
     }
 
-    /// The same in slices.
+    /// [`Triangulation::rooms`] in slices.
     pub(crate) fn finding_rooms(&self) -> Slices<'_, (Vec<u32>, usize)> {
         Slices::new(self.parts(false))
     }
 
     async fn parts(&self, gaps_are_open: bool) -> (Vec<u32>, usize) {
         let mut part_of = vec![NONE; self.triangle_count()];
-        let (mut count, mut pace) = (0, Pace::default());
-        for first in 0..part_of.len() {
-            if part_of[first] == NONE {
-                part_of[first] = count;
-                let mut stack = vec![first];
-                pace::repeat(|| self.flood_on(&mut stack, &mut part_of, gaps_are_open)).await;
-                count += 1;
+        let (mut firsts, mut stack, mut count) = (0..part_of.len(), Vec::new(), 0);
+        pace::repeat(|| {
+            if let Some(t) = stack.pop() {
+                self.spread(t, &mut part_of, &mut stack, gaps_are_open);
+                return true;
             }
-            pace.work(1).await;
-        }
+            let first = firsts.next();
+            if let Some(first) = first.filter(|&first| part_of[first] == NONE) {
+                part_of[first] = count;
+                count += 1;
+                stack.push(first);
+            }
+            first.is_some()
+        })
+        .await;
         (part_of, count as usize)
     }
 
-    /// Goes on from one of some triangles to those beside it, which are of the same part; tells whether there was one.
-    fn flood_on(&self, stack: &mut Vec<usize>, part_of: &mut [u32], gaps_are_open: bool) -> bool {
-        let Some(t) = stack.pop() else { return false };
+    /// Gives the part of a triangle to those beside it that have none, and adds these to the ones that it is to be spread from.
+    fn spread(&self, t: usize, part_of: &mut [u32], stack: &mut Vec<usize>, gaps_are_open: bool) {
         let ways = (0..3).map(|i| HalfEdge::of(t, i)).filter(|&h| gaps_are_open || self.gap(h).is_none());
         for next in ways.filter_map(|h| self.passage(h)).map(HalfEdge::triangle) {
             if part_of[next] == NONE {
@@ -269,7 +273,6 @@ impl Triangulation {
                 stack.push(next);
             }
         }
-        true
     }
 
     fn ends_key(&self, h: HalfEdge) -> u64 {

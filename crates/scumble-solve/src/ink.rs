@@ -254,6 +254,15 @@ mod tests {
     }
 
     #[test]
+    fn a_fill_that_is_left_open_is_closed_by_a_straight_line() {
+        for svg in ["M 100 100 H 300 V 300", "M 100 100 L 300 300 V 100"] {
+            let path = BezPath::from_svg(svg).expect("sound");
+            let shapes = shapes(vec![], vec![Fill { path, even_odd: false, color: INK }]);
+            assert!((area(&shapes[0].triangles) - 20_000.0).abs() < 1.0, "{svg}");
+        }
+    }
+
+    #[test]
     fn a_scribble_is_round_and_a_single_point_a_disc() {
         let scribble = |points| Scribble {
             color: Srgb8([9, 8, 7]).into(),

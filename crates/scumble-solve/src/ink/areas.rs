@@ -3,6 +3,8 @@
 //! The outlines of fills are curves of the drawing, also where no line is drawn along them. A file that was written by hand may
 //! have fills of which that is not so: these get a map of their own.
 
+use std::cell::LazyCell;
+
 use kurbo::{BezPath, PathEl, Point};
 use scumble_core::sort;
 use scumble_core::starts::{Starts, subpaths};
@@ -57,7 +59,7 @@ struct Region {
 /// The triangles of the regions inside a fill.
 fn filled(fill: &Fill, regions: &[Region]) -> Soup {
     let bounds = fill.path.control_box();
-    let outlines = outlines(&fill.path);
+    let outlines = LazyCell::new(|| outlines(&fill.path));
     let first = regions.partition_point(|region| region.inner.x < bounds.x0);
     let beside = regions[first..].iter().take_while(|region| region.inner.x <= bounds.x1);
     let is_inside = |p: Point| {

@@ -3,7 +3,8 @@
 
 use std::mem::replace;
 
-use kurbo::{Affine, BezPath, Point, Rect, Shape as _, Vec2};
+use kurbo::common::solve_quadratic;
+use kurbo::{Affine, BezPath, CubicBez, ParamCurve as _, Point, Rect, Vec2};
 use scumble_core::{Curve, Deed, Document};
 
 use super::Session;
@@ -20,9 +21,6 @@ const RIM_CSS: f64 = 4.0;
 /// A frame has handles if its longer side is so long, in CSS pixels, and those of a side if that is.
 const LEAST_FRAME_CSS: f64 = 24.0;
 const LEAST_SIDE_CSS: f64 = 64.0;
-
-/// Bounds of curves are that far off at most.
-const ACCURACY_DU: f64 = 1e-3;
 
 /// What is chosen by a key is brought so far into sight, in CSS pixels.
 const MARGIN_CSS: f64 = 48.0;
@@ -316,14 +314,48 @@ impl Session {
     }
 }
 
-/// The bounds of a path in du, taken to elsewhere.
+/// The bounds of a path in du, taken to elsewhere. Those of `kurbo` sort extrema by a routine that is 2 KB to load.
 fn bounds(path: &BezPath, from_du: Affine) -> Rect {
-    let mut bounds: Option<Rect> = None;
-    for segment in (from_du * path).segments() {
-        for (.., quad) in segment.to_cubic().to_quads(ACCURACY_DU) {
-            let own = quad.bounding_box();
-            bounds = Some(bounds.map_or(own, |bounds| bounds.union(own)));
+    let path = from_du * path;
+    let all = path.segments().map(|segment| bounds_of(segment.to_cubic()));
+    all.reduce(|a, b| a.union(b)).unwrap_or_default()
+}
+
+fn bounds_of(c: CubicBez) -> Rect {
+    let [a, b, d] = [c.p1 - c.p0, c.p2 - c.p1, c.p3 - c.p2];
+    let mut bounds = Rect::from_points(c.p0, c.p3);
+    for [a, b, d] in [[a.x, b.x, d.x], [a.y, b.y, d.y]] {
+        let turns = solve_quadratic(a, 2.0 * (b - a), a - 2.0 * b + d);
+        for t in turns.into_iter().filter(|t| (0.0..1.0).contains(t)) {
+            bounds = bounds.union_pt(c.eval(t));
         }
     }
-    bounds.unwrap_or_default()
+    bounds
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn bounds_of_paths_are_tight_and_those_of_level_lines_have_no_height() {
+        for (svg, expected) in [
+            ("M 0 0 C 0 100 100 100 100 0", Rect::new(0.0, 0.0, 100.0, 75.0)),
+            ("M 10 10 Q 60 110 110 10 L 110 -5", Rect::new(10.0, -5.0, 110.0, 60.0)),
+            ("M 3 7 L 90 7", Rect::new(3.0, 7.0, 90.0, 7.0)),
+        ] {
+            let path = BezPath::from_svg(svg).expect("a path");
+            for from_du in [Affine::IDENTITY, Affine::FLIP_X] {
+                let (found, expected) = (bounds(&path, from_du), from_du.transform_rect_bbox(expected));
+                let off = [
+                    found.x0 - expected.x0,
+                    found.y0 - expected.y0,
+                    found.x1 - expected.x1,
+                    found.y1 - expected.y1,
+                ];
+                assert!(off.iter().all(|off| off.abs() < 1e-9), "{svg}: {found}");
+                assert_eq!(found.height() == 0.0, expected.height() == 0.0, "{svg}");
+            }
+        }
+    }
 }
