@@ -1,6 +1,6 @@
 //! Lines as loose triangles: a quad for each segment, joins between them, caps at the ends. They overlap.
 
-use std::f64::consts::{FRAC_1_SQRT_2, PI};
+use std::f64::consts::{FRAC_PI_2, PI};
 
 use kurbo::{Cap, Join, Point, Vec2};
 
@@ -143,11 +143,10 @@ impl Pen {
         soup.push(triangle(apex, center + spoke, center + last));
     }
 
-    /// A chord of angle φ lies r (1 − cos φ/2) off the circle. It never spans more than a quarter of it.
+    /// A chord of angle φ lies r (1 − cos φ/2) off the circle, which is r φ²/8 at most. It never spans more than a quarter of it.
     fn fan_steps(&self, angle: f64) -> u32 {
-        let cosine = 1.0 - self.tolerance_du / self.half_width_du;
-        let step = 2.0 * cosine.max(FRAC_1_SQRT_2).acos();
-        let step = step.max(PI / MAX_HALF_TURN_STEPS);
+        let step = (8.0 * self.tolerance_du / self.half_width_du).sqrt();
+        let step = step.clamp(PI / MAX_HALF_TURN_STEPS, FRAC_PI_2);
         (angle / step).ceil().max(1.0) as u32
     }
 }
