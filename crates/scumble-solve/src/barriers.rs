@@ -24,7 +24,8 @@ impl Barriers<'_> {
         self.mesh.passage(h).filter(|_| !self.is_closed_gap(h))
     }
 
-    fn is_closed_gap(self, h: HalfEdge) -> bool {
+    /// Whether it is a part of a gap that is closed.
+    pub(crate) fn is_closed_gap(self, h: HalfEdge) -> bool {
         self.mesh.gap(h).is_some_and(|gap| self.closed_gaps.get(gap as usize).copied().unwrap_or(false))
     }
 

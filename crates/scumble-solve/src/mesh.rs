@@ -21,6 +21,7 @@ mod elements;
 mod fronts;
 mod layer;
 mod limit;
+mod numbering;
 mod order;
 mod refine;
 mod region;
@@ -39,7 +40,7 @@ use thiserror::Error;
 use crate::barriers::Barriers;
 use crate::field::{Field, FieldTriangle};
 use crate::reach::{Reach, Regions};
-use dofs::Dofs;
+use numbering::Numbering;
 use region::Region;
 
 /// Why a drawing has no colour field.
@@ -62,8 +63,7 @@ pub enum SolveError {
 #[derive(Debug)]
 pub struct MeshSolver {
     mesh: Arc<Triangulation>,
-    /// The corners of its triangles: see [`order::mesh_ranks`].
-    ranks: Vec<[u32; 3]>,
+    numbering: Numbering,
     /// As of the last look at the boundary.
     closed_gaps: Vec<bool>,
     /// By the first triangle of each.
@@ -87,15 +87,13 @@ impl MeshSolver {
     }
 
     async fn meshed(mesh: Arc<Triangulation>) -> Self {
-        let triangles: Vec<_> = (0..mesh.triangle_count() as u32).collect();
-        let regions = dofs::number(Barriers { mesh: &mesh, closed_gaps: &[] }, &triangles).await;
-        let ranks = order::mesh_ranks(&mesh, &regions).await;
-        let regions = ordered(regions, &ranks).await;
+        let mut regions = numbering::regions(Barriers { mesh: &mesh, closed_gaps: &[] }).await;
+        let numbering = Numbering::new(&mesh, &mut regions).await;
         Self {
             mesh,
-            ranks,
+            numbering,
             closed_gaps: Vec::new(),
-            regions,
+            regions: regions.into_iter().map(Region::new).collect(),
             memory: Vec::new(),
             field: Field::default(),
             emitted: Vec::new(),
@@ -161,15 +159,12 @@ impl MeshSolver {
         sort::sort_unique(&mut triangles);
         pace::pause().await;
         self.regions = kept;
-        self.regions.extend(self.numbered(&triangles).await);
+        let barriers = Barriers { mesh: &self.mesh, closed_gaps: &self.closed_gaps };
+        let numbered = self.numbering.regions(barriers, &triangles).await;
+        self.regions.extend(numbered.into_iter().map(Region::new));
         sort::sort_by_key(&mut self.regions, |region| {
             region.triangles().first().copied().unwrap_or_default().into()
         });
-    }
-
-    async fn numbered(&self, triangles: &[u32]) -> Vec<Region> {
-        let barriers = Barriers { mesh: &self.mesh, closed_gaps: &self.closed_gaps };
-        ordered(dofs::number(barriers, triangles).await, &self.ranks).await
     }
 
     /// Factors the systems of the last analysis that are not factored yet.
@@ -266,18 +261,6 @@ impl MeshSolver {
     }
 }
 
-/// Regions whose unknowns are in the order of elimination of the mesh.
-async fn ordered(regions: Vec<Dofs>, ranks: &[[u32; 3]]) -> Vec<Region> {
-    pace::pause().await;
-    let (mut ordered, mut pace) = (Vec::with_capacity(regions.len()), Pace::default());
-    for mut region in regions {
-        region.order(ranks).await;
-        pace.work(region.triangles.len()).await;
-        ordered.push(Region::new(region));
-    }
-    ordered
-}
-
 /// Makes room in a list for other parts: those that are as long as before move to where they begin now.
 async fn move_parts(list: &mut Vec<FieldTriangle>, before: &[usize], now: &[usize]) {
     let total: usize = now.iter().sum();
@@ -315,7 +298,7 @@ mod tests {
     use scumble_core::{Curve, Drawing, Gap, PlanarMap, Sampling};
 
     /// A circle with two lines in it, with a gap between them, and a circle elsewhere.
-    fn map() -> PlanarMap {
+    pub(super) fn map() -> PlanarMap {
         let circles = [(300.0, 300.0), (800.0, 800.0)].map(|at| Circle::new(at, 200.0).to_path(1e-6));
         let lines = [(100.0, 290.0), (310.0, 500.0)]
             .map(|(x0, x1)| Line::new((x0, 300.0), (x1, 300.0)).to_path(1e-6));
@@ -338,7 +321,7 @@ mod tests {
         for [before, now] in [[before, now], [now, before]] {
             let mut moved = list(&before);
             pace::now(Slices::new(move_parts(&mut moved, &before, &now)));
-            assert_eq!(moved.len(), now.iter().sum());
+            assert_eq!(moved.len(), now.iter().sum::<usize>());
             let expected = list(&now);
             let kept =
                 |i: &usize| before[expected[*i].side_edges as usize] == now[expected[*i].side_edges as usize];

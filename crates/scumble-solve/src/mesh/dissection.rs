@@ -192,8 +192,8 @@ mod tests {
 
     use super::*;
     use crate::barriers::Barriers;
-    use crate::mesh::dofs::number;
     use crate::mesh::fronts::Fronts;
+    use crate::mesh::numbering::regions;
 
     /// Two rooms with a door between them: one region.
     fn rooms() -> PlanarMap {
@@ -208,8 +208,7 @@ mod tests {
     fn parts_and_what_is_between_them_make_an_order_that_fills_in_little_more() {
         let map = rooms();
         let mesh = map.refined();
-        let triangles: Vec<_> = (0..mesh.triangle_count() as u32).collect();
-        let mut regions = now(Slices::new(number(Barriers { mesh, closed_gaps: &[] }, &triangles)));
+        let mut regions = now(Slices::new(regions(Barriers { mesh, closed_gaps: &[] })));
         assert_eq!(regions.len(), 1);
         let region = regions.remove(0);
         let entries = |most_elements: usize| {

@@ -5,10 +5,10 @@
 //! at an edge share the unknown in its middle, unless the edge is a side of a curve or a part of a closed gap.
 
 use kurbo::Vec2;
-use scumble_core::pace::{self, Pace};
+use scumble_core::pace;
 use scumble_core::{HalfEdge, SideId, Triangulation, sort};
 
-use super::order::{corner_rank, elimination_rank, kept_corner_rank};
+use super::order::{corner_rank, elimination_rank};
 use crate::barriers::Barriers;
 
 /// Unknown that is not numbered yet, or anything else that is not there.
@@ -55,24 +55,31 @@ pub(super) struct Corner {
     pub(super) ways: [Vec2; 2],
 }
 
-/// Numbers the unknowns of all regions of a set of triangles, which is made of whole regions and ascends.
-pub(super) async fn number(barriers: Barriers<'_>, triangles: &[u32]) -> Vec<Dofs> {
-    let mesh = barriers.mesh;
-    let mut numbers = Numbers { barriers, of_triangle: vec![[NONE; 6]; mesh.triangle_count()], next: 0 };
-    let (mut regions, mut pace) = (Vec::new(), Pace::default());
-    for triangles in barriers.regions(triangles).await {
-        pace.work(triangles.len()).await;
-        regions.push(numbers.region(triangles).await);
-    }
-    regions
-}
-
 impl Dofs {
-    /// Renumbers the unknowns in the order of elimination that the mesh was put in.
-    pub(super) async fn order(&mut self, mesh_ranks: &[[u32; 3]]) {
-        let corner_rank = kept_corner_rank(self, mesh_ranks);
-        pace::pause_after(self.triangles.len()).await;
-        let rank = self.unknowns.order_by(&corner_rank);
+    /// A region of so many triangles with these unknowns: finds what bounds it.
+    pub(super) async fn new(barriers: Barriers<'_>, triangles: Vec<u32>, unknowns: Unknowns) -> Self {
+        let (mut sides, mut gaps, mut walls) = (Vec::new(), Vec::new(), Vec::new());
+        pace::for_each(triangles.iter().zip(&unknowns.of_element), |(&t, dofs)| {
+            for (i, h) in half_edges(t).enumerate() {
+                let ends = [dofs[i], dofs[(i + 1) % 3]];
+                let side = |id| Side { id, dofs: [ends[0], dofs[3 + i], ends[1]] };
+                sides.extend(barriers.mesh.side(h).map(side));
+                gaps.extend(barriers.mesh.gap(h));
+                if barriers.passage(h).is_none() {
+                    walls.push((h, ends));
+                }
+            }
+        })
+        .await;
+        sort::sort_unique(&mut gaps);
+        let corners = corners(barriers.mesh, &walls, unknowns.count).await;
+        pace::pause_after(triangles.len()).await;
+        Self { triangles, unknowns, sides, corners, gaps }
+    }
+
+    /// Renumbers the unknowns, of which those at corners come first, in the order of elimination that the corners are in.
+    pub(super) fn order(&mut self, corner_rank: &[u32]) {
+        let rank = self.unknowns.order_by(corner_rank);
         let of_sides = self.sides.iter_mut().flat_map(|side| &mut side.dofs);
         of_sides.for_each(|dof| *dof = rank[*dof as usize]);
         self.corners.iter_mut().for_each(|corner| corner.dof = rank[corner.dof as usize]);
@@ -111,101 +118,18 @@ impl Unknowns {
     }
 }
 
-/// The unknowns given out so far.
-struct Numbers<'a> {
-    barriers: Barriers<'a>,
-    of_triangle: Vec<[u32; 6]>,
-    next: u32,
+/// The sectors between walls, each with the unknowns at its ends.
+async fn corners(mesh: &Triangulation, walls: &[(HalfEdge, [u32; 2])], count: usize) -> Vec<Corner> {
+    let mut ending_at = vec![None; count];
+    pace::for_each(walls, |&(h, [_, end])| ending_at[end as usize] = Some(h)).await;
+    let corner = |&(h, [dof, _]): &(HalfEdge, [u32; 2])| {
+        let ([from, to], [last, _]) = (mesh.segment(h), mesh.segment(ending_at[dof as usize]?));
+        Some(Corner { dof, ways: [to - from, last - from] })
+    };
+    walls.iter().filter_map(corner).collect()
 }
 
-impl Numbers<'_> {
-    async fn region(&mut self, triangles: Vec<u32>) -> Dofs {
-        self.next = 0;
-        pace::for_each(&triangles, |&t| half_edges(&[t]).for_each(|h| self.number_sector(h))).await;
-        pace::for_each(&triangles, |&t| half_edges(&[t]).for_each(|h| self.number_middle(h))).await;
-        let of_element = triangles.iter().map(|&t| self.of_triangle[t as usize]).collect();
-        let sides = self.sides(&triangles);
-        pace::pause_after(triangles.len()).await;
-        let corners = self.corners(&triangles).await;
-        pace::pause_after(triangles.len()).await;
-        Dofs {
-            unknowns: Unknowns { of_element, group_ends: Vec::new(), count: self.next as usize },
-            sides,
-            corners,
-            gaps: gaps(self.barriers.mesh, &triangles),
-            triangles,
-        }
-    }
-
-    /// Gives one unknown to all corners in the sector of the node that a half-edge starts from.
-    fn number_sector(&mut self, h: HalfEdge) {
-        if *self.corner(h) != NONE {
-            return;
-        }
-        *self.corner(h) = self.next;
-        let barriers = self.barriers;
-        self.number_on(h, |h| barriers.passage(h.prev()));
-        self.number_on(h, |h| barriers.passage(h).map(HalfEdge::next));
-        self.next += 1;
-    }
-
-    /// Gives the same unknown to corners after the one of `h`, up to a barrier or all around.
-    fn number_on(&mut self, mut h: HalfEdge, next: impl Fn(HalfEdge) -> Option<HalfEdge>) {
-        while let Some(beside) = next(h).filter(|&beside| *self.corner(beside) == NONE) {
-            *self.corner(beside) = self.next;
-            h = beside;
-        }
-    }
-
-    fn number_middle(&mut self, h: HalfEdge) {
-        if *self.middle(h) == NONE {
-            *self.middle(h) = self.next;
-            if let Some(twin) = self.barriers.passage(h) {
-                *self.middle(twin) = self.next;
-            }
-            self.next += 1;
-        }
-    }
-
-    fn sides(&mut self, triangles: &[u32]) -> Vec<Side> {
-        let sides = half_edges(triangles).filter_map(|h| self.barriers.mesh.side(h).map(|id| (id, h)));
-        sides
-            .map(|(id, h)| Side { id, dofs: [*self.corner(h), *self.middle(h), *self.corner(h.next())] })
-            .collect()
-    }
-
-    async fn corners(&mut self, triangles: &[u32]) -> Vec<Corner> {
-        let (mut walls, barriers) = (Vec::new(), self.barriers);
-        let is_wall = |h: &HalfEdge| barriers.passage(*h).is_none();
-        pace::for_each(triangles, |&t| walls.extend(half_edges(&[t]).filter(is_wall))).await;
-        let mut ends = vec![None; self.next as usize];
-        pace::for_each(&walls, |&h| {
-            let [from, to] = barriers.mesh.segment(h);
-            ends[*self.corner(h.next()) as usize] = Some(from - to);
-        })
-        .await;
-        let corner = |h: HalfEdge| {
-            let ([from, to], dof) = (self.barriers.mesh.segment(h), *self.corner(h));
-            ends[dof as usize].map(|last| Corner { dof, ways: [to - from, last] })
-        };
-        walls.into_iter().filter_map(corner).collect()
-    }
-
-    fn corner(&mut self, h: HalfEdge) -> &mut u32 {
-        &mut self.of_triangle[h.triangle()][h.index() % 3]
-    }
-
-    fn middle(&mut self, h: HalfEdge) -> &mut u32 {
-        &mut self.of_triangle[h.triangle()][3 + h.index() % 3]
-    }
-}
-
-fn half_edges(triangles: &[u32]) -> impl Iterator<Item = HalfEdge> {
-    triangles.iter().flat_map(|&t| (0..3).map(move |i| HalfEdge::of(t as usize, i)))
-}
-
-fn gaps(mesh: &Triangulation, triangles: &[u32]) -> Vec<u32> {
-    let mut gaps: Vec<_> = half_edges(triangles).filter_map(|h| mesh.gap(h)).collect();
-    sort::sort_unique(&mut gaps);
-    gaps
+/// The half-edges of a triangle.
+pub(super) fn half_edges(t: u32) -> impl Iterator<Item = HalfEdge> {
+    (0..3).map(move |i| HalfEdge::of(t as usize, i))
 }

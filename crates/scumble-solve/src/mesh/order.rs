@@ -9,39 +9,8 @@
 use faer::dyn_stack::{MemBuffer, MemStack};
 use faer::sparse::SymbolicSparseColMatRef;
 use faer::sparse::linalg::amd;
-use scumble_core::pace::Pace;
-use scumble_core::{Triangulation, sort};
 
-use super::dissection;
-use super::dofs::{Dofs, NONE, Unknowns};
-
-/// The corners of each triangle of a mesh: their places in an order of those of their region.
-pub(super) async fn mesh_ranks(mesh: &Triangulation, regions: &[Dofs]) -> Vec<[u32; 3]> {
-    let mut ranks = vec![[NONE; 3]; mesh.triangle_count()];
-    let mut pace = Pace::default();
-    for region in regions {
-        let rank = dissection::corner_rank(mesh, region).await;
-        pace.work(region.triangles.len()).await;
-        for (&triangle, dofs) in region.triangles.iter().zip(&region.unknowns.of_element) {
-            ranks[triangle as usize] = [0, 1, 2].map(|i| rank[dofs[i] as usize]);
-        }
-    }
-    ranks
-}
-
-/// The places of the corners of a region in the order that the mesh was put in.
-pub(super) fn kept_corner_rank(region: &Dofs, mesh_ranks: &[[u32; 3]]) -> Vec<u32> {
-    let mut keys = vec![(0, 0); corner_count(&region.unknowns)];
-    for (&triangle, dofs) in region.triangles.iter().zip(&region.unknowns.of_element) {
-        for (&corner, rank) in dofs.iter().zip(mesh_ranks[triangle as usize]) {
-            keys[corner as usize] = (rank.into(), corner);
-        }
-    }
-    sort::sort(&mut keys);
-    let mut rank = vec![0; keys.len()];
-    (0..).zip(keys).for_each(|(place, (_, corner))| rank[corner as usize] = place);
-    rank
-}
+use super::dofs::{NONE, Unknowns};
 
 /// The place of each unknown in the order of elimination, and where the groups of a corner and of the edges before it
 /// end there, from the places of the corners, which come first among the unknowns.
