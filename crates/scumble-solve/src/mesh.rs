@@ -42,6 +42,7 @@ use crate::field::{Field, FieldTriangle};
 use crate::reach::{Reach, Regions};
 use numbering::Numbering;
 use region::Region;
+use substitution::TileColumn;
 
 /// Why a drawing has no colour field.
 #[derive(Clone, Copy, Debug, Error, PartialEq, Eq)]
@@ -69,7 +70,7 @@ pub struct MeshSolver {
     /// By the first triangle of each.
     regions: Vec<Region>,
     /// Of the largest factor that was of no use any more.
-    memory: Vec<f32>,
+    memory: Vec<TileColumn>,
     field: Field,
     /// How many triangles of the field are those of each region; none are where the regions are others.
     emitted: Vec<usize>,

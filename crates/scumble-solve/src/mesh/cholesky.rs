@@ -1,7 +1,7 @@
 //! Sparse Cholesky factorisation, front by front, and the solution of systems with the factor.
 //!
-//! Columns of fronts are packed: each begins at the diagonal, of which it has the inverse, and ends with the front. No
-//! sum runs along a column, so vector instructions do not change the order of any.
+//! Fronts are made of tiles of 4 × 4 entries, so that what is summed up stays at hand until it is complete. No sum runs along a
+//! column, so vector instructions do not change the order of any.
 //!
 //! What is kept is of single precision: less to read at each solution, and a vector for the four channels of an unknown.
 //! Along a corridor with 32 bends that is off by 0.003 of 255 levels.
@@ -13,22 +13,25 @@ use scumble_core::pace::Pace;
 use super::SolveError;
 use super::element::Matrix;
 use super::fronts::{Front, Fronts, NONE};
-use super::substitution::{self, Value};
+use super::substitution::{self, TILE, TileColumn, Value};
 
 /// Where a part of the region hangs on the rest by triangles without area alone, the last pivot of that part is zero
 /// but for rounding. Pivots up to this are taken as one, so that the part gets some value within the range.
 const LEAST_PIVOT: f64 = 1e-12;
 
-/// Largest number of entries of a factor: 8 GB.
-const MAX_ENTRIES: u64 = i32::MAX as u64;
+/// Largest size of a factor: 8 GB.
+const MAX_COLUMNS: u64 = (1 << 31) / TILE as u64;
 
 /// So many products take as long as a column takes besides.
 const PRODUCTS: usize = 256;
 
+/// The columns of a tile.
+type Tile = [[f64; TILE]; TILE];
+
 /// The columns of the pivots, front by front.
 #[derive(Debug)]
 pub(super) struct Factor {
-    entries: Vec<f32>,
+    columns: Vec<TileColumn>,
 }
 
 impl Factor {
@@ -38,24 +41,22 @@ impl Factor {
         fronts: &Fronts,
         rows: &[[u32; 6]],
         element: &dyn Fn(usize) -> Matrix,
-        memory: &mut Vec<f32>,
+        memory: &mut Vec<TileColumn>,
     ) -> Result<Self, SolveError> {
-        let count = fronts.entry_count();
-        if count > MAX_ENTRIES {
+        let count: u64 = fronts.list.iter().map(|front| substitution::column_count(front) as u64).sum();
+        if count > MAX_COLUMNS {
             return Err(SolveError::TooLarge);
         }
-        let is_fit = (count..4 * count).contains(&(memory.capacity() as u64));
-        let mut entries = if is_fit { mem::take(memory) } else { Vec::new() };
-        entries.clear();
-        entries.try_reserve_exact(count as usize).map_err(|_| SolveError::TooLarge)?;
-        let mut leftovers: Vec<Vec<f64>> = Vec::with_capacity(fronts.list.len());
+        let count = count as usize;
+        let is_fit = (count..4 * count).contains(&memory.capacity());
+        let mut columns = if is_fit { mem::take(memory) } else { Vec::new() };
+        columns.clear();
+        columns.try_reserve_exact(count).map_err(|_| SolveError::TooLarge)?;
+        let mut leftovers: Vec<Dense> = Vec::with_capacity(fronts.list.len());
         let mut places = Places { fronts, of_row: vec![NONE; fronts.row_count()], of_child: Vec::new() };
-        let (mut pivots, mut pace) = (Vec::new(), Pace::default());
+        let (mut matrix, mut pace) = (Dense::default(), Pace::default());
         for front in &fronts.list {
-            pivots.clear();
-            pivots.resize(front.entry_count(), 0.0);
-            let mut left = zeros(front.left_count())?;
-            let mut matrix = Dense::new(front, &mut pivots, &mut left);
+            matrix.clear(front)?;
             places.set(front);
             for &i in fronts.elements(front) {
                 places.add_element(&rows[i as usize], &element(i as usize), &mut matrix);
@@ -65,22 +66,23 @@ impl Factor {
                 places.add_child(of_child, &mem::take(&mut leftovers[child as usize]), &mut matrix);
                 child = of_child.sibling;
             }
-            for j in 0..matrix.size {
-                pace.work(1 + matrix.eliminate(j)? / PRODUCTS).await;
+            for j in 0..matrix.size.div_ceil(TILE) {
+                pace.work(TILE + matrix.eliminate(j)? / PRODUCTS).await;
             }
-            leftovers.push(left);
-            entries.extend(pivots.iter().map(|&entry| entry as f32));
+            matrix.append_pivots_to(&mut columns);
+            leftovers.push(matrix.left()?);
+            pace.work(matrix.tiles.len() / TILE).await;
         }
-        Ok(Self { entries })
+        Ok(Self { columns })
     }
 
-    pub(super) fn into_memory(self) -> Vec<f32> {
-        self.entries
+    pub(super) fn into_memory(self) -> Vec<TileColumn> {
+        self.columns
     }
 
     /// Replaces the right-hand sides by the solutions.
     pub(super) async fn solve(&self, fronts: &Fronts, values: &mut [Value]) {
-        substitution::solve(&self.entries, fronts, values).await;
+        substitution::solve(&self.columns, fronts, values).await;
     }
 }
 
@@ -99,115 +101,157 @@ impl Places<'_> {
         }
     }
 
-    fn add_element(&self, rows: &[u32; 6], element: &Matrix, matrix: &mut Dense<'_>) {
+    fn add_element(&self, rows: &[u32; 6], element: &Matrix, matrix: &mut Dense) {
         let places = rows.map(|row| self.of_row.get(row as usize).copied());
         let mut entries = element.iter();
         for j in 0..6 {
             for (k, entry) in (j..6).zip(entries.by_ref()) {
                 if let (Some(a), Some(b)) = (places[j], places[k]) {
-                    *matrix.entry(a.min(b) as usize, a.max(b) as usize) += entry;
+                    let row = a.max(b) as usize;
+                    matrix.columns_mut(row)[a.min(b) as usize][row % TILE] += entry;
                 }
             }
         }
     }
 
     /// Adds what the elimination of a child left on its boundary.
-    fn add_child(&mut self, child: &Front, left: &[f64], matrix: &mut Dense<'_>) {
+    fn add_child(&mut self, front: &Front, child: &Dense, matrix: &mut Dense) {
         self.of_child.clear();
-        let boundary = self.fronts.boundary(child).iter();
+        let boundary = self.fronts.boundary(front).iter();
         self.of_child.extend(boundary.map(|&row| self.of_row[row as usize] as usize));
-        let mut left = left;
-        for (j, &first) in self.of_child.iter().enumerate() {
-            let places = &self.of_child[j..];
-            let (entries, rest) = left.split_at(places.len());
-            let column = matrix.column(first);
-            places.iter().zip(entries).for_each(|(&place, entry)| column[place - first] += entry);
-            left = rest;
+        for (i, &place) in (child.pivot_count..).zip(&self.of_child) {
+            let left = &child.columns(i)[child.pivot_count..=i];
+            let row = matrix.columns_mut(place);
+            for (column, &place_of_column) in left.iter().zip(&self.of_child) {
+                row[place_of_column][place % TILE] += column[i % TILE];
+            }
         }
     }
 }
 
-/// The lower half of the matrix of a front, column by column, each from the diagonal on.
-struct Dense<'a> {
+/// The lower half of the matrix of a front.
+#[derive(Default)]
+struct Dense {
     size: usize,
     pivot_count: usize,
-    /// The columns of the pivots, which become those of the factor.
-    pivots: &'a mut [f64],
-    /// Those of the boundary.
-    left: &'a mut [f64],
+    /// Row by row of tiles, each up to the diagonal; the last one is filled up with zeros. What of a tile is above the diagonal
+    /// means nothing.
+    tiles: Vec<Tile>,
 }
 
-impl<'a> Dense<'a> {
-    fn new(front: &Front, pivots: &'a mut [f64], left: &'a mut [f64]) -> Self {
-        Self { size: front.size(), pivot_count: front.pivots.len(), pivots, left }
+impl Dense {
+    /// Becomes that of a front, with zeros alone.
+    fn clear(&mut self, front: &Front) -> Result<(), SolveError> {
+        (self.size, self.pivot_count) = (front.size(), front.pivots.len());
+        let count = row_start(self.size.div_ceil(TILE));
+        self.tiles.clear();
+        self.tiles.try_reserve(count).map_err(|_| SolveError::TooLarge)?;
+        self.tiles.resize(count, Tile::default());
+        Ok(())
     }
 
-    fn entry(&mut self, first: usize, last: usize) -> &mut f64 {
-        match first.checked_sub(self.pivot_count) {
-            None => &mut self.pivots[start(self.size, first) + last - first],
-            Some(k) => &mut self.left[start(self.size - self.pivot_count, k) + last - first],
+    /// Its tiles from the first on that has a part of the boundary.
+    fn left(&self) -> Result<Self, SolveError> {
+        let first = self.pivot_count / TILE;
+        let (size, pivot_count) = (self.size - first * TILE, self.pivot_count % TILE);
+        let (rows, mut tiles) = (first..self.size.div_ceil(TILE), Vec::new());
+        tiles.try_reserve_exact(row_start(rows.len())).map_err(|_| SolveError::TooLarge)?;
+        for row in rows {
+            tiles.extend_from_slice(&self.tiles[row_start(row)..][first..=row]);
         }
+        Ok(Self { size, pivot_count, tiles })
     }
 
-    fn column(&mut self, j: usize) -> &mut [f64] {
-        match j.checked_sub(self.pivot_count) {
-            None => &mut self.pivots[start(self.size, j)..][..self.size - j],
-            Some(k) => &mut self.left[start(self.size - self.pivot_count, k)..][..self.size - j],
-        }
+    /// The columns of the tiles that a row of the matrix is in.
+    fn columns(&self, row: usize) -> &[[f64; TILE]] {
+        let row = row / TILE;
+        self.tiles[row_start(row)..][..=row].as_flattened()
     }
 
-    /// Takes what the columns before it add to a column from it, and turns it into one of the factor if it is that of a pivot.
-    /// Columns come in order. Gives the number of products.
+    fn columns_mut(&mut self, row: usize) -> &mut [[f64; TILE]] {
+        let row = row / TILE;
+        self.tiles[row_start(row)..][..=row].as_flattened_mut()
+    }
+
+    /// Takes what the columns before it add to a column of tiles, and turns those of pivots in it into columns of the factor.
+    /// They come in order. Gives the number of products.
     fn eliminate(&mut self, j: usize) -> Result<usize, SolveError> {
-        let (size, pivot_count) = (self.size, self.pivot_count);
-        if j >= pivot_count {
-            let column = &mut self.left[start(size - pivot_count, j - pivot_count)..][..size - j];
-            subtract(self.pivots, column, size, pivot_count);
-            return Ok(pivot_count * (size - j));
+        let known = self.pivot_count.min(j * TILE);
+        let pivots = TILE.min(self.pivot_count - known);
+        let (before, below) = self.tiles.split_at_mut(row_start(j + 1));
+        let (before, diagonal) = before[row_start(j)..].split_at_mut(j);
+        let (before, diagonal) = (&before.as_flattened()[..known], &mut diagonal[0]);
+        subtract(diagonal, before, before);
+        factor(diagonal, pivots)?;
+        let rows = self.size.div_ceil(TILE);
+        for i in j + 1..rows {
+            let row = &mut below[row_start(i) - row_start(j + 1)..];
+            let (own, tiles) = row.split_at_mut(j);
+            subtract(&mut tiles[0], &own.as_flattened()[..known], before);
+            divide(&mut tiles[0], diagonal, pivots);
         }
-        let (before, from) = self.pivots.split_at_mut(start(size, j));
-        let column = &mut from[..size - j];
-        subtract(before, column, size, j);
-        let pivot = column[0];
-        if pivot.is_nan() {
-            return Err(SolveError::NotPositive);
+        Ok(known * TILE * TILE * (rows - j))
+    }
+
+    /// Appends the columns of its pivots, as [`substitution`] has them.
+    fn append_pivots_to(&self, list: &mut Vec<TileColumn>) {
+        for row in (0..self.size).step_by(TILE) {
+            let columns = &self.columns(row)[..self.pivot_count.min(row + TILE)];
+            list.extend(columns.iter().map(|column| column.map(|entry| entry as f32)));
         }
-        let root = if pivot > LEAST_PIVOT { pivot.sqrt() } else { 1.0 };
-        let per_root = root.recip();
-        column[0] = per_root;
-        column[1..].iter_mut().for_each(|entry| *entry *= per_root);
-        Ok(j * (size - j))
     }
 }
 
-/// Where a column begins in the lower half of a matrix.
-pub(super) fn start(size: usize, j: usize) -> usize {
-    j * (2 * size + 1 - j) / 2
+/// Where a row of tiles begins.
+fn row_start(row: usize) -> usize {
+    row * (row + 1) / 2
 }
 
-fn zeros(count: usize) -> Result<Vec<f64>, SolveError> {
-    let mut zeros = Vec::new();
-    zeros.try_reserve_exact(count).map_err(|_| SolveError::TooLarge)?;
-    zeros.resize(count, 0.0);
-    Ok(zeros)
-}
-
-/// Subtracts from the end of a column what some columns of the factor add to it.
-fn subtract(before: &[f64], target: &mut [f64], size: usize, count: usize) {
-    let length = target.len();
-    let end = |p: usize| &before[start(size, p + 1) - length..][..length];
-    let fours = count / 4 * 4;
-    for p in (0..fours).step_by(4) {
-        let [a, b, c, d] = [end(p), end(p + 1), end(p + 2), end(p + 3)];
-        let factors = [a[0], b[0], c[0], d[0]];
-        for i in 0..length {
-            target[i] -= factors[0] * a[i] + factors[1] * b[i] + (factors[2] * c[i] + factors[3] * d[i]);
+/// Subtracts the product of two rows of tiles.
+fn subtract(tile: &mut Tile, row: &[[f64; TILE]], other: &[[f64; TILE]]) {
+    if row.is_empty() {
+        return;
+    }
+    let mut sums = Tile::default();
+    for (row, other) in row.iter().zip(other) {
+        for (sums, factor) in sums.iter_mut().zip(other) {
+            sums.iter_mut().zip(row).for_each(|(sum, entry)| *sum += factor * entry);
         }
     }
-    for a in (fours..count).map(end) {
-        let factor = a[0];
-        target.iter_mut().zip(a).for_each(|(entry, a)| *entry -= factor * a);
+    tile.as_flattened_mut().iter_mut().zip(sums.as_flattened()).for_each(|(entry, sum)| *entry -= sum);
+}
+
+/// Takes what the pivots of a tile at the diagonal add to another tile in the same column of tiles, and divides by them.
+fn divide(tile: &mut Tile, diagonal: &Tile, pivots: usize) {
+    for k in 0..TILE {
+        for q in 0..pivots.min(k) {
+            let (factor, from) = (diagonal[q][k], tile[q]);
+            tile[k].iter_mut().zip(from).for_each(|(entry, from)| *entry -= factor * from);
+        }
+        if k < pivots {
+            tile[k] = tile[k].map(|entry| entry * diagonal[k][k]);
+        }
     }
+}
+
+/// Factors a tile at the diagonal of which so many columns are those of pivots.
+fn factor(tile: &mut Tile, pivots: usize) -> Result<(), SolveError> {
+    for k in 0..TILE {
+        for q in 0..pivots.min(k) {
+            let from = tile[q];
+            tile[k].iter_mut().zip(from).for_each(|(entry, a)| *entry -= from[k] * a);
+        }
+        if k < pivots {
+            let pivot = tile[k][k];
+            if pivot.is_nan() {
+                return Err(SolveError::NotPositive);
+            }
+            let per_root = if pivot > LEAST_PIVOT { pivot.sqrt().recip() } else { 1.0 };
+            tile[k] = tile[k].map(|entry| entry * per_root);
+            tile[k][k] = per_root;
+        }
+    }
+    Ok(())
 }
 
 #[cfg(test)]
@@ -262,6 +306,21 @@ mod tests {
             for (left, right) in left.as_flattened().iter().zip(right.as_flattened()) {
                 assert!((left - f64::from(*right)).abs() < 1e-3, "{left} {right} in groups of {step}");
             }
+        }
+    }
+
+    #[test]
+    fn memory_of_another_factor_changes_nothing() {
+        let (rows, matrices) = elements();
+        let fronts = now(Slices::new(Fronts::new(&rows, &[SIZE / 2, SIZE])));
+        let columns = |mut memory: Vec<TileColumn>| {
+            let element = |i: usize| matrices[i];
+            let factor = Factor::new(&fronts, &rows, &element, &mut memory);
+            now(Slices::new(factor)).expect("a factor").into_memory()
+        };
+        let fresh = columns(Vec::new());
+        for count in [fresh.len() / 2, 2 * fresh.len(), 5 * fresh.len()] {
+            assert_eq!(columns(vec![[f32::NAN; TILE]; count]), fresh);
         }
     }
 

@@ -6,6 +6,7 @@ use super::SolveError;
 use super::dofs::Dofs;
 use super::element::{self, Matrix};
 use super::singular::{self, Powers};
+use super::substitution::TileColumn;
 use super::system::System;
 
 /// Elements, and their system once one is needed.
@@ -44,7 +45,7 @@ impl Elements {
     pub(super) async fn factor(
         &mut self,
         mesh: &Triangulation,
-        memory: &mut Vec<f32>,
+        memory: &mut Vec<TileColumn>,
     ) -> Result<(), SolveError> {
         let Some(Analysis { powers, system, .. }) = &mut self.analysis else { return Ok(()) };
         system.factor(&matrices(mesh, &self.dofs, powers), memory).await

@@ -51,15 +51,10 @@ impl Front {
         self.pivots.len() + self.boundary.len()
     }
 
-    /// Number of entries that it has in the factor.
-    pub(super) fn entry_count(&self) -> usize {
-        let all = self.size() * (self.size() + 1) / 2;
-        all - self.left_count()
-    }
-
-    /// Number of entries that its elimination leaves on its boundary.
-    pub(super) fn left_count(&self) -> usize {
-        self.boundary.len() * (self.boundary.len() + 1) / 2
+    /// Number of entries of its pivots' columns, each from the diagonal on.
+    fn entry_count(&self) -> usize {
+        let count = |size: usize| size * (size + 1) / 2;
+        count(self.size()) - count(self.boundary.len())
     }
 
     /// Itself with a child that comes right before it, where that makes few zeros.
@@ -135,11 +130,6 @@ impl Fronts {
     /// Number of rows of all of them.
     pub(super) fn row_count(&self) -> usize {
         self.list.last().map_or(0, |front| front.pivots.end as usize)
-    }
-
-    /// Number of entries of the factor.
-    pub(super) fn entry_count(&self) -> u64 {
-        self.list.iter().map(|front| front.entry_count() as u64).sum()
     }
 
     /// Lets fronts take in their last children.

@@ -12,6 +12,7 @@ use super::SolveError;
 use super::cells::Cells;
 use super::refine::{self, Refined, Shape};
 use super::stroke::Stroke;
+use super::substitution::TileColumn;
 use crate::brush::Brush;
 
 /// A layer over a region.
@@ -82,7 +83,7 @@ impl Layer {
     }
 
     /// Finds how much the strokes cover that are new, in some memory for a factor.
-    pub(super) async fn factor(&mut self, memory: &mut Vec<f32>) -> Result<(), SolveError> {
+    pub(super) async fn factor(&mut self, memory: &mut Vec<TileColumn>) -> Result<(), SolveError> {
         for stroke in &mut self.strokes {
             stroke.solve(memory).await?;
         }

@@ -12,6 +12,7 @@ use super::elements::Elements;
 use super::layer::{Cover, Layer};
 use super::limit;
 use super::refine::Shape;
+use super::substitution::TileColumn;
 use crate::barriers::Barriers;
 use crate::field::FieldTriangle;
 use crate::quadratic;
@@ -121,7 +122,7 @@ impl Region {
     pub(super) async fn factor(
         &mut self,
         mesh: &Triangulation,
-        memory: &mut Vec<f32>,
+        memory: &mut Vec<TileColumn>,
     ) -> Result<(), SolveError> {
         if self.coloring == Coloring::Blended {
             self.base.factor(mesh, memory).await?;

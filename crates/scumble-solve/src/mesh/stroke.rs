@@ -13,6 +13,7 @@ use super::SolveError;
 use super::dofs::Unknowns;
 use super::element::{self, Matrix, PLACES, Quadrature};
 use super::refine::Refined;
+use super::substitution::TileColumn;
 use super::system::System;
 use crate::brush::{self, Brush, Segment};
 
@@ -94,7 +95,7 @@ impl Stroke {
 
     /// Solves what is not solved yet, in some memory for a factor. What fails is there to fail again: a stroke that could not be
     /// solved is never taken for one that covers nothing.
-    pub(super) async fn solve(&mut self, memory: &mut Vec<f32>) -> Result<(), SolveError> {
+    pub(super) async fn solve(&mut self, memory: &mut Vec<TileColumn>) -> Result<(), SolveError> {
         if let Some(problem) = &mut self.problem {
             problem.factor(&self.corners, memory).await?;
         }
@@ -161,13 +162,17 @@ impl Problem {
         Self { system, masses, places, loads }
     }
 
-    async fn factor(&mut self, corners: &[[Point; 3]], memory: &mut Vec<f32>) -> Result<(), SolveError> {
+    async fn factor(
+        &mut self,
+        corners: &[[Point; 3]],
+        memory: &mut Vec<TileColumn>,
+    ) -> Result<(), SolveError> {
         let masses = &self.masses;
         self.system.factor(&|i| matrix(corners, masses, i), memory).await
     }
 
     /// How much is covered at the unknowns; gives the memory of the factor back. It is factored.
-    async fn solve(self, memory: &mut Vec<f32>) -> Vec<f64> {
+    async fn solve(self, memory: &mut Vec<TileColumn>) -> Vec<f64> {
         let loads = self.loads.iter().map(|&(dofs, values)| (dofs, values, [1.0, 0.0, 0.0, 0.0]));
         let sums = self.system.right_hand_sides(iter::empty(), loads);
         let values = self.system.solve(sums).await.unwrap_or_default();

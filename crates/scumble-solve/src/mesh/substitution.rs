@@ -1,52 +1,67 @@
 //! Solution of systems with a factor: forwards from the first pivot on, then backwards from the last, front by front.
-//!
-//! A few columns go together: the values of the rows below are fetched once for all of them, and the sums of one do not
-//! wait for those of another.
-
-use std::array;
 
 use scumble_core::pace::Pace;
 
-use super::cholesky::start;
 use super::fronts::{Front, Fronts};
 
 /// The four channels of one unknown.
 pub(super) type Value = [f32; 4];
 
-/// So many columns go together; what is left over goes one by one.
-const BLOCK: usize = 8;
+/// Rows and columns of a tile.
+pub(super) const TILE: usize = 4;
 
-/// So many entries take as long as a front takes besides.
-const ENTRIES: usize = 64;
+/// The entries of the rows of a tile in one column.
+pub(super) type TileColumn = [f32; TILE];
 
-/// Replaces right-hand sides by the solutions; the entries are those of the columns of all fronts.
-pub(super) async fn solve(entries: &[f32], fronts: &Fronts, values: &mut [Value]) {
+/// So many columns of tiles take as long as a front takes besides.
+const COLUMNS: usize = 16;
+
+/// Replaces right-hand sides by the solutions; columns of tiles are those of all fronts.
+pub(super) async fn solve(list: &[TileColumn], fronts: &Fronts, values: &mut [Value]) {
     let mut local = Vec::new();
     let (mut end, mut pace) = (0, Pace::default());
     for front in &fronts.list {
-        let columns = Columns::of(front, &entries[end..]);
-        end += front.entry_count();
-        pace.work(1 + front.entry_count() / ENTRIES).await;
+        let columns = Columns::of(front, &list[end..]);
+        end += columns.list.len();
+        pace.work(1 + columns.list.len() / COLUMNS).await;
         columns.forwards(front, fronts.boundary(front), values, &mut local);
     }
     for front in fronts.list.iter().rev() {
-        end -= front.entry_count();
-        pace.work(1 + front.entry_count() / ENTRIES).await;
-        Columns::of(front, &entries[end..]).backwards(front, fronts.boundary(front), values, &mut local);
+        end -= column_count(front);
+        let columns = Columns::of(front, &list[end..]);
+        pace.work(1 + columns.list.len() / COLUMNS).await;
+        columns.backwards(front, fronts.boundary(front), values, &mut local);
     }
 }
 
-/// The columns of the pivots of a front.
+/// How many columns of tiles there are of a front.
+pub(super) fn column_count(front: &Front) -> usize {
+    first_column(front.size().div_ceil(TILE), front.pivots.len())
+}
+
+/// Where the columns of a row of tiles begin, given the number of pivots.
+fn first_column(row: usize, pivot_count: usize) -> usize {
+    let whole = row.min(pivot_count / TILE);
+    TILE * whole * (whole + 1) / 2 + (row - whole) * pivot_count
+}
+
+/// The columns of the pivots of a front, tile by tile: of each row of tiles one for each pivot up to the diagonal.
+/// At the diagonal are the inverses.
 #[derive(Clone, Copy)]
 struct Columns<'a> {
-    size: usize,
     pivot_count: usize,
-    entries: &'a [f32],
+    list: &'a [TileColumn],
 }
 
 impl<'a> Columns<'a> {
-    fn of(front: &Front, entries: &'a [f32]) -> Self {
-        Self { size: front.size(), pivot_count: front.pivots.len(), entries }
+    fn of(front: &Front, list: &'a [TileColumn]) -> Self {
+        Self { pivot_count: front.pivots.len(), list: &list[..column_count(front)] }
+    }
+
+    /// Those of a row of tiles: of the pivots before it, and of its own.
+    fn row(self, row: usize) -> (&'a [TileColumn], &'a [TileColumn]) {
+        let ends = [row, row + 1].map(|row| first_column(row, self.pivot_count));
+        self.list[ends[0]..ends[1]].split_at(self.pivot_count.min(row * TILE))
     }
 
     /// Solves for the pivots from the first on, and takes what they add to the boundary from there.
@@ -58,10 +73,20 @@ impl<'a> Columns<'a> {
         }
         local.clear();
         local.extend_from_slice(&values[pivots.clone()]);
-        local.resize(self.size, [0.0; 4]);
-        let blocked = self.pivot_count / BLOCK * BLOCK;
-        (0..blocked).step_by(BLOCK).for_each(|j| self.block::<BLOCK>(j).forwards(&mut local[j..]));
-        (blocked..self.pivot_count).for_each(|j| self.block::<1>(j).forwards(&mut local[j..]));
+        local.resize(front.size().next_multiple_of(TILE), [0.0; 4]);
+        for row in 0..local.len() / TILE {
+            let (before, own) = self.row(row);
+            let (solved, below) = local.split_at_mut(row * TILE);
+            let Some(sums) = below.first_chunk_mut::<TILE>() else { return };
+            for (column, value) in before.iter().zip(solved) {
+                sums.iter_mut().zip(column).for_each(|(sum, &factor)| *sum = minus(*sum, factor, *value));
+            }
+            for (k, column) in own.iter().enumerate() {
+                let value = sums[k].map(|sum| sum * column[k]);
+                sums[k] = value;
+                (k + 1..TILE).for_each(|i| sums[i] = minus(sums[i], column[i], value));
+            }
+        }
         values[pivots].copy_from_slice(&local[..self.pivot_count]);
         for (&row, sum) in boundary.iter().zip(&local[self.pivot_count..]) {
             (0..4).for_each(|i| values[row as usize][i] += sum[i]);
@@ -74,56 +99,20 @@ impl<'a> Columns<'a> {
         local.clear();
         local.extend_from_slice(&values[pivots.clone()]);
         local.extend(boundary.iter().map(|&row| values[row as usize]));
-        let blocked = self.pivot_count / BLOCK * BLOCK;
-        (blocked..self.pivot_count).rev().for_each(|j| self.block::<1>(j).backwards(&mut local[j..]));
-        (0..blocked).step_by(BLOCK).rev().for_each(|j| self.block::<BLOCK>(j).backwards(&mut local[j..]));
-        values[pivots].copy_from_slice(&local[..self.pivot_count]);
-    }
-
-    /// Some columns from one on.
-    fn block<const N: usize>(self, first: usize) -> Block<'a, N> {
-        let column = |j: usize| &self.entries[start(self.size, j)..][..self.size - j];
-        Block(array::from_fn(|k| column(first + k)))
-    }
-}
-
-/// Successive columns, each from its diagonal on. The values are those of the rows of the first.
-struct Block<'a, const N: usize>([&'a [f32]; N]);
-
-impl<const N: usize> Block<'_, N> {
-    fn forwards(&self, values: &mut [Value]) {
-        let Some((own, below)) = values.split_first_chunk_mut::<N>() else { return };
-        let mut solved = *own;
-        for (k, column) in self.0.iter().enumerate() {
-            solved[k] = solved[k].map(|value| value * column[0]);
-            for l in k + 1..N {
-                solved[l] = minus(solved[l], column[l - k], solved[k]);
+        local.resize(front.size().next_multiple_of(TILE), [0.0; 4]);
+        for row in (0..local.len() / TILE).rev() {
+            let (before, own) = self.row(row);
+            let (sums, below) = local.split_at_mut(row * TILE);
+            let Some(solved) = below.first_chunk_mut::<TILE>() else { return };
+            for (k, column) in own.iter().enumerate().rev() {
+                let sum = (k + 1..TILE).fold(solved[k], |sum, i| minus(sum, column[i], solved[i]));
+                solved[k] = sum.map(|sum| sum * column[k]);
+            }
+            for (column, sum) in before.iter().zip(sums) {
+                *sum = (0..TILE).fold(*sum, |sum, i| minus(sum, column[i], solved[i]));
             }
         }
-        *own = solved;
-        let columns = self.below(below.len());
-        for (i, sum) in below.iter_mut().enumerate() {
-            *sum = (0..N).fold(*sum, |sum, k| minus(sum, columns[k][i], solved[k]));
-        }
-    }
-
-    fn backwards(&self, values: &mut [Value]) {
-        let Some((own, below)) = values.split_first_chunk_mut::<N>() else { return };
-        let mut sums = *own;
-        let columns = self.below(below.len());
-        for (i, value) in below.iter().enumerate() {
-            (0..N).for_each(|k| sums[k] = minus(sums[k], columns[k][i], *value));
-        }
-        for (k, column) in self.0.iter().enumerate().rev() {
-            let sum = (k + 1..N).fold(sums[k], |sum, l| minus(sum, column[l - k], sums[l]));
-            sums[k] = sum.map(|sum| sum * column[0]);
-        }
-        *own = sums;
-    }
-
-    /// The columns below the block.
-    fn below(&self, count: usize) -> [&[f32]; N] {
-        array::from_fn(|k| &self.0[k][N - k..][..count])
+        values[pivots].copy_from_slice(&local[..self.pivot_count]);
     }
 }
 

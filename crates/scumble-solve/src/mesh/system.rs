@@ -10,7 +10,7 @@ use super::cholesky::Factor;
 use super::dofs::Unknowns;
 use super::element::{self, Matrix};
 use super::fronts::{Fronts, NONE};
-use super::substitution::Value;
+use super::substitution::{TileColumn, Value};
 
 /// A system, analysed; and factored once its factor is asked for.
 #[derive(Debug)]
@@ -45,7 +45,7 @@ impl System {
     }
 
     /// The memory of its factor.
-    pub(super) fn into_memory(self) -> Option<Vec<f32>> {
+    pub(super) fn into_memory(self) -> Option<Vec<TileColumn>> {
         self.factor.map(Factor::into_memory)
     }
 
@@ -58,7 +58,7 @@ impl System {
     pub(super) async fn factor(
         &mut self,
         matrix: &dyn Fn(usize) -> Matrix,
-        memory: &mut Vec<f32>,
+        memory: &mut Vec<TileColumn>,
     ) -> Result<(), SolveError> {
         if self.factor.is_none() {
             self.factor = Some(Factor::new(&self.fronts, &self.rows, matrix, memory).await?);
