@@ -35,12 +35,12 @@ pub(super) struct Factor {
 }
 
 impl Factor {
-    /// Factors the sum of symmetric matrices of elements, of which the rows are given, or [`NONE`]. The memory of another
-    /// factor is taken where it fits: that is faster than to ask for more.
+    /// Factors the sum of symmetric matrices of elements, each asked for once, with rows as [`Fronts::new`] has them. The memory of
+    /// another factor is taken where it fits: that is faster than to ask for more.
     pub(super) async fn new(
         fronts: &Fronts,
         rows: &[[u32; 6]],
-        element: &dyn Fn(usize) -> Matrix,
+        element: &mut dyn FnMut(usize) -> Matrix,
         memory: &mut Vec<TileColumn>,
     ) -> Result<Self, SolveError> {
         let count: u64 = fronts.list.iter().map(|front| substitution::column_count(front) as u64).sum();
@@ -279,7 +279,7 @@ mod tests {
     fn factor(
         fronts: &Fronts,
         rows: &[[u32; 6]],
-        element: &dyn Fn(usize) -> Matrix,
+        element: &mut dyn FnMut(usize) -> Matrix,
     ) -> Result<Factor, SolveError> {
         now(Slices::new(Factor::new(fronts, rows, element, &mut Vec::new())))
     }
@@ -292,7 +292,7 @@ mod tests {
             let ends: Vec<_> = (1..SIZE).filter(|end| end.is_multiple_of(step)).chain([SIZE]).collect();
             let fronts = now(Slices::new(Fronts::new(&rows, &ends)));
             let mut values = right.clone();
-            let factor = factor(&fronts, &rows, &|i| matrices[i]).expect("a factor");
+            let factor = factor(&fronts, &rows, &mut |i| matrices[i]).expect("a factor");
             now(Slices::new(factor.solve(&fronts, &mut values)));
             let mut left = vec![[0.0_f64; 4]; SIZE as usize];
             for (rows, matrix) in rows.iter().zip(&matrices) {
@@ -314,8 +314,8 @@ mod tests {
         let (rows, matrices) = elements();
         let fronts = now(Slices::new(Fronts::new(&rows, &[SIZE / 2, SIZE])));
         let columns = |mut memory: Vec<TileColumn>| {
-            let element = |i: usize| matrices[i];
-            let factor = Factor::new(&fronts, &rows, &element, &mut memory);
+            let mut element = |i: usize| matrices[i];
+            let factor = Factor::new(&fronts, &rows, &mut element, &mut memory);
             now(Slices::new(factor)).expect("a factor").into_memory()
         };
         let fresh = columns(Vec::new());
@@ -331,11 +331,11 @@ mod tests {
         (matrix[entry(0, 0)], matrix[entry(0, 1)], matrix[entry(1, 1)]) = (1.0, -1.0, 1.0);
         let fronts = now(Slices::new(Fronts::new(&rows, &[1, 2])));
         let mut values = [[0.5; 4], [-0.5; 4]];
-        let whole = factor(&fronts, &rows, &|_| matrix).expect("a factor");
+        let whole = factor(&fronts, &rows, &mut |_| matrix).expect("a factor");
         now(Slices::new(whole.solve(&fronts, &mut values)));
         assert_eq!(values, [[0.5; 4], [0.0; 4]]);
         matrix[entry(1, 1)] = f64::NAN;
-        let error = factor(&fronts, &rows, &|_| matrix).err();
+        let error = factor(&fronts, &rows, &mut |_| matrix).err();
         assert_eq!(error, Some(SolveError::NotPositive));
     }
 }

@@ -30,9 +30,9 @@ impl Elements {
     }
 
     /// Sets the system up if the coloured sides are others than those of the last one.
-    pub(super) async fn analyse(&mut self, mesh: &Triangulation, is_colored: &[bool]) {
+    pub(super) async fn analyse(&mut self, is_colored: &[bool]) {
         if self.analysis.as_ref().is_none_or(|last| last.is_colored != is_colored) {
-            self.analysis = Some(Analysis::new(mesh, &self.dofs, is_colored).await);
+            self.analysis = Some(Analysis::new(&self.dofs, is_colored).await);
         }
     }
 
@@ -53,13 +53,13 @@ impl Elements {
 }
 
 impl Analysis {
-    async fn new(mesh: &Triangulation, dofs: &Dofs, is_colored: &[bool]) -> Self {
+    async fn new(dofs: &Dofs, is_colored: &[bool]) -> Self {
         let mut fixed = vec![false; dofs.unknowns.count];
         for (side, _) in dofs.sides.iter().zip(is_colored).filter(|(_, is_colored)| **is_colored) {
             side.dofs.iter().for_each(|&dof| fixed[dof as usize] = true);
         }
         let powers = Powers::new(dofs, is_colored);
-        let system = System::new(&dofs.unknowns, &matrices(mesh, dofs, &powers), &fixed).await;
+        let system = System::new(&dofs.unknowns, &fixed).await;
         Self { is_colored: is_colored.to_vec(), powers, system }
     }
 }

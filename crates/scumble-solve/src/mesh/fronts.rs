@@ -11,7 +11,7 @@ use std::{iter, mem};
 use scumble_core::pace::Pace;
 use scumble_core::sort;
 
-/// Row of an unknown that is fixed, and end of a list of fronts.
+/// End of a list of fronts, and what else is not there.
 pub(super) const NONE: u32 = u32::MAX;
 
 /// A front takes in a child where no more than one of so many entries is a zero then: fewer and larger fronts are faster,
@@ -74,8 +74,8 @@ impl Front {
 }
 
 impl Fronts {
-    /// The fronts of elements with so many rows each, or [`NONE`]. Rows that end before each of some ascending numbers
-    /// are pivots of one front; the last of these is the number of rows.
+    /// The fronts of elements with so many rows each; those beyond the last row are of fixed unknowns. Rows that end before each of
+    /// some ascending numbers are pivots of one front; the last of these is the number of rows.
     pub(super) async fn new(rows: &[[u32; 6]], ends: &[u32]) -> Self {
         let group_of = group_of(ends);
         let (starts, elements) = by_group(rows, &group_of, ends.len());
@@ -217,9 +217,9 @@ impl RowsFrom {
     }
 
     fn add(&mut self, rows: &[u32]) {
-        for &row in rows.iter().filter(|&&row| row >= self.end && row != NONE) {
-            if self.seen[row as usize] != self.end {
-                self.seen[row as usize] = self.end;
+        for &row in rows.iter().filter(|&&row| row >= self.end) {
+            if let Some(seen) = self.seen.get_mut(row as usize).filter(|seen| **seen != self.end) {
+                *seen = self.end;
                 self.others.push((row.into(), 0));
             }
         }

@@ -99,7 +99,7 @@ impl Region {
             if self.coloring == Coloring::Blended {
                 let mut is_colored = vec![false; sides.len()];
                 self.given.iter().for_each(|(i, _)| is_colored[*i] = true);
-                self.base.analyse(mesh, &is_colored).await;
+                self.base.analyse(&is_colored).await;
             }
         }
         self.shade(mesh, sources).await;

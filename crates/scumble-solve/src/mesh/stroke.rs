@@ -154,8 +154,7 @@ impl Problem {
         let is_beyond = patch.is_beyond(region);
         let mut is_rim = vec![false; unknowns.count];
         dofs.iter().for_each(|&dof| is_rim[place_of[dof as usize] as usize] = is_beyond[dof as usize]);
-        let element = |i| matrix(&patch.corners, &masses, i);
-        let system = System::new(&unknowns, &element, &is_rim).await;
+        let system = System::new(&unknowns, &is_rim).await;
         let loads =
             loads.into_iter().map(|(element, values)| (unknowns.of_element[element], values)).collect();
         let places = dofs.iter().map(|&dof| place_of[dof as usize]).collect();

@@ -3,13 +3,15 @@
 //! Unknowns on coloured sides are fixed and leave the system; what couples them to the others goes to the right-
 //! hand side. The rest keeps the region's order of elimination.
 
+use std::mem;
+
 use scumble_core::{BlendColor, pace};
 
 use super::SolveError;
 use super::cholesky::Factor;
 use super::dofs::Unknowns;
 use super::element::{self, Matrix};
-use super::fronts::{Fronts, NONE};
+use super::fronts::Fronts;
 use super::substitution::{TileColumn, Value};
 
 /// A system, analysed; and factored once its factor is asked for.
@@ -20,28 +22,21 @@ pub(super) struct System {
     place_of: Vec<u32>,
     couplings: Couplings,
     fronts: Fronts,
-    /// The rows of each element; none once they are factored.
+    /// The places of each element's; none once they are factored.
     rows: Vec<[u32; 6]>,
     factor: Option<Factor>,
 }
 
 impl System {
-    /// Finds what couples the unknowns of elements, and the pattern of the factor.
-    pub(super) async fn new(unknowns: &Unknowns, matrix: &dyn Fn(usize) -> Matrix, fixed: &[bool]) -> Self {
-        let (place_of, row_count) = places(fixed);
-        let (mut rows, mut couplings) = (Vec::with_capacity(unknowns.of_element.len()), Vec::new());
-        pace::for_each(unknowns.of_element.iter().enumerate(), |(i, dofs)| {
-            let places = dofs.map(|dof| place_of[dof as usize]);
-            let of_element = places.map(|place| if place < row_count { place } else { NONE });
-            if of_element.contains(&NONE) && of_element != [NONE; 6] {
-                couple(&places, &of_element, &matrix(i), &mut couplings);
-            }
-            rows.push(of_element);
-        })
-        .await;
+    /// Finds the pattern of the factor.
+    pub(super) async fn new(unknowns: &Unknowns, fixed: &[bool]) -> Self {
+        let place_of = places(fixed);
+        let mut rows = Vec::with_capacity(unknowns.of_element.len());
+        let row = |dof: u32| place_of[dof as usize];
+        pace::for_each(&unknowns.of_element, |dofs| rows.push(dofs.map(row))).await;
         let fronts = Fronts::new(&rows, &group_ends(fixed, &unknowns.group_ends)).await;
         pace::pause_after(rows.len()).await;
-        Self { place_of, couplings: Couplings::new(&couplings, row_count).await, fronts, rows, factor: None }
+        Self { place_of, couplings: Couplings::default(), fronts, rows, factor: None }
     }
 
     /// The memory of its factor.
@@ -54,15 +49,23 @@ impl System {
         self.factor.is_some()
     }
 
-    /// Computes the factor if that is not done yet; the elements are those of the analysis.
+    /// Computes the factor, and what couples rows to fixed unknowns, if that is not done yet; the elements are those of the
+    /// analysis.
     pub(super) async fn factor(
         &mut self,
         matrix: &dyn Fn(usize) -> Matrix,
         memory: &mut Vec<TileColumn>,
     ) -> Result<(), SolveError> {
         if self.factor.is_none() {
-            self.factor = Some(Factor::new(&self.fronts, &self.rows, matrix, memory).await?);
-            self.rows = Vec::new();
+            let (rows, row_count) = (mem::take(&mut self.rows), self.fronts.row_count());
+            let mut couplings = Vec::new();
+            let mut element = |i: usize| {
+                let matrix = matrix(i);
+                couple(&rows[i], row_count as u32, &matrix, &mut couplings);
+                matrix
+            };
+            self.factor = Some(Factor::new(&self.fronts, &rows, &mut element, memory).await?);
+            self.couplings = Couplings::new(&couplings, row_count).await;
         }
         Ok(())
     }
@@ -117,16 +120,15 @@ fn add(sum: &mut Value, factor: f32, value: Value) {
     sum.iter_mut().zip(value).for_each(|(sum, value)| *sum += factor * value);
 }
 
-/// The place of each unknown, and how many of them are free.
-fn places(fixed: &[bool]) -> (Vec<u32>, u32) {
-    let free_count = fixed.iter().filter(|fixed| !**fixed).count() as u32;
-    let mut next = [0, free_count];
+/// The place of each unknown.
+fn places(fixed: &[bool]) -> Vec<u32> {
+    let mut next = [0, fixed.iter().filter(|fixed| !**fixed).count() as u32];
     let place = |&fixed: &bool| {
         let next = &mut next[usize::from(fixed)];
         *next += 1;
         *next - 1
     };
-    (fixed.iter().map(place).collect(), free_count)
+    fixed.iter().map(place).collect()
 }
 
 /// Where the rows of groups of unknowns end.
@@ -144,7 +146,7 @@ fn group_ends(fixed: &[bool], ends: &[u32]) -> Vec<u32> {
 }
 
 /// What couples rows to fixed unknowns, row by row: so what is added to is always at hand.
-#[derive(Debug)]
+#[derive(Debug, Default)]
 struct Couplings {
     /// Where those of each row begin, and where the last ones end.
     starts: Vec<u32>,
@@ -154,16 +156,16 @@ struct Couplings {
 
 impl Couplings {
     /// Sorts rows, places of fixed unknowns and entries by their rows.
-    async fn new(unsorted: &[(u32, u32, f32)], row_count: u32) -> Self {
-        let mut starts = vec![0; row_count as usize + 1];
+    async fn new(unsorted: &[(u32, u32, f32)], row_count: usize) -> Self {
+        let mut starts = vec![0; row_count + 1];
         unsorted.iter().for_each(|&(row, ..)| starts[row as usize + 1] += 1);
-        for row in 0..row_count as usize {
+        for row in 0..row_count {
             starts[row + 1] += starts[row];
         }
         let mut next = starts.clone();
         let mut list = vec![(0, 0.0); unsorted.len()];
         pace::for_each(unsorted, |&(row, place, entry)| {
-            list[next[row as usize] as usize] = (place - row_count, entry);
+            list[next[row as usize] as usize] = (place - row_count as u32, entry);
             next[row as usize] += 1;
         })
         .await;
@@ -179,11 +181,14 @@ impl Couplings {
     }
 }
 
-/// Collects the entries between free and fixed unknowns of an element.
-fn couple(places: &[u32; 6], rows: &[u32; 6], matrix: &Matrix, couplings: &mut Vec<(u32, u32, f32)>) {
-    for i in (0..6).filter(|&i| rows[i] != NONE) {
-        for j in (0..6).filter(|&j| rows[j] == NONE) {
-            couplings.push((rows[i], places[j], matrix[element::entry(i, j)] as f32));
+/// Collects the entries between rows and fixed unknowns, which come after them, of an element.
+fn couple(places: &[u32; 6], row_count: u32, matrix: &Matrix, couplings: &mut Vec<(u32, u32, f32)>) {
+    if places.iter().all(|&place| place < row_count) {
+        return;
+    }
+    for i in (0..6).filter(|&i| places[i] < row_count) {
+        for j in (0..6).filter(|&j| places[j] >= row_count) {
+            couplings.push((places[i], places[j], matrix[element::entry(i, j)] as f32));
         }
     }
 }
