@@ -69,12 +69,14 @@ impl Prepared {
         if span.is_empty() {
             return;
         }
-        let (x, y) = (span.start as f64 + 0.5, f64::from(row) + 0.5);
+        // Rows begin where the triangle does, so that a part of a picture is painted as it is in the whole.
+        let before = if span.start == 0 { self.scan.before(row) } else { 0 };
+        let (x, y) = (span.start as f64 - before as f64 + 0.5, f64::from(row) + 0.5);
         let pixels = canvas.span_mut(row, span);
         match &self.shade {
             Shade::Flat(color) => paint_flat(pixels, *color),
-            Shade::Smooth(gradient) => paint_smooth(pixels, &gradient.row_from(x, y), encoder),
-            Shade::Fading(gradient) => paint_fading(pixels, &gradient.row_from(x, y), encoder),
+            Shade::Smooth(gradient) => paint_smooth(pixels, before, &gradient.row_from(x, y), encoder),
+            Shade::Fading(gradient) => paint_fading(pixels, before, &gradient.row_from(x, y), encoder),
         }
     }
 
@@ -98,16 +100,16 @@ fn paint_flat(pixels: &mut [[u8; 4]], color: [u8; 4]) {
     }
 }
 
-fn paint_smooth(pixels: &mut [[u8; 4]], colors: &RowGradient<3>, encoder: &Encoder) {
-    for (i, chunk) in pixels.chunks_mut(LANES).enumerate() {
-        encoder.encode_to(chunk, &colors.lanes(i * LANES));
+fn paint_smooth(pixels: &mut [[u8; 4]], before: usize, colors: &RowGradient<3>, encoder: &Encoder) {
+    for (first, chunk) in (before..).step_by(LANES).zip(pixels.chunks_mut(LANES)) {
+        encoder.encode_to(chunk, &colors.lanes(first));
     }
 }
 
-fn paint_fading(pixels: &mut [[u8; 4]], colors: &RowGradient<4>, encoder: &Encoder) {
-    for (i, chunk) in pixels.chunks_mut(LANES).enumerate() {
+fn paint_fading(pixels: &mut [[u8; 4]], before: usize, colors: &RowGradient<4>, encoder: &Encoder) {
+    for (first, chunk) in (before..).step_by(LANES).zip(pixels.chunks_mut(LANES)) {
         let mut fading = [[0; 4]; LANES];
-        encoder.encode_fading_to(&mut fading, &colors.lanes(i * LANES));
+        encoder.encode_fading_to(&mut fading, &colors.lanes(first));
         for (pixel, color) in chunk.iter_mut().zip(fading) {
             *pixel = over(*pixel, color, SAMPLES as u32);
         }

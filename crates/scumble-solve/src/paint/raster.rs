@@ -118,6 +118,14 @@ impl ScanTriangle {
         start as usize..end.max(start) as usize
     }
 
+    /// How many centres it covers to the left of the picture, in a row in which it covers the first one of it; as many as are
+    /// worth counting.
+    pub(super) fn before(&self, row: i32) -> usize {
+        const MOST: i32 = 1 << 20;
+        let (start, _) = self.span(f64::from(row) + 0.5, 0.5 - f64::from(MOST), MOST);
+        (MOST - start) as usize
+    }
+
     /// The pixels of a row whose samples it covers.
     pub(super) fn sample_spans(&self, row: i32, width: i32) -> SampleSpans {
         let mut spans = SampleSpans { starts: [0; SAMPLES], ends: [0; SAMPLES] };
@@ -227,6 +235,14 @@ mod tests {
         let lower_right = scan([[8.5, 3.5], [8.5, 9.5], [2.5, 9.5]]);
         assert_eq!(lower_right.center_span(3, 100), 8..8);
         assert!(lower_right.center_span(9, 100).is_empty());
+    }
+
+    #[test]
+    fn what_lies_to_the_left_of_the_picture_is_counted() {
+        let (across, beside) =
+            ([[-7.5, 0.0], [9.0, 0.0], [-7.5, 90.0]], [[0.5, 0.0], [9.0, 0.0], [0.5, 90.0]]);
+        assert_eq!([across, beside].map(|corners| scan(corners).before(3)), [8, 0]);
+        assert_eq!(scan([[-3e12, -1e12], [4e12, -1e12], [0.0, 5e12]]).before(50), 1 << 20);
     }
 
     #[test]

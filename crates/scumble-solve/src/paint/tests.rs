@@ -396,3 +396,29 @@ fn the_rim_of_something_faint_is_fainter_still() {
     assert_eq!(pixel(&picture, 15, 20)[..3], mixed(0.4));
     assert_eq!(pixel(&picture, 10, 20)[..3], mixed(0.2));
 }
+
+#[test]
+fn colours_of_a_part_are_those_of_the_whole_wherever_it_begins() {
+    let at = |[x, y]: [f64; 2]| {
+        [0.3 + x * y / 90_000.0, 0.1 - x * x / 400_000.0, y / 3_000.0 - 0.05].map(|c| c as f32)
+    };
+    let mesh = |is_clear: bool| {
+        let mut triangles = shaken_mesh(200.0, 2, at);
+        let colors = triangles.iter_mut().flat_map(|triangle| &mut triangle.colors);
+        colors.filter(|_| is_clear).for_each(|color| *color = color.map(|c| 0.6 * c));
+        triangles
+    };
+    let view = View { px_from_du: Affine::scale(3.7), width_px: 700, height_px: 700 };
+    for triangles in [mesh(false), mesh(true)] {
+        let whole = painted(triangles.clone(), &[], Some(WHITE), view);
+        for first in (1..700).step_by(13) {
+            let part = view.part(&Part { columns: first..700, rows: 0..700 });
+            let part = painted(triangles.clone(), &[], Some(WHITE), part);
+            let rows = whole.rgba.chunks(4 * 700).zip(part.rgba.chunks(4 * (700 - first as usize)));
+            assert!(
+                rows.into_iter().all(|(all, some)| &all[4 * first as usize..] == some),
+                "from column {first}"
+            );
+        }
+    }
+}
