@@ -22,7 +22,7 @@ pub(super) struct System {
     place_of: Vec<u32>,
     couplings: Couplings,
     fronts: Fronts,
-    /// The places of each element's; none once they are factored.
+    /// The places of each element's unknowns, which are its rows; none once they are factored.
     rows: Vec<[u32; 6]>,
     factor: Option<Factor>,
 }
