@@ -1,4 +1,5 @@
-//! Angles by arithmetic alone: the library's own inverse tangent may differ from machine to machine.
+//! Angles by arithmetic alone: the library's own functions may differ from machine to machine, and sines of angles of any size
+//! are 2.5 KB that every visitor of the page would load.
 
 use kurbo::Vec2;
 
@@ -19,6 +20,29 @@ pub fn angle_part(u: Vec2, v: Vec2) -> f64 {
     if cos < 0.0 { 1.0 - quadrant } else { quadrant }
 }
 
+/// The unit vector at an angle of some turns at most, in degrees from the x axis towards the y axis: its cosine and its sine.
+///
+/// Exact for right angles, good to 1e-15 for others (Taylor's series within an eighth of a turn).
+pub fn unit_vector(degrees: f64) -> Vec2 {
+    let quarters = (degrees / 90.0).round();
+    let angle = (degrees - 90.0 * quarters).to_radians();
+    // The sine starts from the product of 2 and 3, the cosine from that of 1 and 2.
+    let series = |first: f64| {
+        let term = |sum: f64, i: i32| {
+            let k = first + 2.0 * f64::from(i);
+            1.0 - angle * angle / (k * (k + 1.0)) * sum
+        };
+        (0..8).rev().fold(1.0, term)
+    };
+    let [cos, sin] = [series(1.0), angle * series(2.0)];
+    match quarters.rem_euclid(4.0) as u8 {
+        0 => Vec2::new(cos, sin),
+        1 => Vec2::new(-sin, cos),
+        2 => Vec2::new(-cos, -sin),
+        _ => Vec2::new(sin, -cos),
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -34,5 +58,15 @@ mod tests {
             assert!((part - expected).abs() < 1e-5, "{angle}: {part} is not {expected}");
         }
         assert_eq!(angle_part(Vec2::ZERO, Vec2::new(1.0, 0.0)), 0.0);
+    }
+
+    #[test]
+    fn directions_are_exact_at_right_angles_and_good_between() {
+        let right = [(0.0, [1.0, 0.0]), (90.0, [0.0, 1.0]), (180.0, [-1.0, 0.0]), (-90.0, [0.0, -1.0])];
+        right.iter().for_each(|&(degrees, [x, y])| assert_eq!(unit_vector(degrees), Vec2::new(x, y)));
+        for degrees in (-7200..=7200).map(|i| f64::from(i) * 0.1) {
+            let off = unit_vector(degrees) - Vec2::from_angle(degrees.to_radians());
+            assert!(off.hypot() < 2e-15, "{degrees}: {off:?}");
+        }
     }
 }

@@ -1,5 +1,6 @@
 //! Colours by the numbers that people turn to find them.
 
+use crate::angle::unit_vector;
 use crate::color::{Blend, Srgb8, linear_from_oklab, srgb_from_linear};
 
 /// What three numbers say about a colour.
@@ -46,8 +47,8 @@ fn oklch(color: Srgb8) -> [f64; 3] {
 }
 
 fn from_oklch([l, chroma, hue]: [f64; 3]) -> (Srgb8, bool) {
-    let (sin, cos) = hue.to_radians().sin_cos();
-    let linear = |chroma: f64| linear_from_oklab([l, chroma * cos, chroma * sin]);
+    let way = unit_vector(hue);
+    let linear = |chroma: f64| linear_from_oklab([l, chroma * way.x, chroma * way.y]);
     let is_there = is_srgb(linear(chroma));
     let chroma = if is_there { chroma } else { greatest(chroma, &|chroma| is_srgb(linear(chroma))) };
     (nearest(linear(chroma).map(srgb_from_linear)), is_there)

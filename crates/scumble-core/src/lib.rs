@@ -78,7 +78,7 @@ pub mod triangulation;
 mod visibility;
 pub mod work;
 
-pub use angle::angle_part;
+pub use angle::{angle_part, unit_vector};
 pub use bends::Bends;
 pub use clamp::{clamped, nearest_in};
 pub use color::{Blend, BlendColor, ColorError, Paint, Rgba8, Srgb8};

@@ -9,8 +9,9 @@ use std::collections::VecDeque;
 
 use kurbo::Rect;
 use spade::handles::{FaceHandle, FixedDirectedEdgeHandle, FixedFaceHandle, FixedVertexHandle, InnerTag};
-use spade::{AngleLimit, CdtEdge, Point2, PositionInTriangulation, Triangulation as _};
+use spade::{CdtEdge, Point2, PositionInTriangulation, Triangulation as _};
 
+use crate::angle::unit_vector;
 use crate::delaunay::{Cdt, EdgeTag};
 use crate::pace;
 
@@ -32,7 +33,7 @@ pub(crate) async fn refine(cdt: &mut Cdt, frame: Rect, spacing_du: f64) {
     let empty_page = 4.0 * frame.area() / largest_du2;
     for (angle_deg, least_area) in REFINED_ANGLES_DEG {
         let most_nodes = 11 * cdt.num_vertices() + empty_page as usize;
-        let limit = AngleLimit::from_deg(angle_deg).radius_to_shortest_edge_limit();
+        let limit = 0.5 / unit_vector(angle_deg).y;
         let wanted = Wanted { limit2: limit * limit, least_du2: least_area * square_du2, largest_du2 };
         let mut refinement =
             Refinement { waiting: cdt.fixed_inner_faces().collect(), wanted, edges: Vec::new() };

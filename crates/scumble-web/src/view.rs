@@ -6,7 +6,7 @@
 //! so that at 100% the canvas shows the pixels of the exported picture.
 
 use kurbo::{Affine, Point, Rect, Size, Vec2};
-use scumble_core::nearest_in;
+use scumble_core::{nearest_in, unit_vector};
 use scumble_solve::View;
 
 /// Smallest and largest zoom.
@@ -60,14 +60,7 @@ impl Turn {
 
 /// Clockwise where y goes down; exact for right angles.
 fn rotation(degrees: f64) -> Affine {
-    let quarters = (degrees / 90.0).round();
-    let (sin, cos) = (degrees - 90.0 * quarters).to_radians().sin_cos();
-    let [a, b] = match quarters.rem_euclid(4.0) as u8 {
-        0 => [cos, sin],
-        1 => [-sin, cos],
-        2 => [-cos, -sin],
-        _ => [sin, -cos],
-    };
+    let Vec2 { x: a, y: b } = unit_vector(degrees);
     Affine::new([a, b, -b, a, 0.0, 0.0])
 }
 

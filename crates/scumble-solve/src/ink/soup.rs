@@ -3,6 +3,7 @@
 use std::f64::consts::{FRAC_PI_2, PI};
 
 use kurbo::{Cap, Join, Point, Vec2};
+use scumble_core::unit_vector;
 
 /// How a line is drawn along its points.
 #[derive(Clone, Copy, Debug)]
@@ -108,8 +109,8 @@ impl Pen {
         let center = to.start;
         let apex = if back.is_finite() { center - back } else { center };
         match self.join {
-            Join::Miter if from.ends_in_corner && self.is_miter(turn) => {
-                let tip = center + bisector / (1.0 + turn.cos());
+            Join::Miter if from.ends_in_corner && self.is_miter(d0.dot(d1)) => {
+                let tip = center + bisector / (1.0 + d0.dot(d1));
                 soup.push(triangle(apex, center + sides[0], tip));
                 soup.push(triangle(apex, tip, center + sides[1]));
             }
@@ -126,9 +127,9 @@ impl Pen {
         0.5 * length.min(self.half_width_du)
     }
 
-    /// Whether the tip of a miter at such a turn stays within the limit.
-    fn is_miter(&self, turn: f64) -> bool {
-        (0.5 * turn).cos() * self.miter_limit >= 1.0
+    /// Whether the tip of a miter stays within the limit, given the cosine of the turn: that of half of it is √((1 + cos)/2).
+    fn is_miter(&self, cos: f64) -> bool {
+        (0.5 * (1.0 + cos)).max(0.0).sqrt() * self.miter_limit >= 1.0
     }
 
     /// Triangles from an apex to an arc around a center, given by its end spokes and its angle in radians.
@@ -136,7 +137,8 @@ impl Pen {
         let steps = self.fan_steps(angle.abs());
         let mut spoke = first;
         for i in 1..steps {
-            let next = Vec2::from_angle(angle * f64::from(i) / f64::from(steps)).rotate_scale(first);
+            let turn = unit_vector((angle * f64::from(i) / f64::from(steps)).to_degrees());
+            let next = turn.rotate_scale(first);
             soup.push(triangle(apex, center + spoke, center + next));
             spoke = next;
         }
