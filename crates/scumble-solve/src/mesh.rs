@@ -23,6 +23,7 @@ mod layer;
 mod limit;
 mod numbering;
 mod order;
+mod pattern;
 mod refine;
 mod region;
 mod singular;

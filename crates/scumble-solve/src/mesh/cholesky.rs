@@ -11,8 +11,9 @@ use std::mem;
 use scumble_core::pace::Pace;
 
 use super::SolveError;
+use super::dofs::NONE;
 use super::element::Matrix;
-use super::fronts::{Front, Fronts, NONE};
+use super::fronts::{Front, Fronts};
 use super::substitution::{self, TILE, TileColumn, Value};
 
 /// Where a part of the region hangs on the rest by triangles without area alone, the last pivot of that part is zero
@@ -55,16 +56,14 @@ impl Factor {
         let mut leftovers: Vec<Dense> = Vec::with_capacity(fronts.list.len());
         let mut places = Places { fronts, of_row: vec![NONE; fronts.row_count()], of_child: Vec::new() };
         let (mut matrix, mut pace) = (Dense::default(), Pace::default());
-        for front in &fronts.list {
+        for (i, front) in fronts.list.iter().enumerate() {
             matrix.clear(front)?;
             places.set(front);
-            for &i in fronts.elements(front) {
+            for &i in fronts.elements(i) {
                 places.add_element(&rows[i as usize], &element(i as usize), &mut matrix);
             }
-            let mut child = front.child;
-            while let Some(of_child) = fronts.list.get(child as usize) {
-                places.add_child(of_child, &mem::take(&mut leftovers[child as usize]), &mut matrix);
-                child = of_child.sibling;
+            for child in fronts.children(i) {
+                places.add_child(&fronts.list[child], &mem::take(&mut leftovers[child]), &mut matrix);
             }
             for j in 0..matrix.size.div_ceil(TILE) {
                 pace.work(TILE + matrix.eliminate(j)? / PRODUCTS).await;
@@ -257,6 +256,7 @@ fn factor(tile: &mut Tile, pivots: usize) -> Result<(), SolveError> {
 #[cfg(test)]
 mod tests {
     use super::super::element::entry;
+    use super::super::fronts::tests::fronts;
     use super::*;
     use scumble_core::pace::{Slices, now};
 
@@ -290,7 +290,7 @@ mod tests {
         let right: Vec<Value> = (0..SIZE).map(|i| [1.0, -2.0, 0.0, i as f32]).collect();
         for step in [1, 4, 13, SIZE] {
             let ends: Vec<_> = (1..SIZE).filter(|end| end.is_multiple_of(step)).chain([SIZE]).collect();
-            let fronts = now(Slices::new(Fronts::new(&rows, &ends)));
+            let fronts = fronts(&rows, &ends);
             let mut values = right.clone();
             let factor = factor(&fronts, &rows, &mut |i| matrices[i]).expect("a factor");
             now(Slices::new(factor.solve(&fronts, &mut values)));
@@ -312,7 +312,7 @@ mod tests {
     #[test]
     fn memory_of_another_factor_changes_nothing() {
         let (rows, matrices) = elements();
-        let fronts = now(Slices::new(Fronts::new(&rows, &[SIZE / 2, SIZE])));
+        let fronts = fronts(&rows, &[SIZE / 2, SIZE]);
         let columns = |mut memory: Vec<TileColumn>| {
             let mut element = |i: usize| matrices[i];
             let factor = Factor::new(&fronts, &rows, &mut element, &mut memory);
@@ -329,7 +329,7 @@ mod tests {
         let rows = [[0, 1, NONE, NONE, NONE, NONE]];
         let mut matrix = [0.0; 21];
         (matrix[entry(0, 0)], matrix[entry(0, 1)], matrix[entry(1, 1)]) = (1.0, -1.0, 1.0);
-        let fronts = now(Slices::new(Fronts::new(&rows, &[1, 2])));
+        let fronts = fronts(&rows, &[1, 2]);
         let mut values = [[0.5; 4], [-0.5; 4]];
         let whole = factor(&fronts, &rows, &mut |_| matrix).expect("a factor");
         now(Slices::new(whole.solve(&fronts, &mut values)));

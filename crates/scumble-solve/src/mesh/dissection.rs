@@ -192,7 +192,7 @@ mod tests {
 
     use super::*;
     use crate::barriers::Barriers;
-    use crate::mesh::fronts::Fronts;
+    use crate::mesh::fronts::tests::fronts;
     use crate::mesh::numbering::regions;
     use crate::mesh::substitution::column_count;
 
@@ -222,7 +222,7 @@ mod tests {
             assert!((0..).zip(places).all(|(i, place)| i == place), "each has its place");
             let (rank, ends) = order::elimination_rank(&region.unknowns, &dissection.rank);
             let rows: Vec<_> = elements.iter().map(|dofs| dofs.map(|dof| rank[dof as usize])).collect();
-            let fronts = now(Slices::new(Fronts::new(&rows, &ends)));
+            let fronts = fronts(&rows, &ends);
             fronts.list.iter().map(column_count).sum::<usize>() as f64
         };
         let whole = entries(usize::MAX);

@@ -4,11 +4,14 @@
 //! an unknown. At the tip of a curve the sector goes all the way round, so there the two sides meet. The two triangles
 //! at an edge share the unknown in its middle, unless the edge is a side of a curve or a part of a closed gap.
 
+use std::sync::Arc;
+
 use kurbo::Vec2;
 use scumble_core::pace;
 use scumble_core::{HalfEdge, SideId, Triangulation, sort};
 
 use super::order::{corner_rank, elimination_rank};
+use super::pattern::Pattern;
 use crate::barriers::Barriers;
 
 /// Unknown that is not numbered yet, or anything else that is not there.
@@ -33,8 +36,8 @@ pub(super) struct Dofs {
 pub(super) struct Unknowns {
     /// Those of each element, at corners 0, 1, 2 and in the middle of edges 01, 12, 20.
     pub(super) of_element: Vec<[u32; 6]>,
-    /// Where the groups end that are eliminated together; none before they are in the order of elimination.
-    pub(super) group_ends: Vec<u32>,
+    /// Which are eliminated together; of none before they are in the order of elimination.
+    pub(super) pattern: Arc<Pattern>,
     pub(super) count: usize,
 }
 
@@ -78,11 +81,13 @@ impl Dofs {
     }
 
     /// Renumbers the unknowns, of which those at corners come first, in the order of elimination that the corners are in.
-    pub(super) fn order(&mut self, corner_rank: &[u32]) {
-        let rank = self.unknowns.order_by(corner_rank);
+    /// Says where groups of them end there that are eliminated together.
+    pub(super) fn order(&mut self, corner_rank: &[u32]) -> Vec<u32> {
+        let (rank, ends) = self.unknowns.order_by(corner_rank);
         let of_sides = self.sides.iter_mut().flat_map(|side| &mut side.dofs);
         of_sides.for_each(|dof| *dof = rank[*dof as usize]);
         self.corners.iter_mut().for_each(|corner| corner.dof = rank[corner.dof as usize]);
+        ends
     }
 }
 
@@ -101,20 +106,20 @@ impl Unknowns {
                 *dof = *number;
             }
         }
-        Self { of_element: elements, group_ends: Vec::new(), count: count as usize }
+        Self { of_element: elements, pattern: Arc::default(), count: count as usize }
     }
 
     /// Renumbers them, of which those at corners come first, in the order of elimination.
     pub(super) fn order(&mut self) {
-        self.order_by(&corner_rank(self));
+        let (_, ends) = self.order_by(&corner_rank(self));
+        self.pattern = Pattern::new(&self.of_element, &ends).into();
     }
 
-    /// The same from an order of the corners; says where in the order of elimination each of them is.
-    fn order_by(&mut self, corner_rank: &[u32]) -> Vec<u32> {
-        let (rank, group_ends) = elimination_rank(self, corner_rank);
+    /// The same from an order of the corners; says where in the order of elimination each of them is, and where groups end there.
+    fn order_by(&mut self, corner_rank: &[u32]) -> (Vec<u32>, Vec<u32>) {
+        let (rank, ends) = elimination_rank(self, corner_rank);
         self.of_element.iter_mut().flatten().for_each(|dof| *dof = rank[*dof as usize]);
-        self.group_ends = group_ends;
-        rank
+        (rank, ends)
     }
 }
 

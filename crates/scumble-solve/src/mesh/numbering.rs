@@ -1,16 +1,18 @@
 //! The numbers of unknowns of regions, as gaps close and open.
 //!
 //! They are found once, with all gaps open, and put in an order of elimination. Where gaps are closed only the sectors and
-//! edges at these have other unknowns, which are eliminated where the ones that they share in an open gap would be: the order
-//! stays good, as closing a gap only takes couplings away. So to number regions anew is to count.
+//! edges at these have other unknowns, which are eliminated where the ones that they share in an open gap would be: order and
+//! pattern stay good, as closing a gap only takes couplings away. So to number regions anew is to count.
 
-use std::iter;
+use std::mem;
+use std::sync::Arc;
 
 use scumble_core::pace::{self, Pace};
-use scumble_core::{HalfEdge, Triangulation, sort};
+use scumble_core::{HalfEdge, Triangulation};
 
 use super::dissection;
 use super::dofs::{Dofs, NONE, Unknowns, half_edges};
+use super::pattern::{Pattern, Tree};
 use crate::barriers::Barriers;
 
 /// So many triangles are copied, or marked, in the time that other things take with one.
@@ -35,55 +37,62 @@ pub(super) async fn regions(barriers: Barriers<'_>) -> Vec<Dofs> {
 pub(super) struct Numbering {
     /// Those of each triangle, as [`Unknowns::of_element`] has them.
     of_triangle: Vec<[u32; 6]>,
-    /// Where the groups end that are eliminated together.
-    group_ends: Vec<u32>,
+    /// Of each region, its first unknown.
+    firsts: Vec<u32>,
+    /// And its pattern, which counts from that.
+    patterns: Vec<Arc<Pattern>>,
+    /// Number of unknowns of all.
+    count: u32,
 }
 
 impl Numbering {
     /// Puts the unknowns of the regions of a mesh in order, all gaps being open.
     pub(super) async fn new(mesh: &Triangulation, regions: &mut [Dofs]) -> Self {
         let mut of_triangle = vec![[NONE; 6]; mesh.triangle_count()];
-        let (mut group_ends, mut first, mut pace) = (Vec::new(), 0, Pace::default());
+        let (mut firsts, mut patterns) = (Vec::new(), Vec::new());
+        let (mut first, mut pace) = (0, Pace::default());
         for region in regions {
-            region.order(&dissection::corner_rank(mesh, region).await);
+            let ends = region.order(&dissection::corner_rank(mesh, region).await);
             pace.work(region.triangles.len()).await;
+            region.unknowns.pattern = pattern(&region.unknowns, &ends).await.into();
             for (&triangle, dofs) in region.triangles.iter().zip(&region.unknowns.of_element) {
                 of_triangle[triangle as usize] = dofs.map(|dof| first + dof);
             }
-            group_ends.extend(region.unknowns.group_ends.iter().map(|end| first + end));
+            firsts.push(first);
+            patterns.push(region.unknowns.pattern.clone());
             first += region.unknowns.count as u32;
             pace.work(region.triangles.len()).await;
         }
-        Self { of_triangle, group_ends }
+        Self { of_triangle, firsts, patterns, count: first }
     }
 
     /// The regions of a set of triangles, which is made of whole regions and ascends; their unknowns are in order.
     pub(super) async fn regions(&self, barriers: Barriers<'_>, triangles: &[u32]) -> Vec<Dofs> {
-        let (numbers, split) = self.split(barriers, triangles).await;
+        let (numbers, own) = self.split(barriers, triangles).await;
         let parts = barriers.regions(triangles).await;
         let mut dof_of = numbers.parts(&parts).await;
-        let counts = self.count(&split, &mut dof_of, parts.len()).await;
+        let counts = self.count(&own, &mut dof_of, &parts).await;
         let (mut regions, mut pace) = (Vec::with_capacity(parts.len()), Pace::default());
-        for (triangles, Count { group_ends, count, .. }) in parts.into_iter().zip(counts) {
+        for (triangles, Count { mut pattern, .. }) in parts.into_iter().zip(counts) {
             let mut of_element = Vec::with_capacity(triangles.len());
             let dofs = |t: u32| numbers.of_triangle[t as usize].map(|number| dof_of[number as usize]);
             pace::for_each(&triangles, |&t| of_element.push(dofs(t))).await;
-            let unknowns = Unknowns { of_element, group_ends, count: count as usize };
+            pattern.renumber_boundaries(|number| dof_of[number as usize]);
+            let count = pattern.unknown_count();
+            let unknowns = Unknowns { of_element, pattern: pattern.into(), count };
             pace.work(triangles.len()).await;
             regions.push(Dofs::new(barriers, triangles, unknowns).await);
         }
         regions
     }
 
-    /// Gives unknowns of their own to sectors and edges at closed gaps; and pairs of the one that is shared while the gap is open
-    /// and an own one, sorted.
-    async fn split<'a>(&self, barriers: Barriers<'a>, triangles: &[u32]) -> (Numbers<'a>, Vec<(u64, u32)>) {
-        let first = self.group_ends.last().copied().unwrap_or_default();
+    /// Gives unknowns of their own to sectors and edges at closed gaps.
+    async fn split<'a>(&self, barriers: Barriers<'a>, triangles: &[u32]) -> (Numbers<'a>, Own) {
         let mut of_triangle = vec![[0; 6]; self.of_triangle.len()];
         let mut copy = |t: u32| of_triangle[t as usize] = self.of_triangle[t as usize];
         pace::for_each(triangles.chunks(CHUNK), |some| some.iter().for_each(|&t| copy(t))).await;
-        let mut numbers = Numbers { barriers, of_triangle, first, next: first };
-        let mut split = Vec::new();
+        let mut numbers = Numbers { barriers, of_triangle, first: self.count, next: self.count };
+        let mut pairs = Vec::new();
         pace::for_each(triangles, |&t| {
             for h in half_edges(t).filter(|&h| barriers.is_closed_gap(h)) {
                 let shared = numbers.at(h);
@@ -91,57 +100,108 @@ impl Numbering {
                 numbers.number_sector(h.next());
                 numbers.number_middle(h);
                 let both = shared.into_iter().zip(numbers.at(h));
-                split.extend(
-                    both.filter(|(shared, own)| shared != own).map(|(shared, own)| (shared.into(), own)),
-                );
+                pairs.extend(both.filter(|(shared, own)| shared != own));
             }
         })
         .await;
-        sort::sort(&mut split);
-        (numbers, split)
+        let own = Own::new(numbers.next as usize, &pairs);
+        (numbers, own)
     }
 
-    /// Numbers the unknowns of so many parts in order, each part from 0. In place of the part of each unknown there is its number
-    /// afterwards; those that are in none stay so.
-    async fn count(&self, split: &[(u64, u32)], unknowns: &mut [u32], part_count: usize) -> Vec<Count> {
-        let mut counts: Vec<_> = (0..part_count).map(|_| Count::default()).collect();
-        let mut split = split.iter().peekable();
-        let (mut start, mut pace) = (0, Pace::default());
-        for &end in &self.group_ends {
-            let own = iter::from_fn(|| split.next_if(|(shared, _)| *shared < end.into()));
-            for number in (start..end).chain(own.map(|&(_, own)| own)) {
-                let unknown = &mut unknowns[number as usize];
-                if let Some(count) = counts.get_mut(*unknown as usize) {
-                    *unknown = count.next(end);
-                }
-            }
-            pace.work(1).await;
-            start = end;
+    /// Numbers the unknowns of some parts in order, each part from 0; in boundaries they are still as they were. In place of the
+    /// part of each unknown there is its number afterwards; those that are in none stay so.
+    async fn count(&self, own: &Own, unknowns: &mut [u32], parts: &[Vec<u32>]) -> Vec<Count> {
+        let mut counts: Vec<_> = parts.iter().map(|_| Count::default()).collect();
+        let mut group = 0;
+        let regions = self.firsts.iter().zip(&self.patterns).zip(self.has_parts(parts));
+        for ((first, pattern), _) in regions.filter(|(_, has_parts)| *has_parts) {
+            pace::for_each(pattern.groups(), |(pivots, boundary)| {
+                group += 1;
+                let mut is_in_parts = false;
+                own.for_each(first, pivots, |number| {
+                    let unknown = &mut unknowns[number as usize];
+                    if let Some(count) = counts.get_mut(*unknown as usize) {
+                        *unknown = count.next(group);
+                        is_in_parts = true;
+                    }
+                });
+                let boundary = if is_in_parts { boundary } else { &[] };
+                own.for_each(first, boundary.iter().copied(), |number| {
+                    let count = counts.get_mut(unknowns[number as usize] as usize);
+                    if let Some(count) = count.filter(|count| count.group == group) {
+                        count.pattern.add_to_boundary(number);
+                    }
+                });
+            })
+            .await;
         }
         counts
+    }
+
+    /// Of which regions some parts are, all gaps being open.
+    fn has_parts(&self, parts: &[Vec<u32>]) -> Vec<bool> {
+        let mut has_parts = vec![false; self.firsts.len()];
+        for &triangle in parts.iter().filter_map(|triangles| triangles.first()) {
+            let number = self.of_triangle[triangle as usize][0];
+            has_parts[self.firsts.partition_point(|&first| first <= number) - 1] = true;
+        }
+        has_parts
+    }
+}
+
+/// The pattern of some unknowns that are in the order of elimination.
+async fn pattern(unknowns: &Unknowns, ends: &[u32]) -> Pattern {
+    let mut tree = Tree::new(&unknowns.of_element, ends);
+    while tree.go_on() {
+        pace::pause().await;
+    }
+    tree.pattern
+}
+
+/// The own unknowns in place of one that is shared while gaps are open.
+struct Own {
+    /// For each unknown the next one in its place; 0 if it is the last.
+    next: Vec<u32>,
+}
+
+impl Own {
+    /// From pairs of the shared one and an own one.
+    fn new(count: usize, pairs: &[(u32, u32)]) -> Self {
+        let mut next = vec![0; count];
+        for &(shared, own) in pairs {
+            next[own as usize] = mem::replace(&mut next[shared as usize], own);
+        }
+        Self { next }
+    }
+
+    /// Does something with each of some unknowns, which count from the first, and with the own ones in its place.
+    fn for_each(&self, first: &u32, unknowns: impl Iterator<Item = u32>, mut act: impl FnMut(u32)) {
+        for unknown in unknowns {
+            let mut number = first + unknown;
+            act(number);
+            while self.next[number as usize] != 0 {
+                number = self.next[number as usize];
+                act(number);
+            }
+        }
     }
 }
 
 /// The unknowns of one part that are numbered so far.
 #[derive(Default)]
 struct Count {
-    /// Where their groups end; the last one may go on.
-    group_ends: Vec<u32>,
-    count: u32,
-    /// Which group the last one is of.
+    pattern: Pattern,
+    /// Which group the last one is of, from 1 on.
     group: u32,
 }
 
 impl Count {
     /// The number of the next one, of this group.
     fn next(&mut self, group: u32) -> u32 {
-        self.count += 1;
-        match self.group_ends.last_mut() {
-            Some(end) if self.group == group => *end = self.count,
-            _ => self.group_ends.push(self.count),
+        if mem::replace(&mut self.group, group) != group {
+            self.pattern.begin();
         }
-        self.group = group;
-        self.count - 1
+        self.pattern.add_unknown()
     }
 }
 
@@ -161,7 +221,7 @@ impl Numbers<'_> {
         pace::for_each(triangles, |&t| half_edges(t).for_each(|h| self.number_middle(h))).await;
         let of_element = triangles.iter().map(|&t| self.of_triangle[t as usize]).collect();
         pace::pause_after(triangles.len()).await;
-        Unknowns { of_element, group_ends: Vec::new(), count: self.next as usize }
+        Unknowns { of_element, pattern: Arc::default(), count: self.next as usize }
     }
 
     /// The part that each unknown is in, if any, of some parts of the mesh.
@@ -248,8 +308,7 @@ mod tests {
             assert_eq!(ours.len(), fresh.len());
             for (ours, fresh) in ours.iter().zip(&fresh) {
                 assert_same_but_for_the_order(ours, fresh);
-                assert!(ours.unknowns.group_ends.is_sorted_by(|a, b| a < b));
-                assert_eq!(ours.unknowns.group_ends.last(), Some(&(ours.unknowns.count as u32)));
+                assert_is_pattern_of(&ours.unknowns);
             }
         }
     }
@@ -275,10 +334,28 @@ mod tests {
         }
     }
 
+    /// Groups and boundaries ascend, and a group touches all that its elements and its children have.
+    fn assert_is_pattern_of(unknowns: &Unknowns) {
+        let groups: Vec<_> = unknowns.pattern.groups().collect();
+        assert!(groups.windows(2).all(|both| both[0].0.end == both[1].0.start));
+        assert_eq!(groups.last().expect("a group").0.end, unknowns.count as u32);
+        let group_of = |unknown: u32| groups.partition_point(|(own, _)| own.end <= unknown);
+        let boundaries = groups.iter().map(|(_, boundary)| boundary.to_vec());
+        for coupled in boundaries.chain(unknowns.of_element.iter().map(|own| own.to_vec())) {
+            let Some(&first) = coupled.iter().min() else { continue };
+            let (own, boundary) = &groups[group_of(first)];
+            assert!(coupled.iter().all(|unknown| own.contains(unknown) || boundary.contains(unknown)));
+        }
+        assert!(groups.iter().all(|(own, boundary)| {
+            !own.is_empty() && [&[own.end - 1], *boundary].concat().is_sorted_by(|a, b| a < b)
+        }));
+    }
+
     fn assert_same(a: &Dofs, b: &Dofs) {
         assert_eq!((&a.triangles, &a.gaps), (&b.triangles, &b.gaps));
         assert_eq!(a.unknowns.of_element, b.unknowns.of_element);
-        assert_eq!((a.unknowns.count, &a.unknowns.group_ends), (b.unknowns.count, &b.unknowns.group_ends));
+        assert_eq!(a.unknowns.count, b.unknowns.count);
+        assert!(a.unknowns.pattern.groups().eq(b.unknowns.pattern.groups()));
     }
 
     fn assert_same_but_for_the_order(ours: &Dofs, fresh: &Dofs) {
@@ -296,7 +373,7 @@ mod tests {
         for (our, their) in dofs(ours).into_iter().zip(dofs(fresh)) {
             if name_of[their as usize] == NONE {
                 name_of[their as usize] = our;
-                assert!(!std::mem::replace(&mut is_taken[our as usize], true), "{our} stands for two");
+                assert!(!mem::replace(&mut is_taken[our as usize], true), "{our} stands for two");
             }
             assert_eq!(name_of[their as usize], our, "for {their}");
         }

@@ -34,7 +34,8 @@ impl System {
         let mut rows = Vec::with_capacity(unknowns.of_element.len());
         let row = |dof: u32| place_of[dof as usize];
         pace::for_each(&unknowns.of_element, |dofs| rows.push(dofs.map(row))).await;
-        let fronts = Fronts::new(&rows, &group_ends(fixed, &unknowns.group_ends)).await;
+        let row_count = fixed.iter().filter(|fixed| !**fixed).count();
+        let fronts = Fronts::new(&unknowns.pattern, &place_of, row_count, &rows);
         pace::pause_after(rows.len()).await;
         Self { place_of, couplings: Couplings::default(), fronts, rows, factor: None }
     }
@@ -129,20 +130,6 @@ fn places(fixed: &[bool]) -> Vec<u32> {
         *next - 1
     };
     fixed.iter().map(place).collect()
-}
-
-/// Where the rows of groups of unknowns end.
-fn group_ends(fixed: &[bool], ends: &[u32]) -> Vec<u32> {
-    let (mut row_ends, mut row_end, mut start) = (Vec::with_capacity(ends.len()), 0, 0);
-    for &end in ends {
-        let rows = fixed[start..end as usize].iter().filter(|fixed| !**fixed).count();
-        start = end as usize;
-        if rows > 0 {
-            row_end += rows as u32;
-            row_ends.push(row_end);
-        }
-    }
-    row_ends
 }
 
 /// What couples rows to fixed unknowns, row by row: so what is added to is always at hand.
