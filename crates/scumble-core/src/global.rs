@@ -188,7 +188,7 @@ impl Global {
         sort::sort_copies_by_key(&mut drawn, |&pair| sort::pair(pair));
         drawn.dedup();
         if drawn != self.drawn {
-            if ways.open_to(map, &drawn).await {
+            if ways.open_to(&drawn).await {
                 self.beyond.reset(map);
             }
             self.drawn = drawn;

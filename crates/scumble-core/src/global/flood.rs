@@ -9,6 +9,7 @@ use super::pockets::{self, Rooms};
 use crate::clearance::OPEN_DU;
 use crate::pace;
 use crate::planar_map::PlanarMap;
+use crate::sort;
 use crate::triangulation::{HalfEdge, Triangulation};
 
 /// The cost of a way. Sums are exact: there are at most 2²² triangles, and a step costs less than 2¹⁰⁵.
@@ -73,6 +74,8 @@ pub(super) struct Ways {
     pub(super) triangle_of_side: Vec<u32>,
     /// The half-edges that lead through a gap.
     pub(super) gaps: Vec<HalfEdge>,
+    /// The keys of the doors that they are in, in ascending order, with their indices.
+    doors: Vec<(u64, u32)>,
     /// Per half-edge whether what has stopped at a gap may go on there.
     pub(super) is_open: Vec<bool>,
 }
@@ -89,13 +92,18 @@ impl Ways {
         pace::pause().await;
         let rooms = Rooms::new(map, &gaps, &room_of, room_count, regions).await;
         pace::pause().await;
+        let key = |&h: &HalfEdge| Some((sort::pair(pockets::door(map, &room_of, h)?), h.index() as u32));
+        let mut doors: Vec<_> = gaps.iter().filter_map(key).collect();
+        sort::sort(&mut doors);
+        pace::pause().await;
         let is_open = mesh.half_edges().map(|h| spread || mesh.gap(h).is_none()).collect();
         pace::pause().await;
         let are_clear = vec![false; room_count];
         let triangle_of_side = vec![NONE; map.side_count()];
         let costs = vec![0; 3 * mesh.triangle_count()];
         let lengths = costs.clone();
-        let mut ways = Self { costs, lengths, room_of, rooms, are_clear, triangle_of_side, gaps, is_open };
+        let mut ways =
+            Self { costs, lengths, room_of, rooms, are_clear, triangle_of_side, gaps, doors, is_open };
         pace::pause().await;
         let gap_costs = gap_costs(map);
         pace::pause().await;
@@ -110,13 +118,13 @@ impl Ways {
 
     /// Opens the gaps that lead into the pockets and corners of what was drawn, pairs of a kind of scribble and a room in
     /// ascending order, and closes all others; says whether any of them was open.
-    pub(super) async fn open_to(&mut self, map: &PlanarMap, drawn: &[[u32; 2]]) -> bool {
-        let doors = self.rooms.open_doors(drawn).await;
-        let mut closes = false;
-        for h in &self.gaps {
-            let door = pockets::door(map, &self.room_of, *h);
-            let is_open = door.is_some_and(|door| doors.binary_search(&door).is_ok());
-            closes |= std::mem::replace(&mut self.is_open[h.index()], is_open) && !is_open;
+    pub(super) async fn open_to(&mut self, drawn: &[[u32; 2]]) -> bool {
+        let open = self.rooms.open_doors(drawn).await;
+        let (mut open, mut closes) = (open.into_iter().map(sort::pair).peekable(), false);
+        for &(door, h) in &self.doors {
+            while open.next_if(|&open| open < door).is_some() {}
+            let is_open = open.peek() == Some(&door);
+            closes |= std::mem::replace(&mut self.is_open[h as usize], is_open) && !is_open;
         }
         closes
     }

@@ -18,6 +18,9 @@
 //! No colour ever takes less after another scribble was drawn, of whatever colour: only one that is drawn on may turn out
 //! not to mean a room. Where two may go into a room, the flood decides.
 
+use std::mem;
+use std::ops::Range;
+
 use super::shapes::Shapes;
 use crate::pace::{self, Pace};
 use crate::planar_map::{Gap, PlanarMap};
@@ -35,7 +38,7 @@ const HALL: f64 = 0.5;
 /// between two rays a fin. What is smaller still may well have a colour of its own.
 const CLOSED_HALL: f64 = 1.0 / 16.0;
 
-/// What a colour has is told for so many rooms in the time that one takes that it comes to.
+/// Whether a colour has a room is told for so many rooms in the time that one takes that it comes to.
 const ROOMS: usize = 16;
 
 /// From a room to one behind a gap.
@@ -55,6 +58,18 @@ pub(super) struct Rooms {
     /// Per room its hall, by one of the rooms in it.
     hall_of: Vec<u32>,
     shapes: Shapes,
+    /// What each colour had at the last call.
+    grown: Vec<Grown>,
+}
+
+/// What a colour has.
+#[derive(Clone, Debug)]
+struct Grown {
+    /// The rooms that it was drawn in, in ascending order.
+    drawn: Vec<u32>,
+    rooms: Vec<u32>,
+    /// The wide doors that it goes through, by their places in the list of all.
+    doors: Vec<u32>,
 }
 
 impl Rooms {
@@ -80,31 +95,46 @@ impl Rooms {
         }
         let hall_of = halls(&are_beside_border, &doors);
         let shapes = Shapes::new(map, gaps, room_of, regions, &areas_du2);
-        Self { areas_du2, are_beside_border, doors, plain_doors, hall_of, shapes }
+        Self { areas_du2, are_beside_border, doors, plain_doors, hall_of, shapes, grown: Vec::new() }
     }
 
     /// The doors that colours go through, in ascending order; `drawn` are pairs of a kind of scribble, one for each
     /// colour, and a room that it was drawn in, in ascending order.
-    pub(super) async fn open_doors(&self, drawn: &[[u32; 2]]) -> Vec<Door> {
-        let same_color = |first: &[u32; 2], second: &[u32; 2]| first[0] == second[0];
-        let mut open = Vec::new();
+    pub(super) async fn open_doors(&mut self, drawn: &[[u32; 2]]) -> Vec<Door> {
+        self.grow(drawn).await;
         let mut are_taken = vec![false; self.areas_du2.len()];
-        let mut pace = Pace::default();
-        for rooms in drawn.chunk_by(same_color) {
-            pace.work(1 + self.areas_du2.len() / ROOMS).await;
-            let mut taken = Taken::new(self);
-            rooms.iter().for_each(|&[_, room]| taken.add(room));
-            taken.grow();
-            open.extend(self.doors.iter().filter(|&&door| taken.leads(door)));
-            taken.taken.iter().for_each(|&room| are_taken[room as usize] = true);
+        let mut are_open = vec![false; self.doors.len()];
+        for grown in &self.grown {
+            grown.rooms.iter().for_each(|&room| are_taken[room as usize] = true);
+            grown.doors.iter().for_each(|&door| are_open[door as usize] = true);
         }
         let are_colored_halls = self.colored_halls(&are_taken);
         let is_colored = |room: u32| are_colored_halls[self.hall_of[room as usize] as usize];
         let is_within = |[from, to]: Door| self.hall_of[from as usize] == self.hall_of[to as usize];
-        open.extend(self.doors.iter().filter(|&&door| is_within(door) && is_colored(door[0])));
+        let doors = self.doors.iter().copied().zip(are_open);
+        let open = doors.filter(|&(door, is_open)| is_open || is_within(door) && is_colored(door[0]));
+        let mut open: Vec<Door> = open.map(|(door, _)| door).collect();
         (0..).zip(&mut are_taken).for_each(|(room, is_taken)| *is_taken |= is_colored(room));
         open.extend(self.shapes.corner_doors(&are_taken));
         sorted(open)
+    }
+
+    /// Finds what the colours have, but for those that were drawn in the same rooms at the last call.
+    async fn grow(&mut self, drawn: &[[u32; 2]]) {
+        let same_color = |first: &[u32; 2], second: &[u32; 2]| first[0] == second[0];
+        let mut before = mem::take(&mut self.grown);
+        let (mut grown, mut pace) = (Vec::new(), Pace::default());
+        for color in drawn.chunk_by(same_color) {
+            let drawn: Vec<_> = color.iter().map(|&[_, room]| room).collect();
+            match before.iter().position(|before| before.drawn == drawn) {
+                Some(i) => grown.push(before.swap_remove(i)),
+                None => {
+                    grown.push(Taken::new(self).grown(drawn));
+                    pace.work(1 + self.areas_du2.len() / ROOMS).await;
+                }
+            }
+        }
+        self.grown = grown;
     }
 
     /// Per room that stands for a hall whether colours have it.
@@ -158,11 +188,11 @@ fn sorted(mut doors: Vec<Door>) -> Vec<Door> {
     doors
 }
 
-/// Those of the doors, in ascending order, that lead from a room.
-fn doors_of(doors: &[Door], room: u32) -> &[Door] {
+/// Where those of the doors, in ascending order, are that lead from a room.
+fn doors_of(doors: &[Door], room: u32) -> Range<usize> {
     let start = doors.partition_point(|&[from, _]| from < room);
     let count = doors[start..].partition_point(|&[from, _]| from == room);
-    &doors[start..start + count]
+    start..start + count
 }
 
 fn areas_du2(map: &PlanarMap, room_of: &[u32], room_count: usize) -> Vec<f64> {
@@ -202,10 +232,20 @@ impl<'a> Taken<'a> {
         Self { rooms, taken: Vec::new(), is_taken: vec![false; count], groups: Sets::new(count), areas_du2 }
     }
 
+    /// What a colour has that was drawn in some rooms.
+    fn grown(mut self, drawn: Vec<u32>) -> Grown {
+        drawn.iter().for_each(|&room| self.add(room));
+        self.grow();
+        let doors = self.taken.iter().flat_map(|&room| doors_of(&self.rooms.doors, room));
+        let doors =
+            doors.filter(|&door| self.leads(self.rooms.doors[door])).map(|door| door as u32).collect();
+        Grown { drawn, doors, rooms: self.taken }
+    }
+
     fn add(&mut self, room: u32) {
         self.taken.push(room);
         self.is_taken[room as usize] = true;
-        for &[_, beside] in doors_of(&self.rooms.doors, room) {
+        for &[_, beside] in &self.rooms.doors[doors_of(&self.rooms.doors, room)] {
             if self.is_taken[beside as usize] && ![room, beside].iter().any(|&at| self.rooms.is_at_border(at))
             {
                 let [from, to] = [room, beside].map(|room| self.groups.find(room));
@@ -224,7 +264,7 @@ impl<'a> Taken<'a> {
             known = self.taken.len();
             let mut next = 0;
             while let Some(&room) = self.taken.get(next) {
-                for &[_, beside] in doors_of(&self.rooms.plain_doors, room) {
+                for &[_, beside] in &self.rooms.plain_doors[doors_of(&self.rooms.plain_doors, room)] {
                     if self.goes_on(room, beside) {
                         self.add(beside);
                     }
@@ -247,8 +287,9 @@ impl<'a> Taken<'a> {
             && self.rooms.areas_du2[beside as usize] < POCKET * self.areas_du2[group]
     }
 
+    /// Whether the colour goes through a wide door from one of its rooms.
     fn leads(&self, [from, to]: Door) -> bool {
         let is_from_border = self.rooms.is_at_border(from) && !self.rooms.is_at_border(to);
-        self.is_taken[from as usize] && (self.is_taken[to as usize] || is_from_border)
+        self.is_taken[to as usize] || is_from_border
     }
 }
