@@ -28,7 +28,7 @@ pub(super) struct System {
 }
 
 impl System {
-    /// Finds the pattern of the factor.
+    /// Finds the fronts of the factor.
     pub(super) async fn new(unknowns: &Unknowns, fixed: &[bool]) -> Self {
         let place_of = places(fixed);
         let mut rows = Vec::with_capacity(unknowns.of_element.len());
