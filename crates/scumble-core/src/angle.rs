@@ -22,7 +22,7 @@ pub fn angle_part(u: Vec2, v: Vec2) -> f64 {
 
 /// The unit vector at an angle of some turns at most, in degrees from the x axis towards the y axis: its cosine and its sine.
 ///
-/// Exact for right angles, good to 1e-15 for others (Taylor's series within an eighth of a turn).
+/// Exact for right angles, good to 2e-15 for others (Taylor's series within an eighth of a turn).
 pub fn unit_vector(degrees: f64) -> Vec2 {
     let quarters = (degrees / 90.0).round();
     let angle = (degrees - 90.0 * quarters).to_radians();

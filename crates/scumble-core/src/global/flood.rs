@@ -74,7 +74,7 @@ pub(super) struct Ways {
     pub(super) triangle_of_side: Vec<u32>,
     /// The half-edges that lead through a gap.
     pub(super) gaps: Vec<HalfEdge>,
-    /// The keys of the doors that they are in, in ascending order, with their indices.
+    /// The key of the door that each of them is in, with the index of that half-edge; by keys, in ascending order.
     doors: Vec<(u64, u32)>,
     /// Per half-edge whether what has stopped at a gap may go on there.
     pub(super) is_open: Vec<bool>,

@@ -38,7 +38,7 @@ const HALL: f64 = 0.5;
 /// between two rays a fin. What is smaller still may well have a colour of its own.
 const CLOSED_HALL: f64 = 1.0 / 16.0;
 
-/// Whether a colour has a room is told for so many rooms in the time that one takes that it comes to.
+/// What a colour has is set up for so many rooms in the time that one takes that it comes to.
 const ROOMS: usize = 16;
 
 /// From a room to one behind a gap.

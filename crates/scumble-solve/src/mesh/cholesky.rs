@@ -36,7 +36,7 @@ pub(super) struct Factor {
 }
 
 impl Factor {
-    /// Factors the sum of symmetric matrices of elements, each asked for once, with rows as [`Fronts::new`] has them. The memory of
+    /// Factors the sum of symmetric matrices of elements, each asked for once, with the places of their unknowns, as [`Fronts::new`] has them. The memory of
     /// another factor is taken where it fits: that is faster than to ask for more.
     pub(super) async fn new(
         fronts: &Fronts,

@@ -1,6 +1,6 @@
 //! Which unknowns a sparse factor eliminates together, and what each elimination touches, whichever are fixed later.
 //!
-//! It is found once for a mesh, for all unknowns. To fix some, or to take couplings away, takes entries away from a factor and
+//! It is found once for a mesh, or for the elements of a stroke, for all unknowns. To fix some, or to take couplings away, takes entries away from a factor and
 //! adds none: so the rest of the pattern does for what is left. It has a few entries more than need be.
 
 use std::ops::Range;
@@ -33,12 +33,12 @@ struct Group {
     unknowns: Range<u32>,
     /// Where its *boundary* is in the list of all: the later unknowns that its own are coupled to by then.
     boundary: Range<u32>,
-    /// How many entries of it are zeros that elimination by smaller groups would leave out.
+    /// How many entries of it are zeros that elimination by smaller groups would leave out; told while a pattern is found.
     zeros: usize,
 }
 
 impl Pattern {
-    /// That of elements with so many unknowns each; [`NONE`] is none. Those that end before each of some ascending numbers are in
+    /// That of elements with so many unknowns each; [`NONE`] is none. Those that end before each of some strictly ascending numbers are in
     /// one group; the last of these is the number of unknowns.
     pub(super) fn new(elements: &[[u32; 6]], ends: &[u32]) -> Self {
         let mut tree = Tree::new(elements, ends);
