@@ -384,10 +384,13 @@ fn what_lies_behind_gaps_does_not_depend_on_what_came_through_them_before() {
         let map = PlanarMap::build(&made::drawing(cells), &Sampling::default()).expect("a map");
         let map = map.with_gaps_closed(gap_closing);
         let scribbles = made::scribbles();
-        let mut engine = Global::new(true);
+        let mut engines = [false, true].map(Global::new);
         for count in 1..=scribbles.len() {
             let now = &scribbles[..count];
-            assert!(engine.label(&map, now) == fresh(&map, true, now), "{cells} cells, {count} scribbles");
+            for (spread, engine) in [false, true].into_iter().zip(&mut engines) {
+                let labels = engine.label(&map, now);
+                assert!(labels == fresh(&map, spread, now), "{cells} cells, {count} scribbles, {spread}");
+            }
         }
     }
 }

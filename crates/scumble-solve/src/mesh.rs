@@ -78,7 +78,7 @@ pub struct MeshSolver {
 }
 
 impl MeshSolver {
-    /// Numbers the unknowns of a mesh, all gaps being open, and finds an order of elimination.
+    /// Numbers the unknowns of a mesh, all gaps being open, and finds an order of elimination and its pattern.
     pub fn new(mesh: impl Into<Arc<Triangulation>>) -> Self {
         now(Self::meshing(mesh.into()))
     }

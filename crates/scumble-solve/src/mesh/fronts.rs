@@ -7,6 +7,8 @@
 
 use std::ops::Range;
 
+use scumble_core::pace;
+
 use super::pattern::{self, ByGroup, Children, Pattern};
 
 /// The fronts of a factor, children before parents.
@@ -36,14 +38,19 @@ impl Front {
 impl Fronts {
     /// Those of a pattern, given the places of its unknowns: the free ones have so many rows, in the order of the pattern, the
     /// places of fixed ones are beyond these. Elements have places in place of unknowns.
-    pub(super) fn new(pattern: &Pattern, place_of: &[u32], row_count: usize, elements: &[[u32; 6]]) -> Self {
+    pub(super) async fn new(
+        pattern: &Pattern,
+        place_of: &[u32],
+        row_count: usize,
+        elements: &[[u32; 6]],
+    ) -> Self {
         let (mut list, mut ends, mut boundaries) = (Vec::new(), Vec::new(), Vec::new());
         let mut row = 0;
-        for (unknowns, boundary) in pattern.groups() {
+        pace::for_each(pattern.groups(), |(unknowns, boundary)| {
             let places = &place_of[unknowns.start as usize..unknowns.end as usize];
             let pivots = row..row + places.iter().filter(|&&place| place < row_count as u32).count() as u32;
             if pivots.is_empty() {
-                continue;
+                return;
             }
             row = pivots.end;
             let start = boundaries.len() as u32;
@@ -51,8 +58,10 @@ impl Fronts {
             boundaries.extend(places.filter(|&place| place < row_count as u32));
             ends.push(pivots.end);
             list.push(Front { pivots, boundary: start..boundaries.len() as u32 });
-        }
+        })
+        .await;
         let front_of = pattern::group_of(&ends);
+        pace::pause_after(front_of.len()).await;
         let elements = ByGroup::new(elements, &front_of, list.len());
         let mut children = Children::of(list.len());
         for front in &list {
@@ -84,13 +93,18 @@ impl Fronts {
 
 #[cfg(test)]
 pub(super) mod tests {
+    use scumble_core::pace::{Slices, now};
+
     use super::*;
 
     /// The fronts of elements with so many unknowns each, of which none is fixed.
     pub(in super::super) fn fronts(elements: &[[u32; 6]], ends: &[u32]) -> Fronts {
         let count = ends.last().copied().unwrap_or_default();
         let places: Vec<_> = (0..count).collect();
-        Fronts::new(&Pattern::new(elements, ends), &places, count as usize, elements)
+        now(Slices::new(async {
+            let pattern = Pattern::new(elements, ends).await;
+            Fronts::new(&pattern, &places, count as usize, elements).await
+        }))
     }
 
     #[test]
@@ -107,36 +121,44 @@ pub(super) mod tests {
             })
             .collect();
         let ends: Vec<_> = (1..=81).collect();
-        let pattern = Pattern::new(&elements, &ends);
+        let pattern = now(Slices::new(Pattern::new(&elements, &ends)));
         for step in [2, 3, 7, 81] {
-            let is_fixed = |unknown: u32| unknown % step == 1;
-            let row_count = (0..81).filter(|&unknown| !is_fixed(unknown)).count();
-            let mut next = [0, row_count as u32];
-            let places: Vec<_> = (0..81)
-                .map(|unknown| {
-                    let next = &mut next[usize::from(is_fixed(unknown))];
-                    *next += 1;
-                    *next - 1
-                })
-                .collect();
-            let rows: Vec<_> =
-                elements.iter().map(|own| own.map(|unknown| places[unknown as usize])).collect();
-            let fronts = Fronts::new(&pattern, &places, row_count, &rows);
-            assert_eq!(fronts.row_count(), row_count);
-            let mut element_count = 0;
-            for (i, front) in fronts.list.iter().enumerate() {
-                let has = |row: &u32| front.pivots.contains(row) || fronts.boundary(front).contains(row);
-                let free = |row: &&u32| (**row as usize) < row_count;
-                for &element in fronts.elements(i) {
-                    assert!(rows[element as usize].iter().filter(free).all(has), "{step} {i}");
-                    element_count += 1;
-                }
-                for child in fronts.children(i) {
-                    assert!(fronts.boundary(&fronts.list[child]).iter().all(has), "{step} {i}");
-                }
-            }
-            let is_free = |rows: &&[u32; 6]| rows.iter().any(|&row| (row as usize) < row_count);
-            assert_eq!(element_count, rows.iter().filter(is_free).count());
+            assert_has_all_rows(&pattern, 81, &elements, |unknown| unknown % step == 1);
         }
+    }
+
+    /// Every front has all rows of its elements and its children, where some of so many unknowns are fixed.
+    pub(in super::super) fn assert_has_all_rows(
+        pattern: &Pattern,
+        count: u32,
+        elements: &[[u32; 6]],
+        is_fixed: impl Fn(u32) -> bool,
+    ) {
+        let row_count = (0..count).filter(|&unknown| !is_fixed(unknown)).count();
+        let mut next = [0, row_count as u32];
+        let places: Vec<_> = (0..count)
+            .map(|unknown| {
+                let next = &mut next[usize::from(is_fixed(unknown))];
+                *next += 1;
+                *next - 1
+            })
+            .collect();
+        let rows: Vec<_> = elements.iter().map(|own| own.map(|unknown| places[unknown as usize])).collect();
+        let fronts = now(Slices::new(Fronts::new(pattern, &places, row_count, &rows)));
+        assert_eq!(fronts.row_count(), row_count);
+        let mut element_count = 0;
+        for (i, front) in fronts.list.iter().enumerate() {
+            let has = |row: &u32| front.pivots.contains(row) || fronts.boundary(front).contains(row);
+            let free = |row: &&u32| (**row as usize) < row_count;
+            for &element in fronts.elements(i) {
+                assert!(rows[element as usize].iter().filter(free).all(has), "front {i}");
+                element_count += 1;
+            }
+            for child in fronts.children(i) {
+                assert!(fronts.boundary(&fronts.list[child]).iter().all(has), "front {i}");
+            }
+        }
+        let is_free = |rows: &&[u32; 6]| rows.iter().any(|&row| (row as usize) < row_count);
+        assert_eq!(element_count, rows.iter().filter(is_free).count());
     }
 }

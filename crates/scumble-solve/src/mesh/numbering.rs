@@ -12,7 +12,7 @@ use scumble_core::{HalfEdge, Triangulation};
 
 use super::dissection;
 use super::dofs::{Dofs, NONE, Unknowns, half_edges};
-use super::pattern::{Pattern, Tree};
+use super::pattern::Pattern;
 use crate::barriers::Barriers;
 
 /// So many triangles are copied, or marked, in the time that other things take with one.
@@ -54,7 +54,7 @@ impl Numbering {
         for region in regions {
             let ends = region.order(&dissection::corner_rank(mesh, region).await);
             pace.work(region.triangles.len()).await;
-            region.unknowns.pattern = pattern(&region.unknowns, &ends).await.into();
+            region.unknowns.pattern = Pattern::new(&region.unknowns.of_element, &ends).await.into();
             for (&triangle, dofs) in region.triangles.iter().zip(&region.unknowns.of_element) {
                 of_triangle[triangle as usize] = dofs.map(|dof| first + dof);
             }
@@ -73,11 +73,11 @@ impl Numbering {
         let mut dof_of = numbers.parts(&parts).await;
         let counts = self.count(&own, &mut dof_of, &parts).await;
         let (mut regions, mut pace) = (Vec::with_capacity(parts.len()), Pace::default());
-        for (triangles, Count { mut pattern, .. }) in parts.into_iter().zip(counts) {
+        for (triangles, Numbered { mut pattern, .. }) in parts.into_iter().zip(counts) {
             let mut of_element = Vec::with_capacity(triangles.len());
             let dofs = |t: u32| numbers.of_triangle[t as usize].map(|number| dof_of[number as usize]);
             pace::for_each(&triangles, |&t| of_element.push(dofs(t))).await;
-            pattern.renumber_boundaries(|number| dof_of[number as usize]);
+            pattern.renumber_boundaries(|number| dof_of[number as usize]).await;
             let count = pattern.unknown_count();
             let unknowns = Unknowns { of_element, pattern: pattern.into(), count };
             pace.work(triangles.len()).await;
@@ -110,9 +110,9 @@ impl Numbering {
 
     /// Numbers the unknowns of some parts in order, each part from 0; in boundaries they are still as they were. In place of the
     /// part of each unknown there is its number afterwards; those that are in none stay so.
-    async fn count(&self, own: &Own, unknowns: &mut [u32], parts: &[Vec<u32>]) -> Vec<Count> {
-        let mut counts: Vec<_> = parts.iter().map(|_| Count::default()).collect();
-        let mut group = 0;
+    async fn count(&self, own: &Own, unknowns: &mut [u32], parts: &[Vec<u32>]) -> Vec<Numbered> {
+        let mut counts: Vec<_> = parts.iter().map(|_| Numbered::default()).collect();
+        let (mut group, mut pace) = (0, Pace::default());
         let regions = self.firsts.iter().zip(&self.patterns).zip(self.has_parts(parts));
         for ((first, pattern), _) in regions.filter(|(_, has_parts)| *has_parts) {
             pace::for_each(pattern.groups(), |(pivots, boundary)| {
@@ -134,6 +134,7 @@ impl Numbering {
                 });
             })
             .await;
+            pace.work(pattern.groups().len()).await;
         }
         counts
     }
@@ -147,15 +148,6 @@ impl Numbering {
         }
         has_parts
     }
-}
-
-/// The pattern of some unknowns that are in the order of elimination.
-async fn pattern(unknowns: &Unknowns, ends: &[u32]) -> Pattern {
-    let mut tree = Tree::new(&unknowns.of_element, ends);
-    while tree.go_on() {
-        pace::pause().await;
-    }
-    tree.pattern
 }
 
 /// The own unknowns in place of one that is shared while gaps are open.
@@ -189,13 +181,13 @@ impl Own {
 
 /// The unknowns of one part that are numbered so far.
 #[derive(Default)]
-struct Count {
+struct Numbered {
     pattern: Pattern,
     /// Which group the last one is of, from 1 on.
     group: u32,
 }
 
-impl Count {
+impl Numbered {
     /// The number of the next one, of this group.
     fn next(&mut self, group: u32) -> u32 {
         if mem::replace(&mut self.group, group) != group {
@@ -289,8 +281,11 @@ impl Numbers<'_> {
 
 #[cfg(test)]
 mod tests {
+    use kurbo::{Circle, Line, Rect, Shape, Vec2};
     use scumble_core::pace::{Slices, now};
+    use scumble_core::{Curve, Drawing, PlanarMap, Sampling};
 
+    use super::super::fronts::tests::assert_has_all_rows;
     use super::super::tests::map;
     use super::*;
 
@@ -311,6 +306,43 @@ mod tests {
                 assert_is_pattern_of(&ours.unknowns);
             }
         }
+    }
+
+    /// Three spokes in a circle, that reach neither the rim nor one another: gaps between the same regions, and several at one
+    /// node.
+    #[test]
+    fn whichever_gaps_are_closed_fronts_have_all_rows_that_go_into_them() {
+        let circle = Circle::new((300.0, 300.0), 200.0);
+        let spoke = |turn: i32| {
+            let way = Vec2::from_angle(2.1 * f64::from(turn));
+            Line::new(circle.center + 20.0 * way, circle.center + 185.0 * way).to_path(1e-6)
+        };
+        let paths = (0..3).map(spoke).chain([circle.to_path(1e-6)]);
+        let curves = paths.map(|path| Curve { path, line: None }).collect();
+        let drawing = Drawing { curves, ..Drawing::new(Rect::new(0.0, 0.0, 1024.0, 1024.0)) };
+        let map = PlanarMap::build(&drawing, &Sampling::default()).expect("a map").with_gaps_closed(1.0);
+        let gap_count = map.gaps().len();
+        assert!((6..10).contains(&gap_count), "{gap_count} gaps");
+        let mesh = map.refined();
+        let triangles: Vec<_> = (0..mesh.triangle_count() as u32).collect();
+        let mut open = now(Slices::new(regions(Barriers { mesh, closed_gaps: &[] })));
+        let numbering = now(Slices::new(Numbering::new(mesh, &mut open)));
+        let mut region_counts = Vec::new();
+        for closed in 0..1 << gap_count {
+            let closed_gaps: Vec<_> = (0..gap_count).map(|gap| closed >> gap & 1 == 1).collect();
+            let barriers = Barriers { mesh, closed_gaps: &closed_gaps };
+            let ours = now(Slices::new(numbering.regions(barriers, &triangles)));
+            let fresh = now(Slices::new(regions(barriers)));
+            assert_eq!(ours.len(), fresh.len());
+            region_counts.push(ours.len());
+            for (Dofs { unknowns, .. }, fresh) in ours.iter().zip(&fresh) {
+                assert_eq!(unknowns.count, fresh.unknowns.count);
+                assert_is_pattern_of(unknowns);
+                let is_fixed = |unknown| unknown % 5 == closed % 5;
+                assert_has_all_rows(&unknowns.pattern, unknowns.count as u32, &unknowns.of_element, is_fixed);
+            }
+        }
+        assert_eq!((region_counts.first(), region_counts.last()), (Some(&2), Some(&5)));
     }
 
     #[test]

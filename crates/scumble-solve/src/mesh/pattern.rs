@@ -6,13 +6,13 @@
 use std::ops::Range;
 use std::{iter, mem};
 
-use scumble_core::sort;
+use scumble_core::{pace, sort};
 
 use super::dofs::NONE;
 
 /// A group takes in a child where no more than one of so many entries is a zero then: fewer and larger groups are faster,
 /// though they have more entries.
-const ENTRIES_PER_ZERO: usize = 6;
+const ENTRIES_PER_ZERO: u64 = 6;
 
 /// So many unknowns are sorted in the time that a group takes besides.
 const KEYS: usize = 8;
@@ -34,20 +34,23 @@ struct Group {
     /// Where its *boundary* is in the list of all: the later unknowns that its own are coupled to by then.
     boundary: Range<u32>,
     /// How many entries of it are zeros that elimination by smaller groups would leave out; told while a pattern is found.
-    zeros: usize,
+    zeros: u64,
 }
 
 impl Pattern {
     /// That of elements with so many unknowns each; [`NONE`] is none. Those that end before each of some strictly ascending numbers are in
     /// one group; the last of these is the number of unknowns.
-    pub(super) fn new(elements: &[[u32; 6]], ends: &[u32]) -> Self {
+    pub(super) async fn new(elements: &[[u32; 6]], ends: &[u32]) -> Self {
         let mut tree = Tree::new(elements, ends);
-        while tree.go_on() {}
+        pace::pause_after(elements.len()).await;
+        while tree.go_on() {
+            pace::pause().await;
+        }
         tree.pattern
     }
 
     /// The unknowns of each group and its boundary, both in ascending order.
-    pub(super) fn groups(&self) -> impl Iterator<Item = (Range<u32>, &[u32])> {
+    pub(super) fn groups(&self) -> impl ExactSizeIterator<Item = (Range<u32>, &[u32])> {
         self.groups.iter().map(|group| (group.unknowns.clone(), self.boundary(group)))
     }
 
@@ -83,13 +86,14 @@ impl Pattern {
     }
 
     /// Gives other numbers to the unknowns in boundaries.
-    pub(super) fn renumber_boundaries(&mut self, number_of: impl Fn(u32) -> u32) {
-        self.boundaries.iter_mut().for_each(|unknown| *unknown = number_of(*unknown));
+    pub(super) async fn renumber_boundaries(&mut self, number_of: impl Fn(u32) -> u32) {
+        let renumber = |some: &mut [u32]| some.iter_mut().for_each(|unknown| *unknown = number_of(*unknown));
+        pace::for_each(self.boundaries.chunks_mut(KEYS), renumber).await;
     }
 }
 
 /// A pattern while it is found.
-pub(super) struct Tree<'a> {
+struct Tree<'a> {
     elements: &'a [[u32; 6]],
     /// Where the groups end that are not merged yet.
     ends: &'a [u32],
@@ -99,12 +103,13 @@ pub(super) struct Tree<'a> {
     collected: Collected,
     /// How many of the groups that are not merged yet have been looked at.
     count: usize,
-    pub(super) pattern: Pattern,
+    pattern: Pattern,
 }
 
 impl<'a> Tree<'a> {
     /// Of what [`Pattern::new`] takes, with no group yet.
-    pub(super) fn new(elements: &'a [[u32; 6]], ends: &'a [u32]) -> Self {
+    fn new(elements: &'a [[u32; 6]], ends: &'a [u32]) -> Self {
+        debug_assert!(ends.is_sorted_by(|before, after| before < after), "groups of something");
         let group_of = group_of(ends);
         Self {
             elements,
@@ -119,7 +124,7 @@ impl<'a> Tree<'a> {
     }
 
     /// Finds more groups, as many as take a millisecond at most, and tells whether there may be more.
-    pub(super) fn go_on(&mut self) -> bool {
+    fn go_on(&mut self) -> bool {
         let mut work = 0;
         while work < WORK && self.count < self.ends.len() {
             work += 1 + self.add_group() / KEYS;
@@ -164,7 +169,7 @@ impl<'a> Tree<'a> {
         if !self.pattern.boundary(child).first().is_some_and(|first| group.unknowns.contains(first)) {
             return None;
         }
-        let more_zeros = child.unknowns.len() * (group.size() - child.boundary.len());
+        let more_zeros = (child.unknowns.len() * (group.size() - child.boundary.len())) as u64;
         let merged = Group {
             unknowns: child.unknowns.start..group.unknowns.end,
             zeros: group.zeros + child.zeros + more_zeros,
@@ -192,8 +197,8 @@ impl Group {
     }
 
     /// Number of entries of its columns, each from the diagonal on.
-    fn entry_count(&self) -> usize {
-        let count = |size: usize| size * (size + 1) / 2;
+    fn entry_count(&self) -> u64 {
+        let count = |size: usize| size as u64 * (size as u64 + 1) / 2;
         count(self.size()) - count(self.boundary.len())
     }
 }
