@@ -110,9 +110,9 @@ impl Unknowns {
     }
 
     /// Renumbers them, of which those at corners come first, in the order of elimination.
-    pub(super) async fn order(&mut self) {
+    pub(super) fn order(&mut self) {
         let (_, ends) = self.order_by(&corner_rank(self));
-        self.pattern = Pattern::new(&self.of_element, &ends).await.into();
+        self.pattern = Pattern::new(&self.of_element, &ends).into();
     }
 
     /// The same from an order of the corners; says where in the order of elimination each of them is, and where groups end there.

@@ -7,8 +7,6 @@
 
 use std::ops::Range;
 
-use scumble_core::pace;
-
 use super::pattern::{self, ByGroup, Children, Pattern};
 
 /// The fronts of a factor, children before parents.
@@ -38,19 +36,14 @@ impl Front {
 impl Fronts {
     /// Those of a pattern, given the places of its unknowns: the free ones have so many rows, in the order of the pattern, the
     /// places of fixed ones are beyond these. Elements have places in place of unknowns.
-    pub(super) async fn new(
-        pattern: &Pattern,
-        place_of: &[u32],
-        row_count: usize,
-        elements: &[[u32; 6]],
-    ) -> Self {
+    pub(super) fn new(pattern: &Pattern, place_of: &[u32], row_count: usize, elements: &[[u32; 6]]) -> Self {
         let (mut list, mut ends, mut boundaries) = (Vec::new(), Vec::new(), Vec::new());
         let mut row = 0;
-        pace::for_each(pattern.groups(), |(unknowns, boundary)| {
+        for (unknowns, boundary) in pattern.groups() {
             let places = &place_of[unknowns.start as usize..unknowns.end as usize];
             let pivots = row..row + places.iter().filter(|&&place| place < row_count as u32).count() as u32;
             if pivots.is_empty() {
-                return;
+                continue;
             }
             row = pivots.end;
             let start = boundaries.len() as u32;
@@ -58,10 +51,8 @@ impl Fronts {
             boundaries.extend(places.filter(|&place| place < row_count as u32));
             ends.push(pivots.end);
             list.push(Front { pivots, boundary: start..boundaries.len() as u32 });
-        })
-        .await;
+        }
         let front_of = pattern::group_of(&ends);
-        pace::pause_after(front_of.len()).await;
         let elements = ByGroup::new(elements, &front_of, list.len());
         let mut children = Children::of(list.len());
         for front in &list {
@@ -93,18 +84,13 @@ impl Fronts {
 
 #[cfg(test)]
 pub(super) mod tests {
-    use scumble_core::pace::{Slices, now};
-
     use super::*;
 
     /// The fronts of elements with so many unknowns each, of which none is fixed.
     pub(in super::super) fn fronts(elements: &[[u32; 6]], ends: &[u32]) -> Fronts {
         let count = ends.last().copied().unwrap_or_default();
         let places: Vec<_> = (0..count).collect();
-        now(Slices::new(async {
-            let pattern = Pattern::new(elements, ends).await;
-            Fronts::new(&pattern, &places, count as usize, elements).await
-        }))
+        Fronts::new(&Pattern::new(elements, ends), &places, count as usize, elements)
     }
 
     #[test]
@@ -121,7 +107,7 @@ pub(super) mod tests {
             })
             .collect();
         let ends: Vec<_> = (1..=81).collect();
-        let pattern = now(Slices::new(Pattern::new(&elements, &ends)));
+        let pattern = Pattern::new(&elements, &ends);
         for step in [2, 3, 7, 81] {
             assert_has_all_rows(&pattern, 81, &elements, |unknown| unknown % step == 1);
         }
@@ -144,7 +130,7 @@ pub(super) mod tests {
             })
             .collect();
         let rows: Vec<_> = elements.iter().map(|own| own.map(|unknown| places[unknown as usize])).collect();
-        let fronts = now(Slices::new(Fronts::new(pattern, &places, row_count, &rows)));
+        let fronts = Fronts::new(pattern, &places, row_count, &rows);
         assert_eq!(fronts.row_count(), row_count);
         let mut element_count = 0;
         for (i, front) in fronts.list.iter().enumerate() {

@@ -12,7 +12,7 @@ use scumble_core::{HalfEdge, Triangulation};
 
 use super::dissection;
 use super::dofs::{Dofs, NONE, Unknowns, half_edges};
-use super::pattern::Pattern;
+use super::pattern::{Pattern, Tree};
 use crate::barriers::Barriers;
 
 /// So many triangles are copied, or marked, in the time that other things take with one.
@@ -54,7 +54,7 @@ impl Numbering {
         for region in regions {
             let ends = region.order(&dissection::corner_rank(mesh, region).await);
             pace.work(region.triangles.len()).await;
-            region.unknowns.pattern = Pattern::new(&region.unknowns.of_element, &ends).await.into();
+            region.unknowns.pattern = pattern(&region.unknowns, &ends).await.into();
             for (&triangle, dofs) in region.triangles.iter().zip(&region.unknowns.of_element) {
                 of_triangle[triangle as usize] = dofs.map(|dof| first + dof);
             }
@@ -148,6 +148,16 @@ impl Numbering {
         }
         has_parts
     }
+}
+
+/// The pattern of some unknowns that are in the order of elimination.
+async fn pattern(unknowns: &Unknowns, ends: &[u32]) -> Pattern {
+    let mut tree = Tree::new(&unknowns.of_element, ends);
+    pace::pause_after(unknowns.of_element.len()).await;
+    while tree.go_on() {
+        pace::pause().await;
+    }
+    tree.pattern
 }
 
 /// The own unknowns in place of one that is shared while gaps are open.

@@ -40,12 +40,9 @@ struct Group {
 impl Pattern {
     /// That of elements with so many unknowns each; [`NONE`] is none. Those that end before each of some strictly ascending numbers are in
     /// one group; the last of these is the number of unknowns.
-    pub(super) async fn new(elements: &[[u32; 6]], ends: &[u32]) -> Self {
+    pub(super) fn new(elements: &[[u32; 6]], ends: &[u32]) -> Self {
         let mut tree = Tree::new(elements, ends);
-        pace::pause_after(elements.len()).await;
-        while tree.go_on() {
-            pace::pause().await;
-        }
+        while tree.go_on() {}
         tree.pattern
     }
 
@@ -93,7 +90,7 @@ impl Pattern {
 }
 
 /// A pattern while it is found.
-struct Tree<'a> {
+pub(super) struct Tree<'a> {
     elements: &'a [[u32; 6]],
     /// Where the groups end that are not merged yet.
     ends: &'a [u32],
@@ -103,12 +100,12 @@ struct Tree<'a> {
     collected: Collected,
     /// How many of the groups that are not merged yet have been looked at.
     count: usize,
-    pattern: Pattern,
+    pub(super) pattern: Pattern,
 }
 
 impl<'a> Tree<'a> {
     /// Of what [`Pattern::new`] takes, with no group yet.
-    fn new(elements: &'a [[u32; 6]], ends: &'a [u32]) -> Self {
+    pub(super) fn new(elements: &'a [[u32; 6]], ends: &'a [u32]) -> Self {
         debug_assert!(ends.is_sorted_by(|before, after| before < after), "groups of something");
         let group_of = group_of(ends);
         Self {
@@ -124,7 +121,7 @@ impl<'a> Tree<'a> {
     }
 
     /// Finds more groups, as many as take a millisecond at most, and tells whether there may be more.
-    fn go_on(&mut self) -> bool {
+    pub(super) fn go_on(&mut self) -> bool {
         let mut work = 0;
         while work < WORK && self.count < self.ends.len() {
             work += 1 + self.add_group() / KEYS;

@@ -147,7 +147,7 @@ impl Problem {
     async fn new(brush: &Brush, patch: &Patch, dofs: &[u32], region: &Refined) -> Self {
         let (masses, loads) = integrals(brush, &patch.corners).await;
         let mut unknowns = Unknowns::of_elements(patch.dofs.clone());
-        unknowns.order().await;
+        unknowns.order();
         let mut place_of = vec![0; region.dof_count];
         let numbers = unknowns.of_element.as_flattened().iter().zip(patch.dofs.as_flattened());
         numbers.for_each(|(&number, &dof)| place_of[dof as usize] = number);

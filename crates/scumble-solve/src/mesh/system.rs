@@ -35,7 +35,7 @@ impl System {
         let row = |dof: u32| place_of[dof as usize];
         pace::for_each(&unknowns.of_element, |dofs| rows.push(dofs.map(row))).await;
         let row_count = fixed.iter().filter(|fixed| !**fixed).count();
-        let fronts = Fronts::new(&unknowns.pattern, &place_of, row_count, &rows).await;
+        let fronts = Fronts::new(&unknowns.pattern, &place_of, row_count, &rows);
         pace::pause_after(rows.len()).await;
         Self { place_of, couplings: Couplings::default(), fronts, rows, factor: None }
     }
