@@ -91,7 +91,8 @@ impl Report {
         self.paint.push(paint_ms);
         self.first_picture
             .push(read_ms + opened.import_ms + opened.map_ms + opened.mesh_ms + spread_ms + paint_ms);
-        let boundary = self.more_scribbles(&mut opened, &scribbles)?;
+        self.more_scribbles(&mut opened, &scribbles)?;
+        let boundary = opened.picture.boundary().clone();
         self.recolor(&mut opened, &scribbles)?;
         for (width_du, times) in WIDTHS_DU.into_iter().zip(&mut self.shades) {
             times.take(&mut opened, &scribbles, width_du)?;
@@ -100,7 +101,7 @@ impl Report {
     }
 
     fn first_scribble(&mut self, opened: &mut Opened, first: &[Scribble]) -> anyhow::Result<f64> {
-        let (_, times) = stages::spread(&mut opened.picture, first, &[], &Settings::default())?;
+        let times = stages::spread(&mut opened.picture, first, &[], &Settings::default())?;
         self.color.push(times.color_ms);
         self.analyse.push(times.analyse_ms);
         self.factor.push(times.factor_ms);
@@ -108,15 +109,14 @@ impl Report {
         Ok(times.total_ms())
     }
 
-    /// Adds one scribble at a time; gives the colours with all of them.
-    fn more_scribbles(&mut self, opened: &mut Opened, scribbles: &[Scribble]) -> anyhow::Result<Boundary> {
+    /// Adds one scribble at a time.
+    fn more_scribbles(&mut self, opened: &mut Opened, scribbles: &[Scribble]) -> anyhow::Result<()> {
         for count in 2..=scribbles.len() {
-            let (_, times) =
-                stages::spread(&mut opened.picture, &scribbles[..count], &[], &Settings::default())?;
+            let times = stages::spread(&mut opened.picture, &scribbles[..count], &[], &Settings::default())?;
             self.new_scribble.push(times.total_ms());
         }
         self.repaint.push(paint_ms(opened, scribbles)?);
-        Ok(opened.picture.color(scribbles, &[], &Settings::default()))
+        Ok(())
     }
 
     /// Gives the last scribble another colour.
@@ -125,7 +125,7 @@ impl Report {
         if let Some(Scribble { color: Paint::Color(color), .. }) = recolored.last_mut() {
             color.0[1] ^= 0x40;
         }
-        let (_, times) = stages::spread(&mut opened.picture, &recolored, &[], &Settings::default())?;
+        let times = stages::spread(&mut opened.picture, &recolored, &[], &Settings::default())?;
         self.recolor.push(times.total_ms());
         Ok(())
     }
@@ -198,9 +198,9 @@ fn times_of(candidate: Candidate, map: &PlanarMap, scribbles: &[Scribble]) -> La
 }
 
 fn paint_ms(opened: &mut Opened, scribbles: &[Scribble]) -> anyhow::Result<f64> {
-    let boundary = opened.picture.color(scribbles, &[], &Settings::default());
+    opened.picture.color(scribbles, &[], &Settings::default());
     let view = stages::page_view(&opened.document.drawing, SIZE_PX);
-    let field = opened.picture.mesh().solve(&boundary, Blend::Oklab)?;
+    let field = opened.picture.solve()?;
     let (_, paint_ms) = timed(|| stages::paint_page(field, &[], &view, Some(PAPER)));
     Ok(paint_ms)
 }

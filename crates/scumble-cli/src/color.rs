@@ -4,7 +4,7 @@ mod on_pixels;
 mod parts;
 
 use anyhow::ensure;
-use scumble_core::{Boundary, Document, Scribble, Work};
+use scumble_core::{Document, Scribble, Work};
 use scumble_io::{ReadScribbles, read_scribbles, write_png};
 use scumble_solve::{Pixmap, SolveError};
 use serde::Serialize;
@@ -62,15 +62,14 @@ pub(crate) fn run(options: &ColorOptions) -> anyhow::Result<()> {
     files::warn(&options.scribbles, &notes.to_string());
     if options.solver != Solver::Mesh {
         let by_hand = &opened.document.color_points;
-        let boundary = opened.picture.color(&scribbles, by_hand, &options.settings);
-        write(&on_pixels::paint(&opened, &boundary, options)?, options)?;
+        opened.picture.color(&scribbles, by_hand, &options.settings);
+        write(&on_pixels::paint(&opened, options)?, options)?;
         return save(&opened, scribbles, options);
     }
-    let (colors, times) = spread(&mut opened, &scribbles, options)?;
-    let blend = options.settings.blend;
+    let times = spread(&mut opened, &scribbles, options)?;
     let Opened { document, picture, .. } = &mut opened;
     let drawing = &document.drawing;
-    let (pixmap, paint_ms) = timed(|| render::paint(drawing, picture, &colors, blend, &options.look));
+    let (pixmap, paint_ms) = timed(|| render::paint(drawing, picture, &options.look));
     write(&pixmap?, options)?;
     if options.timings {
         println!("{}", serde_json::to_string(&timings(&mut opened, &times, paint_ms))?);
@@ -94,19 +93,19 @@ fn spread(
     opened: &mut Opened,
     scribbles: &[Scribble],
     options: &ColorOptions,
-) -> Result<(Boundary, Vec<SpreadTimes>), SolveError> {
+) -> Result<Vec<SpreadTimes>, SolveError> {
     let Opened { document, picture, .. } = opened;
     let mut spread =
         |scribbles| stages::spread(picture, scribbles, &document.color_points, &options.settings);
     let mut times = Vec::new();
     if options.timings {
         for count in 1..scribbles.len() {
-            times.push(spread(&scribbles[..count])?.1);
+            times.push(spread(&scribbles[..count])?);
         }
     }
-    let (boundary, last) = spread(scribbles)?;
+    let last = spread(scribbles)?;
     times.extend((!scribbles.is_empty()).then_some(last));
-    Ok((boundary, times))
+    Ok(times)
 }
 
 fn timings(opened: &mut Opened, times: &[SpreadTimes], paint_ms: f64) -> Timings {

@@ -83,7 +83,7 @@ pub(crate) fn run(set: &Path, every: usize, options: CompareOptions) -> anyhow::
 fn drawing(entry: &set::Entry, options: CompareOptions) -> anyhow::Result<Row> {
     let mut opened = stages::open(&entry.svg()?)?;
     let scribbles = entry.scribbles(Kind::Dense, &opened.document.drawing)?;
-    let boundary = opened.picture.color(&scribbles, &[], &Settings::default());
+    let boundary = opened.picture.color(&scribbles, &[], &Settings::default()).clone();
     let view = stages::page_view(&opened.document.drawing, SIZE_PX);
     row(&mut opened.picture, boundary, &view, options)
 }
@@ -91,7 +91,7 @@ fn drawing(entry: &set::Entry, options: CompareOptions) -> anyhow::Result<Row> {
 fn made_row(options: CompareOptions) -> anyhow::Result<Row> {
     let drawing = made::drawing(MADE_CELLS);
     let mut picture = Picture::new(&drawing)?;
-    let boundary = picture.color(&made::scribbles(), &[], &Settings::default());
+    let boundary = picture.color(&made::scribbles(), &[], &Settings::default()).clone();
     row(&mut picture, boundary, &stages::page_view(&drawing, SIZE_PX), options)
 }
 
@@ -196,7 +196,7 @@ mod tests {
     fn compared(options: CompareOptions) -> Row {
         let drawing = made::drawing(3);
         let mut picture = Picture::new(&drawing).expect("a map");
-        let boundary = picture.color(&made::scribbles(), &[], &Settings::default());
+        let boundary = picture.color(&made::scribbles(), &[], &Settings::default()).clone();
         row(&mut picture, boundary, &stages::page_view(&drawing, 512), options).expect("a row")
     }
 

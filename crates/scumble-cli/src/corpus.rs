@@ -62,7 +62,7 @@ fn try_drawing(path: &Path) -> Outcome {
 fn color_twice(path: &Path) -> anyhow::Result<(Opened, SpreadTimes)> {
     let mut opened = stages::open(&crate::files::read(path)?)?;
     let scribbles = scribbles_on(&opened.document.drawing);
-    let (_, times) = stages::spread(&mut opened.picture, &scribbles, &[], &Settings::default())?;
+    let times = stages::spread(&mut opened.picture, &scribbles, &[], &Settings::default())?;
     Ok((opened, times))
 }
 

@@ -2,7 +2,7 @@
 
 use anyhow::ensure;
 use scumble_core::drawing::LONGER_SIDE_DU;
-use scumble_core::{Blend, Boundary, Document, Drawing};
+use scumble_core::{Document, Drawing};
 use scumble_export::Export;
 use scumble_io::write_png;
 use scumble_solve::{Field, Picture, Pixmap, Shape, SolveError, line_shapes};
@@ -25,13 +25,13 @@ pub(crate) fn run(options: &RenderOptions) -> anyhow::Result<()> {
     works::fetch_lines(&mut work, options.samples.as_deref())?;
     let Document { drawing, scribbles, color_points, settings, .. } = &work.document;
     let mut picture = Picture::new(drawing)?;
-    let (boundary, _) = stages::spread(&mut picture, scribbles, color_points, settings)?;
+    stages::spread(&mut picture, scribbles, color_points, settings)?;
     let look = &options.look;
     let bytes = if options.format == Format::Png {
-        let pixmap = paint(drawing, &mut picture, &boundary, settings.blend, look)?;
+        let pixmap = paint(drawing, &mut picture, look)?;
         write_png(pixmap.width_px, pixmap.height_px, &pixmap.rgba)?
     } else {
-        let field = picture.mesh().solve(&boundary, settings.blend)?;
+        let field = picture.solve()?;
         let paper = (!look.transparent).then_some(PAPER);
         let look = scumble_export::Look { size_px: look.size_px, lines: look.lines, paper };
         written(&Export::new(&work, field, look), field, options.format)?
@@ -51,20 +51,14 @@ fn written(export: &Export<'_>, field: &Field, format: Format) -> anyhow::Result
     Ok(export.svg(raster.transpose()?.as_deref())?.into_bytes())
 }
 
-/// Paints the whole page.
+/// Paints the whole page of a picture with its colours.
 ///
 /// # Errors
 /// When the solver fails.
-pub(crate) fn paint(
-    drawing: &Drawing,
-    picture: &mut Picture,
-    boundary: &Boundary,
-    blend: Blend,
-    look: &Look,
-) -> Result<Pixmap, SolveError> {
+pub(crate) fn paint(drawing: &Drawing, picture: &mut Picture, look: &Look) -> Result<Pixmap, SolveError> {
     let view = stages::page_view(drawing, look.size_px);
     let shapes = shapes(drawing, picture, look);
-    let field = picture.mesh().solve(boundary, blend)?.clone();
+    let field = picture.solve()?.clone();
     let px_per_du = f64::from(look.size_px) / LONGER_SIDE_DU;
     let field = picture.close_up(drawing, drawing.frame(), px_per_du).unwrap_or(field);
     Ok(stages::paint_page(&field, &shapes, &view, (!look.transparent).then_some(PAPER)))

@@ -2,7 +2,8 @@
 
 use kurbo::Affine;
 use scumble_core::drawing::LONGER_SIDE_DU;
-use scumble_core::{Boundary, ColorPoint, Document, Drawing, Scribble, Settings, Srgb8, Work};
+use scumble_core::pace::now;
+use scumble_core::{ColorPoint, Document, Drawing, Scribble, Settings, Srgb8, Work};
 use scumble_io::import_drawing;
 use scumble_solve::{Field, Picture, Pixmap, Scene, Shape, SolveError, View, paint};
 
@@ -60,15 +61,15 @@ pub(crate) fn spread(
     scribbles: &[Scribble],
     by_hand: &[ColorPoint],
     settings: &Settings,
-) -> Result<(Boundary, SpreadTimes), SolveError> {
-    let (boundary, color_ms) = timed(|| picture.color(scribbles, by_hand, settings));
-    let solver = picture.mesh();
-    let ((), analyse_ms) = timed(|| solver.analyse(&boundary));
+) -> Result<SpreadTimes, SolveError> {
+    let ((), color_ms) = timed(|| now(picture.coloring(scribbles, by_hand, settings)));
+    let (solver, boundary) = picture.mesh_and_boundary();
+    let ((), analyse_ms) = timed(|| solver.analyse(boundary));
     let (factored, factor_ms) = timed(|| solver.factor());
     factored?;
     let (solved, solve_ms) = timed(|| solver.spread(settings.blend).map(|_| ()));
     solved?;
-    Ok((boundary, SpreadTimes { color_ms, analyse_ms, factor_ms, solve_ms }))
+    Ok(SpreadTimes { color_ms, analyse_ms, factor_ms, solve_ms })
 }
 
 /// The whole page with a longer side of so many pixels.

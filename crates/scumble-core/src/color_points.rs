@@ -4,36 +4,12 @@
 //! one to the other over a short transition, as in Figure 2(f) of Bao & Fu 2019, but where another line, or a closed gap,
 //! parts them. Where a side has points that were set by hand, these alone give it its colours.
 
-use crate::color::{Blend, BlendColor, Paint};
+use crate::color::{BlendColor, Paint};
 use crate::engine::Labels;
-use crate::pace::{Slices, now, pause};
 use crate::planar_map::{PlanarMap, Step};
 use crate::scribble::Scribble;
 use crate::sort;
-use crate::source::{SoftSource, soft_sources};
 use crate::triangulation::SideId;
-
-/// The colour of a side at the start, the middle and the end of its half-edge in the triangulation; `None` where
-/// the side has no colour and is a no-flux barrier. Indexed by [`SideId`].
-pub type SideColors = Vec<Option<[BlendColor; 3]>>;
-
-/// What bounds and feeds the spreading of colours: the input of the solver.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub struct Boundary {
-    /// The colours of the sides of curves; sides beyond its end have none.
-    pub sides: SideColors,
-    /// For each gap of the map whether it lets no colour through; gaps beyond its end are open.
-    pub closed_gaps: Vec<bool>,
-    /// What shades; in whatever order, but the picture may depend on that in its last bits.
-    pub sources: Vec<SoftSource>,
-}
-
-impl From<SideColors> for Boundary {
-    /// With all gaps open, and no sources.
-    fn from(sides: SideColors) -> Self {
-        Self { sides, ..Self::default() }
-    }
-}
 
 /// A colour that was set by hand at a place along one side of a curve.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -48,36 +24,6 @@ pub struct ColorPoint {
     pub color: Paint,
 }
 
-/// The boundary that labels, which name scribbles by their indices, the scribbles, and colours set by hand give the
-/// solver, in a blend space. It does not depend on the order of the scribbles that shade.
-pub fn boundary(
-    map: &PlanarMap,
-    labels: &Labels,
-    scribbles: &[Scribble],
-    by_hand: &[ColorPoint],
-    blend: Blend,
-) -> Boundary {
-    now(bounding(map, labels, scribbles, by_hand, blend))
-}
-
-/// [`boundary`] in slices.
-pub fn bounding<'a>(
-    map: &'a PlanarMap,
-    labels: &'a Labels,
-    scribbles: &'a [Scribble],
-    by_hand: &'a [ColorPoint],
-    blend: Blend,
-) -> Slices<'a, Boundary> {
-    Slices::new(async move {
-        let spans = curve_colors(map, labels, scribbles, by_hand);
-        pause().await;
-        let sides = side_colors(map, &spans, blend);
-        pause().await;
-        let sources = soft_sources(scribbles, blend);
-        Boundary { sides, closed_gaps: labels.closed_gaps.clone(), sources }
-    })
-}
-
 /// The coloured stretches of all curves. A side with a colour that was set by hand is one stretch from end to end.
 pub fn curve_colors(
     map: &PlanarMap,
@@ -85,11 +31,40 @@ pub fn curve_colors(
     scribbles: &[Scribble],
     by_hand: &[ColorPoint],
 ) -> Vec<ColorSpan> {
-    let color_of = |side: SideId| {
+    let by_hand = sorted(by_hand);
+    let (mut by_hand, mut spans) = (spans_by_hand(map, &by_hand).peekable(), Vec::new());
+    for curve in 0..map.curve_count() as u32 {
+        let paints: Vec<_> = step_paints(map, curve, label_paint(labels, scribbles)).collect();
+        for is_left in [false, true] {
+            match by_hand.next_if(|span| (span.curve, span.is_left) == (curve, is_left)) {
+                Some(span) => spans.push(span),
+                None => {
+                    CurveSide { map, curve, is_left }.add_spans(&paints, &labels.closed_gaps, &mut spans);
+                }
+            }
+        }
+    }
+    spans
+}
+
+/// The colour that labels, which name scribbles by their indices, give a side.
+pub(crate) fn label_paint(labels: &Labels, scribbles: &[Scribble]) -> impl Fn(SideId) -> Option<Paint> {
+    |side| {
         let label = labels.sides.get(side.index()).copied().flatten()?;
         scribbles.get(label as usize).map(|scribble| scribble.color)
-    };
-    color_spans(map, color_of, &labels.closed_gaps, &sorted(by_hand))
+    }
+}
+
+/// The colours of a step, on the right of the curve and on its left.
+pub(crate) type StepPaints = [Option<Paint>; 2];
+
+/// The colours of all steps of a curve.
+pub(crate) fn step_paints(
+    map: &PlanarMap,
+    curve: u32,
+    paint_of: impl Fn(SideId) -> Option<Paint>,
+) -> impl Iterator<Item = StepPaints> {
+    map.steps(curve as usize).iter().map(move |step| [step.left, step.left.opposite()].map(&paint_of))
 }
 
 /// Length of the transition between two runs, in du; shorter where a run is shorter.
@@ -117,24 +92,30 @@ pub struct ColorSpan {
 }
 
 /// Points by their sides, and along each; without those at no place.
-fn sorted(points: &[ColorPoint]) -> Vec<ColorPoint> {
+pub(crate) fn sorted(points: &[ColorPoint]) -> Vec<ColorPoint> {
     let mut points: Vec<_> = points.iter().copied().filter(|p| p.at_du.is_finite()).collect();
-    let keys: [fn(&ColorPoint) -> u64; 2] = [|p| sort::float(p.at_du), |p| side_key(p.curve, p.is_left)];
+    let keys: [fn(&ColorPoint) -> u64; 2] = [|p| sort::float(p.at_du), side_key];
     for key in keys {
         sort::sort_copies_by_key(&mut points, key);
     }
     points
 }
 
-/// A number for one side of a curve.
-fn side_key(curve: u32, is_left: bool) -> u64 {
-    u64::from(curve) << 1 | u64::from(is_left)
+/// A number for the side of the curve that a point is on.
+fn side_key(point: &ColorPoint) -> u64 {
+    u64::from(point.curve) << 1 | u64::from(point.is_left)
+}
+
+/// The spans of the sides with points that were set by hand, which are [`sorted`].
+pub(crate) fn spans_by_hand(map: &PlanarMap, points: &[ColorPoint]) -> impl Iterator<Item = ColorSpan> {
+    points.chunk_by(|a, b| side_key(a) == side_key(b)).filter_map(|own| span_by_hand(map, own))
 }
 
 /// The span of one side's points: before the first and after the last the colour stays.
 fn span_by_hand(map: &PlanarMap, points: &[ColorPoint]) -> Option<ColorSpan> {
     let [first, last] = [points.first()?, points.last()?];
-    let end_du = map.steps(first.curve as usize).last()?.arc_du[1];
+    let curve = Some(first.curve as usize).filter(|&curve| curve < map.curve_count())?;
+    let end_du = map.steps(curve).last()?.arc_du[1];
     let stop = |arc_du, p: &ColorPoint| Stop { arc_du, color: p.color };
     let mut stops = vec![stop(first.at_du.min(0.0), first)];
     stops.extend(points.iter().map(|p| stop(p.at_du, p)));
@@ -142,53 +123,47 @@ fn span_by_hand(map: &PlanarMap, points: &[ColorPoint]) -> Option<ColorSpan> {
     Some(ColorSpan { curve: first.curve, is_left: first.is_left, stops })
 }
 
-/// The coloured stretches of all curves, where `color_of` gives the colour of a side that has one, but for those with
-/// points that were set by hand, which come in the order of their sides.
-pub(crate) fn color_spans(
-    map: &PlanarMap,
-    color_of: impl Fn(SideId) -> Option<Paint>,
-    closed_gaps: &[bool],
-    mut by_hand: &[ColorPoint],
-) -> Vec<ColorSpan> {
-    let (mut spans, mut colors) = (Vec::new(), Vec::new());
-    for curve in 0..map.curve_count() {
-        for is_left in [false, true] {
-            let is_own = |p: &&ColorPoint| side_key(p.curve, p.is_left) == side_key(curve as u32, is_left);
-            let (own, others) = by_hand.split_at(by_hand.iter().take_while(is_own).count());
-            by_hand = others;
-            if let Some(span) = span_by_hand(map, own) {
-                spans.push(span);
-                continue;
-            }
-            let steps = map.steps(curve);
-            colors.clear();
-            colors.extend(steps.iter().map(|step| color_of(side(step, is_left))));
-            if !colors.iter().any(Option::is_some) {
-                continue;
-            }
-            let seam = if map.is_closed(curve) { seam(&colors) } else { 0 };
-            let runs = runs(steps, &colors, seam);
-            let is_parted = |run: &Run| {
-                let before = (run.first + steps.len() - 1) % steps.len();
-                are_parted(map, closed_gaps, [before, run.first].map(|i| side(&steps[i], is_left)), is_left)
-            };
-            let parts = runs.chunk_by(|a, b| a.end_du == b.start_du && !is_parted(b));
-            spans.extend(parts.map(|part| ColorSpan { curve: curve as u32, is_left, stops: stops(part) }));
-        }
+/// One side of a curve, from end to end.
+#[derive(Debug)]
+pub(crate) struct CurveSide<'a> {
+    pub(crate) map: &'a PlanarMap,
+    pub(crate) curve: u32,
+    pub(crate) is_left: bool,
+}
+
+impl<'a> CurveSide<'a> {
+    fn steps(&self) -> &'a [Step] {
+        self.map.steps(self.curve as usize)
     }
-    spans
+
+    /// Appends its coloured stretches to a list, the steps of the curve having these colours.
+    pub(crate) fn add_spans(&self, paints: &[StepPaints], closed_gaps: &[bool], spans: &mut Vec<ColorSpan>) {
+        let colors: Vec<_> = paints.iter().map(|both| both[usize::from(self.is_left)]).collect();
+        if !colors.iter().any(Option::is_some) {
+            return;
+        }
+        let seam = if self.map.is_closed(self.curve as usize) { seam(&colors) } else { 0 };
+        let runs = runs(self.steps(), &colors, seam);
+        let parts = runs.chunk_by(|a, b| a.end_du == b.start_du && !self.is_parted(b.first, closed_gaps));
+        let span = |runs| ColorSpan { curve: self.curve, is_left: self.is_left, stops: stops(runs) };
+        spans.extend(parts.map(span));
+    }
+
+    /// Whether another line, or a closed gap, parts it where a step begins.
+    fn is_parted(&self, step: usize, closed_gaps: &[bool]) -> bool {
+        let steps = self.steps();
+        let before = (step + steps.len() - 1) % steps.len();
+        let [before, after] = [before, step].map(|i| side(&steps[i], self.is_left));
+        let (from, to) = if self.is_left { (after, before) } else { (before, after) };
+        let mesh = self.map.triangulation();
+        let is_open = |h| mesh.gap(h).is_none_or(|gap| closed_gaps.get(gap as usize) != Some(&true));
+        self.map.half_edge(from).and_then(|h| mesh.side_after(h, is_open)) != Some(to)
+    }
 }
 
-fn side(step: &Step, is_left: bool) -> SideId {
+/// The side of a step that is on one side of the curve.
+pub(crate) fn side(step: &Step, is_left: bool) -> SideId {
     if is_left { step.left.opposite() } else { step.left }
-}
-
-/// Whether another line, or a closed gap, lies between one side and the next along a curve.
-fn are_parted(map: &PlanarMap, closed_gaps: &[bool], [before, after]: [SideId; 2], is_left: bool) -> bool {
-    let mesh = map.triangulation();
-    let (from, to) = if is_left { (after, before) } else { (before, after) };
-    let is_open = |h| mesh.gap(h).is_none_or(|gap| closed_gaps.get(gap as usize) != Some(&true));
-    map.half_edge(from).and_then(|h| mesh.side_after(h, is_open)) != Some(to)
 }
 
 /// The step of a closed curve at which its sides are cut open: the middle of the longest run, where no transition
@@ -243,49 +218,8 @@ fn stops(runs: &[Run]) -> Vec<Stop> {
     runs.iter().enumerate().flat_map(of_run).collect()
 }
 
-/// The colours that spans give the sides of the map, in a blend space.
-///
-/// Where several curves run along one piece, the first of them colours it.
-pub(crate) fn side_colors(map: &PlanarMap, spans: &[ColorSpan], blend: Blend) -> SideColors {
-    let mut colors = vec![None; map.side_count()];
-    let mut last = (Paint::Clear, blend.from_paint(Paint::Clear));
-    let mut color_of = |paint: Paint| {
-        // Most stops have the colour of the one before, and roots take their time.
-        if paint != last.0 {
-            last = (paint, blend.from_paint(paint));
-        }
-        last.1
-    };
-    for span in spans {
-        let knots: Vec<_> = span.stops.iter().map(|p| (p.arc_du, color_of(p.color))).collect();
-        let steps = map.steps(span.curve as usize);
-        let round_du = steps.last().map_or(0.0, |last| last.arc_du[1]);
-        // Last without a round ahead: what was set by hand past the end is of no account.
-        for before_du in [round_du, 0.0] {
-            color_steps(map, span, &knots, before_du, &mut colors);
-        }
-    }
-    colors
-}
-
 /// A place along a curve in du and its colour.
 pub type Knot = (f64, BlendColor);
-
-/// Colours the steps that lie within a span, `before_du` being what its arc positions are ahead of theirs.
-fn color_steps(map: &PlanarMap, span: &ColorSpan, knots: &[Knot], before_du: f64, colors: &mut SideColors) {
-    let [Some(first), Some(last)] = [knots.first(), knots.last()] else { return };
-    let is_plain = knots.iter().all(|knot| knot.1 == first.1);
-    let steps = map.steps(span.curve as usize);
-    let begin = steps.partition_point(|step| step.arc_du[0] + before_du < first.0);
-    let within = steps[begin..].iter().take_while(|step| step.arc_du[1] + before_du <= last.0);
-    for step in within.filter(|step| map.pieces()[step.left.piece()].curve == Some(span.curve)) {
-        let [a, b] = step.arc_du.map(|arc_du| arc_du + before_du);
-        let along = if is_plain { [first.1; 3] } else { [a, 0.5 * (a + b), b].map(|at| color_at(knots, at)) };
-        let [start, middle, end] = along;
-        let side = side(step, span.is_left);
-        colors[side.index()] = Some(if span.is_left { [end, middle, start] } else { along });
-    }
-}
 
 /// The colour at a place along a curve: linear between knots, of which there is at least one, in ascending order;
 /// that of the nearer end beyond them.
@@ -300,7 +234,8 @@ pub fn color_at(knots: &[Knot], arc_du: f64) -> BlendColor {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::color::Srgb8;
+    use crate::boundary::{SideColors, color_span};
+    use crate::color::{Blend, Srgb8};
     use crate::drawing::{Curve, Drawing};
     use crate::planar_map::Sampling;
     use kurbo::{Circle, Rect, Shape};
@@ -315,9 +250,30 @@ mod tests {
         PlanarMap::build(&drawing, &Sampling::default()).expect("a map")
     }
 
+    fn color_spans(
+        map: &PlanarMap,
+        color_of: impl Fn(SideId) -> Option<Paint>,
+        closed_gaps: &[bool],
+    ) -> Vec<ColorSpan> {
+        let mut spans = Vec::new();
+        for curve in 0..map.curve_count() as u32 {
+            let paints: Vec<_> = step_paints(map, curve, &color_of).collect();
+            for is_left in [false, true] {
+                CurveSide { map, curve, is_left }.add_spans(&paints, closed_gaps, &mut spans);
+            }
+        }
+        spans
+    }
+
     fn inner(map: &PlanarMap, color: impl Fn(usize) -> Option<Paint>) -> Vec<ColorSpan> {
         let index_of = |side: SideId| map.steps(0).iter().position(|step| step.left == side);
-        color_spans(map, |side| index_of(side).and_then(&color), &[], &[])
+        color_spans(map, |side| index_of(side).and_then(&color), &[])
+    }
+
+    fn side_colors(map: &PlanarMap, spans: &[ColorSpan], blend: Blend) -> SideColors {
+        let mut sides = vec![None; map.side_count()];
+        spans.iter().for_each(|span| color_span(map, span, &mut |paint| blend.from_paint(paint), &mut sides));
+        sides
     }
 
     #[test]
@@ -368,7 +324,7 @@ mod tests {
             let at = |side: SideId| map.triangulation().points()[map.ends(side)[0] as usize];
             let is_west = |side: SideId| 0.5 * (at(side) + at(side.opposite()).to_vec2()).x < 500.0;
             let color = |side| Some(if is_west(side) { RED } else { BLUE });
-            let spans = color_spans(&map, color, &vec![is_closed; map.gaps().len()], &[]);
+            let spans = color_spans(&map, color, &vec![is_closed; map.gaps().len()]);
             [false, true].map(|is_left| {
                 spans.iter().filter(|span| (span.curve, span.is_left) == (0, is_left)).count() == 1
             })

@@ -29,6 +29,7 @@
 //! | how a drawing is coloured | [`settings`] |
 //! | a picture under the lines | [`tracing`] |
 //! | colours along the sides of curves | [`color_points`] |
+//! | what the solver is given to spread | [`boundary`](mod@boundary) |
 //! | what is kept of somebody's work | [`work`] |
 //! | … as bytes that lose nothing | [`exact`] |
 //! | long work in slices | [`pace`] |
@@ -39,6 +40,7 @@
 
 mod angle;
 pub mod bends;
+pub mod boundary;
 pub mod clamp;
 mod clearance;
 pub mod color;
@@ -80,10 +82,11 @@ pub mod work;
 
 pub use angle::{angle_part, unit_vector};
 pub use bends::Bends;
+pub use boundary::{Boundary, KnownBoundary, SideColors, boundary};
 pub use clamp::{clamped, nearest_in};
 pub use color::{Blend, BlendColor, ColorError, Paint, Rgba8, Srgb8};
 pub use color_model::ColorModel;
-pub use color_points::{Boundary, ColorPoint, SideColors, boundary, bounding};
+pub use color_points::ColorPoint;
 pub use drawing::{Curve, Drawing, Fill, Line};
 pub use edit::{Deed, Document, Editor};
 pub use engine::{Engine, Labels};

@@ -4,8 +4,8 @@
 use kurbo::Rect;
 use scumble_core::pace::{Slices, now};
 use scumble_core::{
-    Bends, Boundary, ColorPoint, Document, Drawing, Engine, Labels, MapError, PlanarMap, Sampling, Scribble,
-    Settings, bounding,
+    Bends, Boundary, ColorPoint, Document, Drawing, Engine, KnownBoundary, Labels, MapError, PlanarMap,
+    Sampling, Scribble, Settings,
 };
 
 use crate::field::Field;
@@ -28,6 +28,7 @@ pub struct Picture {
     /// The engine and the settings that it was made for.
     engine: Box<dyn Engine>,
     settings: Settings,
+    boundary: KnownBoundary,
     solver: Option<MeshSolver>,
 }
 
@@ -49,14 +50,17 @@ impl Picture {
             let settings = Settings::default();
             let mut map = PlanarMap::building(drawing, &Sampling::default()).await?;
             map.closing_gaps(settings.gap_closing).await;
-            Ok(Self { map, engine: settings.engine(), settings, solver: None })
+            Ok(Self::of(map, settings))
         })
     }
 
     /// The same drawing, of which nothing but the map is known.
     pub fn again(&self) -> Self {
-        let Self { map, settings, .. } = self;
-        Self { map: map.clone(), engine: settings.engine(), settings: *settings, solver: None }
+        Self::of(self.map.clone(), self.settings)
+    }
+
+    fn of(map: PlanarMap, settings: Settings) -> Self {
+        Self { map, engine: settings.engine(), settings, boundary: KnownBoundary::default(), solver: None }
     }
 
     /// The settings of the last labels.
@@ -82,16 +86,7 @@ impl Picture {
 
     /// [`Picture::mesh`] in slices.
     pub fn meshing(&mut self) -> Slices<'_, &mut MeshSolver> {
-        Slices::new(async {
-            let solver = match self.solver.take() {
-                Some(solver) => solver,
-                None => {
-                    self.map.refining().await;
-                    MeshSolver::meshing(self.map.refined().clone()).await
-                }
-            };
-            self.solver.insert(solver)
-        })
+        Slices::new(async { self.ready().await.0 })
     }
 
     /// Whether [`Picture::mesh`] has been called since the map is what it is.
@@ -126,7 +121,7 @@ impl Picture {
         let is_other_map =
             before.gap_closing != settings.gap_closing && self.map.closing_gaps(settings.gap_closing).await;
         if is_other_map {
-            self.solver = None;
+            (self.boundary, self.solver) = (KnownBoundary::default(), None);
         }
         if is_other_map || !before.share_engine(&settings) {
             self.engine = settings.engine();
@@ -151,8 +146,14 @@ impl Picture {
     }
 
     /// The colours that scribbles and points set by hand give the sides, and the gaps that the scribbles leave closed.
-    pub fn color(&mut self, scribbles: &[Scribble], by_hand: &[ColorPoint], settings: &Settings) -> Boundary {
-        now(self.coloring(scribbles, by_hand, settings))
+    pub fn color(
+        &mut self,
+        scribbles: &[Scribble],
+        by_hand: &[ColorPoint],
+        settings: &Settings,
+    ) -> &Boundary {
+        now(self.coloring(scribbles, by_hand, settings));
+        self.boundary()
     }
 
     /// [`Picture::color`] in slices.
@@ -161,10 +162,51 @@ impl Picture {
         scribbles: &'a [Scribble],
         by_hand: &'a [ColorPoint],
         settings: &'a Settings,
-    ) -> Slices<'a, Boundary> {
+    ) -> Slices<'a, ()> {
         Slices::new(async {
             let labels = self.labelling(scribbles, settings).await;
-            bounding(&self.map, &labels, scribbles, by_hand, settings.blend).await
+            self.boundary.following(&self.map, &labels, scribbles, by_hand, settings.blend).await;
+        })
+    }
+
+    /// The boundary of the last call of [`Picture::color`]; that of no map before.
+    pub fn boundary(&self) -> &Boundary {
+        self.boundary.get()
+    }
+
+    /// [`Picture::mesh`], and what it is given.
+    pub fn mesh_and_boundary(&mut self) -> (&mut MeshSolver, &Boundary) {
+        now(Slices::new(self.ready()))
+    }
+
+    async fn ready(&mut self) -> (&mut MeshSolver, &Boundary) {
+        let solver = match self.solver.take() {
+            Some(solver) => solver,
+            None => {
+                self.map.refining().await;
+                MeshSolver::meshing(self.map.refined().clone()).await
+            }
+        };
+        (self.solver.insert(solver), self.boundary.get())
+    }
+
+    /// The colour field of the last call of [`Picture::color`].
+    ///
+    /// # Errors
+    /// When the solver fails.
+    pub fn solve(&mut self) -> Result<&Field, SolveError> {
+        now(self.solving())
+    }
+
+    /// [`Picture::solve`] in slices.
+    ///
+    /// # Errors
+    /// When the solver fails.
+    pub fn solving(&mut self) -> Slices<'_, Result<&Field, SolveError>> {
+        Slices::new(async {
+            let blend = self.settings.blend;
+            let (solver, boundary) = self.ready().await;
+            solver.solving(boundary, blend).await
         })
     }
 
@@ -186,8 +228,8 @@ impl Picture {
     ) -> Slices<'b, Result<&'a Field, SolveError>> {
         Slices::new(async {
             let Document { scribbles, color_points, settings, .. } = document;
-            let boundary = self.coloring(scribbles, color_points, settings).await;
-            self.meshing().await.solving(&boundary, settings.blend).await
+            self.coloring(scribbles, color_points, settings).await;
+            self.solving().await
         })
     }
 }

@@ -59,7 +59,7 @@ fn shaded(scribbles: &[Scribble], size_px: u32) -> Vec<[[u8; 4]; 2]> {
     let gaps = picture.map().gaps().len();
     assert!(gaps > 0);
     let colors = picture.color(&document.scribbles, &[], &document.settings);
-    let boundary = Boundary { closed_gaps: vec![true; gaps], ..colors };
+    let boundary = Boundary { closed_gaps: vec![true; gaps], ..colors.clone() };
     let grid = on_grid(&picture, &document, &boundary, &view);
     let mesh = on_mesh(&mut picture, &document, &boundary, &view);
     let bare = Boundary { sources: Vec::new(), ..boundary };

@@ -7,7 +7,7 @@ use std::mem::take;
 
 use kurbo::{Affine, Rect};
 use scumble_core::drawing::LONGER_SIDE_DU;
-use scumble_core::{Boundary, Deed, Document, Drawing, MapError, Paint, Srgb8, Swatch, Tracing, Work, exact};
+use scumble_core::{Deed, Document, Drawing, MapError, Paint, Srgb8, Swatch, Tracing, Work, exact};
 use scumble_solve::grid::GridProblem;
 use scumble_solve::{Field, Picture, View};
 
@@ -59,8 +59,6 @@ pub struct Session {
     making: Option<Making>,
     /// How many drawings have been opened.
     opened: u32,
-    /// The colours of the sides, and of the sheet's shades.
-    boundary: Boundary,
     field: Field,
     /// The same from close by, as far as it is seen.
     close_up: Option<CloseUp>,
@@ -137,7 +135,6 @@ impl Session {
             coming: None,
             making: None,
             opened: 0,
-            boundary: Boundary::default(),
             field: Field::default(),
             close_up: None,
             problem: None,

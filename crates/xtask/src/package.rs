@@ -17,11 +17,13 @@ pub(crate) const FILES: &str = "files";
 
 /// The features of wasm that every browser with WebGPU or WebGL 2 has; `--all-features` would use others. Functions
 /// that are called once stay functions: inlined they compress worse, by 3% of the whole.
-const WASM_OPT: [&str; 14] = [
+const WASM_OPT: [&str; 15] = [
     "-O2",
     // Once more, for what the first time left.
     "-O2",
     "--one-caller-inline-max-function-size=0",
+    // A call takes as much as a body that small.
+    "--always-inline-max-function-size=5",
     // Neighbours by name are neighbours by kind, and compress better.
     "--reorder-functions-by-name",
     "--minify-imports-and-exports-and-modules",

@@ -3,7 +3,8 @@
 use std::f64::consts::TAU;
 
 use kurbo::{PathEl, Vec2};
-use scumble_core::{Blend, Boundary, Drawing, Scribble, Settings};
+use scumble_core::pace::now;
+use scumble_core::{Blend, Drawing, Scribble, Settings};
 use scumble_gpu::{Gpu, GpuGridSolver, GridError, GridKernels};
 use scumble_solve::grid::{Constraints, GridProblem, PAGE_STEPS};
 use scumble_solve::{Picture, View};
@@ -65,7 +66,6 @@ pub(crate) fn run() -> anyhow::Result<()> {
 struct Scene {
     scribbles: Vec<Scribble>,
     picture: Picture,
-    boundary: Boundary,
     view: View,
     kernels: GridKernels,
     solver: GpuGridSolver,
@@ -85,12 +85,12 @@ impl Scene {
     fn new(gpu: &Gpu, size_px: u32) -> anyhow::Result<Self> {
         let (drawing, scribbles) = (drawing(0), made::scribbles());
         let mut picture = Picture::new(&drawing)?;
-        let boundary = picture.color(&scribbles, &[], &Settings::default());
+        picture.color(&scribbles, &[], &Settings::default());
         let view = stages::page_view(&drawing, size_px);
         let (constraints, kernels) =
-            (Constraints::new(picture.map(), &boundary, &view)?, GridKernels::new(&gpu.device));
+            (Constraints::new(picture.map(), picture.boundary(), &view)?, GridKernels::new(&gpu.device));
         let solver = GpuGridSolver::new(gpu, &kernels, &constraints)?;
-        Ok(Self { scribbles, picture, boundary, view, kernels, solver })
+        Ok(Self { scribbles, picture, view, kernels, solver })
     }
 
     /// All that a frame of the move takes, as in the page.
@@ -98,10 +98,11 @@ impl Scene {
         let drawing = drawing(frame);
         let (picture, map_ms) = timed(|| Picture::new(&drawing));
         self.picture = picture?;
-        let (boundary, labels_ms) = timed(|| self.picture.color(&self.scribbles, &[], &Settings::default()));
-        self.boundary = boundary;
+        let ((), labels_ms) =
+            timed(|| now(self.picture.coloring(&self.scribbles, &[], &Settings::default())));
+        let picture = &self.picture;
         let (problem, constraints_ms) =
-            timed(|| GridProblem::new(self.picture.map(), &self.boundary, &self.view, Blend::default()));
+            timed(|| GridProblem::new(picture.map(), picture.boundary(), &self.view, Blend::default()));
         let problem = problem?;
         let (uploads, levels_ms) = timed(|| self.build(&problem.constraints));
         let (stepped, steps_ms) = timed(|| self.step());
@@ -133,8 +134,7 @@ impl Report {
     }
 
     fn mesh(&mut self, scene: &mut Scene) -> anyhow::Result<()> {
-        let Scene { picture, boundary, .. } = scene;
-        let (solved, mesh_ms) = timed(|| picture.mesh().solve(boundary, Blend::default()).map(|_| ()));
+        let (solved, mesh_ms) = timed(|| scene.picture.solve().map(|_| ()));
         solved?;
         self.mesh.push(mesh_ms);
         Ok(())
@@ -179,7 +179,8 @@ mod tests {
         for frame in 1..=4 {
             scene.frame(frame, &mut report).expect("a frame");
             let mut twin = GridSolver::new(
-                &Constraints::new(scene.picture.map(), &scene.boundary, &scene.view).expect("constraints"),
+                &Constraints::new(scene.picture.map(), scene.picture.boundary(), &scene.view)
+                    .expect("constraints"),
             );
             twin.solve(0.1 * TOLERANCE);
             let pixels = pollster::block_on(scene.solver.pixels()).expect("pixels");

@@ -51,9 +51,9 @@ pub(crate) fn run() -> anyhow::Result<()> {
 
 fn problem(drawing: &Drawing, size_px: u32) -> anyhow::Result<GridProblem> {
     let mut picture = Picture::new(drawing)?;
-    let boundary = picture.color(&made::scribbles(), &[], &Settings::default());
+    picture.color(&made::scribbles(), &[], &Settings::default());
     let view = stages::page_view(drawing, size_px);
-    Ok(GridProblem::new(picture.map(), &boundary, &view, Blend::default())?)
+    Ok(GridProblem::new(picture.map(), picture.boundary(), &view, Blend::default())?)
 }
 
 /// From constraints to the picture, textures and pipelines being there.

@@ -57,9 +57,8 @@ impl PictureTimes {
     /// The last scribble comes, and gets another colour.
     fn last(&mut self, picture: &mut Picture, scribbles: &mut [Scribble]) -> anyhow::Result<()> {
         let others = scribbles.len().saturating_sub(1);
-        let mut spread = |scribbles: &[Scribble]| {
-            stages::spread(picture, scribbles, &[], &Settings::default()).map(|(_, times)| times)
-        };
+        let mut spread =
+            |scribbles: &[Scribble]| stages::spread(picture, scribbles, &[], &Settings::default());
         spread(&scribbles[..others])?;
         let drawn = spread(scribbles)?;
         if let Some(Scribble { color: Paint::Color(color), .. }) = scribbles.last_mut() {

@@ -38,7 +38,7 @@ impl ShadeTimes {
     ) -> anyhow::Result<()> {
         let mut spread = |more: &[Scribble]| -> anyhow::Result<SpreadTimes> {
             let all = [scribbles, more].concat();
-            Ok(stages::spread(&mut opened.picture, &all, &[], &Settings::default())?.1)
+            Ok(stages::spread(&mut opened.picture, &all, &[], &Settings::default())?)
         };
         spread(&[])?;
         for scribble in scribbles {

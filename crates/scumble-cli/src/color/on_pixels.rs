@@ -3,7 +3,6 @@
 use std::sync::{Arc, OnceLock};
 
 use anyhow::Context;
-use scumble_core::Boundary;
 use scumble_gpu::{Gpu, GpuError, GpuGridSolver, GridError, GridKernels};
 use scumble_solve::Pixmap;
 use scumble_solve::grid::{Constraints, GridSolver, JeschkeSolver, TOLERANCE};
@@ -16,16 +15,16 @@ use crate::stages::{self, Opened, PAPER};
 /// Steps of Jeschke's solver, as in its paper.
 const JESCHKE_STEPS: usize = 8;
 
-/// Spreads the colours and paints the page.
+/// Spreads the colours of the picture's boundary and paints the page.
 ///
 /// # Errors
 /// When there is no GPU that can do it, or a shade cannot be solved.
-pub(super) fn paint(opened: &Opened, boundary: &Boundary, options: &ColorOptions) -> anyhow::Result<Pixmap> {
+pub(super) fn paint(opened: &Opened, options: &ColorOptions) -> anyhow::Result<Pixmap> {
     let (drawing, look) = (&opened.document.drawing, &options.look);
     let page = Page {
         drawing,
         picture: &opened.picture,
-        boundary,
+        boundary: opened.picture.boundary(),
         blend: options.settings.blend,
         view: stages::page_view(drawing, look.size_px),
         shapes: &render::shapes(drawing, &opened.picture, look),

@@ -149,7 +149,7 @@ mod tests {
         let drawing = made::drawing(3);
         let mut picture = Picture::new(&drawing).expect("a map");
         let Settings { blend, .. } = Settings::default();
-        let mut boundary = picture.color(&made::scribbles(), &[], &Settings::default());
+        let mut boundary = picture.color(&made::scribbles(), &[], &Settings::default()).clone();
         change(picture.map(), &mut boundary);
         let view = stages::page_view(&drawing, SIZE_PX);
         let (drawing, picture, boundary) = (&drawing, &picture, &boundary);

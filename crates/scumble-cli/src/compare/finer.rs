@@ -63,11 +63,11 @@ mod tests {
         let mut opened = stages::open(&entry.svg().unwrap()).unwrap();
         let scribbles = entry.scribbles(Kind::Dense, &opened.document.drawing).unwrap();
         let settings = Settings::default();
-        let boundary = opened.picture.color(&scribbles, &[], &settings);
+        opened.picture.color(&scribbles, &[], &settings);
         let view = stages::page_view(&opened.document.drawing, SIZE_PX);
-        let field = opened.picture.mesh().solve(&boundary, settings.blend).unwrap();
+        let field = opened.picture.solve().unwrap();
         let mesh = levels(&centers::colors(field, &view), settings.blend);
-        changes(opened.picture.map(), &boundary, &view, &mesh).unwrap()
+        changes(opened.picture.map(), opened.picture.boundary(), &view, &mesh).unwrap()
     }
 
     #[test]

@@ -72,7 +72,8 @@ impl Subject {
         settings: Settings,
         scribbles: &[Scribble],
     ) -> anyhow::Result<Pixmap> {
-        let boundary = self.opened.picture.color(scribbles, &[], &Settings { engine: kind, ..settings });
+        let settings = Settings { engine: kind, ..settings };
+        let boundary = self.opened.picture.color(scribbles, &[], &settings).clone();
         self.paint_boundary(&boundary)
     }
 

@@ -129,8 +129,9 @@ pub(super) fn apply(document: &mut Document, ids: &mut Ids, change: Change) -> C
 }
 
 /// Takes an item to another place; those on the way come closer by one, and the others stay where they are.
-fn move_within<T>(items: &mut [T], from: usize, to: usize) {
-    if from < to { items[from..=to].rotate_left(1) } else { items[to..=from].rotate_right(1) }
+fn move_within<T>(items: &mut Vec<T>, from: usize, to: usize) {
+    let item = items.remove(from);
+    items.insert(to, item);
 }
 
 /// The colours set by hand that are left without a curve, as the indices of the others are then.

@@ -110,8 +110,8 @@ impl<'a> Graph<'a> {
 
     /// Finds which edges cross a ray from the centre an odd number of times: of four rays, that with the fewest.
     fn find_odd(&mut self, center: Point) {
-        let rays = [0, 1, 2, 3].map(|ray| self.crossed(center, ray));
-        let fewest = rays.into_iter().min_by_key(|odd| odd.iter().filter(|&&odd| odd).count());
+        let rays = (0..4).map(|ray| self.crossed(center, ray));
+        let fewest = rays.min_by_key(|odd| odd.iter().filter(|&&odd| odd).count());
         for (edge, odd) in self.edges.iter_mut().zip(fewest.unwrap_or_default()) {
             edge.is_odd = odd;
         }

@@ -84,7 +84,7 @@ impl Session {
         if !self.lacks_map() && take(&mut self.stale.boundary) {
             let settings = self.settings_shown();
             let Document { scribbles, color_points, .. } = self.sheet.editor.document();
-            self.boundary = self.sheet.picture.color(scribbles, color_points, &settings);
+            self.sheet.picture.color(scribbles, color_points, &settings);
         }
     }
 
@@ -97,8 +97,7 @@ impl Session {
     }
 
     fn solve(&mut self) {
-        let blend = self.sheet.editor.document().settings.blend;
-        match self.sheet.picture.mesh().solve(&self.boundary, blend) {
+        match self.sheet.picture.solve() {
             Ok(field) => {
                 let within_du = self.field.changed_within(field);
                 let within_du = within_du.map(|rect| rect.inflate(CHORDS_OFF_DU, CHORDS_OFF_DU));
@@ -117,7 +116,8 @@ impl Session {
         let is_other_view = self.problem.as_ref().is_none_or(|problem| problem.view != view);
         if take(&mut self.stale.problem) || is_other_view {
             let blend = self.sheet.editor.document().settings.blend;
-            match GridProblem::new(self.sheet.picture.map(), &self.boundary, &view, blend) {
+            let picture = &self.sheet.picture;
+            match GridProblem::new(picture.map(), picture.boundary(), &view, blend) {
                 Ok(problem) => self.problem = Some(problem),
                 Err(error) => return self.effects.push(Effect::Failed(error.to_string())),
             }

@@ -2,8 +2,8 @@
 //! slices, beside the one that is shown: the page goes on, and can go back to what was.
 
 use scumble_core::pace::Slices;
-use scumble_core::{Boundary, Document, MapError, Settings};
-use scumble_solve::Picture;
+use scumble_core::{Document, MapError, Settings};
+use scumble_solve::{Field, Picture};
 
 use super::Session;
 use super::sheet::Sheet;
@@ -11,14 +11,15 @@ use crate::effect::{Effect, Wanted};
 use crate::solver::{Moment, PIECES_IN_HAND, Source};
 
 /// Makes all that the first picture of a document takes, from a map: its boundary, and where it comes from a mesh, its field.
-pub(super) async fn make(picture: &mut Picture, document: &Document, is_meshed: bool) -> Boundary {
+/// What fails is told of when the picture is shown, with the lines.
+pub(super) async fn make<'a>(
+    picture: &'a mut Picture,
+    document: &Document,
+    is_meshed: bool,
+) -> Option<&'a Field> {
     let Document { scribbles, color_points, settings, .. } = document;
-    let boundary = picture.coloring(scribbles, color_points, settings).await;
-    if is_meshed {
-        // What fails is told of when the picture is shown, with the lines.
-        let _ = picture.meshing().await.solving(&boundary, settings.blend).await;
-    }
-    boundary
+    picture.coloring(scribbles, color_points, settings).await;
+    if is_meshed { picture.solving().await.ok() } else { None }
 }
 
 /// A picture on its way.

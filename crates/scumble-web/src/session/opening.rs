@@ -2,7 +2,7 @@
 //! Of a large one the lines are shown at once: its picture is made afterwards.
 
 use scumble_core::pace::{Slices, pause};
-use scumble_core::{Boundary, Drawing, MapError, Work, exact};
+use scumble_core::{Drawing, MapError, Work, exact};
 use scumble_solve::{Field, Picture};
 
 use super::Session;
@@ -35,7 +35,7 @@ enum Step {
 #[derive(Debug)]
 struct Ready {
     sheet: Sheet,
-    shown: Option<(Boundary, Option<Field>)>,
+    field: Option<Field>,
 }
 
 impl Ready {
@@ -47,17 +47,12 @@ impl Ready {
         work.document = work.document.kept();
         pause().await;
         if is_large(&work.document.drawing) {
-            return Ok(Box::new(Self { sheet: Sheet::unmade(number, work)?, shown: None }));
+            return Ok(Box::new(Self { sheet: Sheet::unmade(number, work)?, field: None }));
         }
         let mut picture = Picture::mapping(&work.document.drawing).await?;
         let is_meshed = is_meshed(&picture);
-        let boundary = making::make(&mut picture, &work.document, is_meshed).await;
-        let mut field = None;
-        if is_meshed && let Ok(solved) = picture.meshing().await.spreading(work.document.settings.blend).await
-        {
-            field = Some(solved.clone());
-        }
-        Ok(Box::new(Self { sheet: Sheet::new(number, work, picture), shown: Some((boundary, field)) }))
+        let field = making::make(&mut picture, &work.document, is_meshed).await.cloned();
+        Ok(Box::new(Self { sheet: Sheet::new(number, work, picture), field }))
     }
 }
 
@@ -103,11 +98,9 @@ impl Session {
             Some(Step::Ready(Ok(ready))) => {
                 // What the pen has done so far is not lost with the drawing that goes.
                 self.end(&[]);
-                let Ready { sheet, shown } = *ready;
+                let Ready { sheet, field } = *ready;
                 self.lay_over(sheet);
-                if let Some((boundary, field)) = shown {
-                    self.show_ready(boundary, field);
-                }
+                self.show_ready(field);
                 self.opened += 1;
                 self.tell(Effect::Opened { notes });
             }
@@ -117,8 +110,8 @@ impl Session {
     }
 
     /// Shows what was made of the drawing that was just laid over.
-    fn show_ready(&mut self, boundary: Boundary, field: Option<Field>) {
-        (self.boundary, self.stale.boundary) = (boundary, false);
+    fn show_ready(&mut self, field: Option<Field>) {
+        self.stale.boundary = !self.sheet.is_made();
         if let Some(field) = field {
             (self.field, self.stale.field) = (field, false);
             self.changed.field = true;

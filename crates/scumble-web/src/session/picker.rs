@@ -51,8 +51,8 @@ impl Session {
             .enumerate()
             .filter(|(i, _)| scribbles.binary_search(i).is_err())
             .map(|(_, scribble)| scribble.clone());
-        let boundary = self.sheet.picture.color(&rest.collect::<Vec<_>>(), color_points, settings);
-        let Ok(field) = self.sheet.picture.mesh().solve(&boundary, settings.blend) else { return Vec::new() };
+        self.sheet.picture.color(&rest.collect::<Vec<_>>(), color_points, settings);
+        let Ok(field) = self.sheet.picture.solve() else { return Vec::new() };
         let scene = Scene { paper: Some(PAPER), field, shapes: &[] };
         scribbles.iter().map(|i| (*i, color_at(all[*i].points[0], &scene).0)).collect()
     }

@@ -66,7 +66,7 @@ impl Session {
         } else {
             picture.bends(&self.document().drawing, part_du, px_per_du)
         };
-        let problem = whole.part(picture.map(), &bends, &self.boundary, &view);
+        let problem = whole.part(picture.map(), &bends, picture.boundary(), &view);
         Some(Sharp { problem, px_per_du, within_du })
     }
 }

@@ -169,7 +169,7 @@ impl Session {
         let before = replace(&mut self.sheet, sheet);
         if self.lacks_map() {
             let settings = *self.sheet.picture.settings();
-            self.boundary = self.sheet.picture.color(&[], &[], &settings);
+            self.sheet.picture.color(&[], &[], &settings);
         }
         before
     }
