@@ -65,7 +65,12 @@ impl KnownBoundary {
         &self.boundary
     }
 
-    /// Makes it the [`boundary`] of these, in slices. What is left of one that was not let finish is of no use.
+    /// The space that its colours are in.
+    pub fn blend(&self) -> Blend {
+        self.blend
+    }
+
+    /// Makes it the [`boundary`] of these, in slices; the map is the same each time. What is left of one that was not let finish is of no use.
     pub fn following<'a>(
         &'a mut self,
         map: &'a PlanarMap,
@@ -87,6 +92,7 @@ impl KnownBoundary {
             let sides = vec![None; map.side_count()];
             *self = Self { boundary: sides.into(), paints: Vec::new(), by_hand, blend };
         }
+        debug_assert_eq!(self.boundary.sides.len(), map.side_count(), "another map");
     }
 
     /// Colours the sides of all curves, or of those alone on which something changed.
@@ -95,7 +101,9 @@ impl KnownBoundary {
         let are_gaps_known = boundary.closed_gaps == labels.closed_gaps;
         boundary.closed_gaps.clone_from(&labels.closed_gaps);
         let (paint_of, mut color_of) = (label_paint(labels, scribbles), colors_in(self.blend));
-        let (known, mut spans, mut pace) = (mem::take(&mut self.paints), Vec::new(), Pace::default());
+        let known = mem::take(&mut self.paints);
+        self.paints.reserve(known.len());
+        let (mut spans, mut pace) = (Vec::new(), Pace::default());
         for curve in 0..map.curve_count() as u32 {
             let start = self.paints.len();
             self.paints.extend(step_paints(map, curve, &paint_of));

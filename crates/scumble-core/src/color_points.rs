@@ -114,8 +114,7 @@ pub(crate) fn spans_by_hand(map: &PlanarMap, points: &[ColorPoint]) -> impl Iter
 /// The span of one side's points: before the first and after the last the colour stays.
 fn span_by_hand(map: &PlanarMap, points: &[ColorPoint]) -> Option<ColorSpan> {
     let [first, last] = [points.first()?, points.last()?];
-    let curve = Some(first.curve as usize).filter(|&curve| curve < map.curve_count())?;
-    let end_du = map.steps(curve).last()?.arc_du[1];
+    let end_du = map.steps(first.curve as usize).last()?.arc_du[1];
     let stop = |arc_du, p: &ColorPoint| Stop { arc_du, color: p.color };
     let mut stops = vec![stop(first.at_du.min(0.0), first)];
     stops.extend(points.iter().map(|p| stop(p.at_du, p)));

@@ -6,7 +6,7 @@ use proptest::prelude::*;
 use scumble_core::pace::now;
 use scumble_core::{
     Blend, ColorPoint, Curve, Drawing, KnownBoundary, Labels, Paint, PlanarMap, Sampling, Scribble,
-    ScribbleKind, Srgb8, boundary,
+    ScribbleKind, Srgb8, Step, boundary,
 };
 
 const SCRIBBLES: usize = 3;
@@ -83,6 +83,24 @@ proptest! {
             prop_assert!(*known.get() == boundary(&map, &labels, &scribbles, &by_hand, blend));
         }
     }
+}
+
+/// Also where a curve runs back along itself, so that its other side lies there as well.
+#[test]
+fn a_side_with_colours_set_by_hand_has_no_others() {
+    let map = map();
+    let [red, blue] = [[200, 0, 0], [0, 0, 200]].map(|rgb| Paint::from(Srgb8(rgb)));
+    let scribble = Scribble { color: blue, kind: ScribbleKind::Fill, width_du: 8.0, points: Vec::new() };
+    let labels = Labels { sides: vec![Some(0); map.side_count()], ..Labels::none(&map) };
+    let point = ColorPoint { curve: 3, is_left: false, at_du: 10.0, color: red };
+    let boundary = boundary(&map, &labels, &[scribble], &[point], Blend::Srgb);
+    let color = |paint| Some([Blend::Srgb.from_paint(paint); 3]);
+    let steps = map.steps(3);
+    assert!(steps.iter().all(|step| boundary.sides[step.left.index()] == color(red)));
+    let is_once = |step: &&Step| !steps.iter().any(|other| other.left == step.left.opposite());
+    let once: Vec<_> = steps.iter().filter(is_once).collect();
+    assert!(!once.is_empty() && once.len() < steps.len());
+    assert!(once.iter().all(|step| boundary.sides[step.left.opposite().index()] == color(blue)));
 }
 
 /// The drawing is one on which the above can fail.

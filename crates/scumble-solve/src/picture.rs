@@ -81,12 +81,7 @@ impl Picture {
 
     /// The solver on the refined map; meshes at the first call.
     pub fn mesh(&mut self) -> &mut MeshSolver {
-        now(self.meshing())
-    }
-
-    /// [`Picture::mesh`] in slices.
-    pub fn meshing(&mut self) -> Slices<'_, &mut MeshSolver> {
-        Slices::new(async { self.ready().await.0 })
+        self.mesh_and_boundary().0
     }
 
     /// Whether [`Picture::mesh`] has been called since the map is what it is.
@@ -169,7 +164,7 @@ impl Picture {
         })
     }
 
-    /// The boundary of the last call of [`Picture::color`]; that of no map before.
+    /// The boundary of the last call of [`Picture::color`] for the map as it is; where there was none, that of no map.
     pub fn boundary(&self) -> &Boundary {
         self.boundary.get()
     }
@@ -190,7 +185,7 @@ impl Picture {
         (self.solver.insert(solver), self.boundary.get())
     }
 
-    /// The colour field of the last call of [`Picture::color`].
+    /// The colour field of [`Picture::boundary`].
     ///
     /// # Errors
     /// When the solver fails.
@@ -204,7 +199,7 @@ impl Picture {
     /// When the solver fails.
     pub fn solving(&mut self) -> Slices<'_, Result<&Field, SolveError>> {
         Slices::new(async {
-            let blend = self.settings.blend;
+            let blend = self.boundary.blend();
             let (solver, boundary) = self.ready().await;
             solver.solving(boundary, blend).await
         })

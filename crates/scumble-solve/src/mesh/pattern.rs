@@ -166,7 +166,7 @@ impl<'a> Tree<'a> {
         if !self.pattern.boundary(child).first().is_some_and(|first| group.unknowns.contains(first)) {
             return None;
         }
-        let more_zeros = (child.unknowns.len() * (group.size() - child.boundary.len())) as u64;
+        let more_zeros = child.unknowns.len() as u64 * (group.size() - child.boundary.len()) as u64;
         let merged = Group {
             unknowns: child.unknowns.start..group.unknowns.end,
             zeros: group.zeros + child.zeros + more_zeros,

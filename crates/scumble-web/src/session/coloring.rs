@@ -115,9 +115,8 @@ impl Session {
         let view = self.page(whole);
         let is_other_view = self.problem.as_ref().is_none_or(|problem| problem.view != view);
         if take(&mut self.stale.problem) || is_other_view {
-            let blend = self.sheet.editor.document().settings.blend;
             let picture = &self.sheet.picture;
-            match GridProblem::new(picture.map(), picture.boundary(), &view, blend) {
+            match GridProblem::new(picture.map(), picture.boundary(), &view, picture.settings().blend) {
                 Ok(problem) => self.problem = Some(problem),
                 Err(error) => return self.effects.push(Effect::Failed(error.to_string())),
             }

@@ -111,7 +111,9 @@ impl Session {
 
     /// Shows what was made of the drawing that was just laid over.
     fn show_ready(&mut self, field: Option<Field>) {
-        self.stale.boundary = !self.sheet.is_made();
+        if self.sheet.is_made() {
+            self.stale.boundary = false;
+        }
         if let Some(field) = field {
             (self.field, self.stale.field) = (field, false);
             self.changed.field = true;

@@ -5,6 +5,7 @@ use scumble_core::{Document, Paint, Scribble, Srgb8};
 use scumble_solve::{Field, Scene, View, paint};
 
 use super::Session;
+use super::sheet::Sheet;
 use crate::brush::Ink;
 use crate::effect::Effect;
 use crate::layers::drawn_width_du;
@@ -45,16 +46,21 @@ impl Session {
         self.finish_making();
         self.refresh_map();
         self.stale.colors();
-        let Document { scribbles: all, color_points, settings, .. } = self.sheet.editor.document();
+        let Sheet { editor, picture, .. } = &mut self.sheet;
+        let Document { scribbles: all, color_points, settings, .. } = editor.document();
         let rest = all
             .iter()
             .enumerate()
             .filter(|(i, _)| scribbles.binary_search(i).is_err())
             .map(|(_, scribble)| scribble.clone());
-        self.sheet.picture.color(&rest.collect::<Vec<_>>(), color_points, settings);
-        let Ok(field) = self.sheet.picture.solve() else { return Vec::new() };
-        let scene = Scene { paper: Some(PAPER), field, shapes: &[] };
-        scribbles.iter().map(|i| (*i, color_at(all[*i].points[0], &scene).0)).collect()
+        picture.color(&rest.collect::<Vec<_>>(), color_points, settings);
+        let colors = picture.solve().map(|field| {
+            let scene = Scene { paper: Some(PAPER), field, shapes: &[] };
+            scribbles.iter().map(|i| (*i, color_at(all[*i].points[0], &scene).0)).collect()
+        });
+        // While a picture of other lines is made, this one keeps its boundary.
+        picture.color(all, color_points, settings);
+        colors.unwrap_or_default()
     }
 
     /// That of the scribble there, which has a rim that is not its own, or else what is painted, without the scribbles.
