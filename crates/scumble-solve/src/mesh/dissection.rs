@@ -3,6 +3,8 @@
 //! that the elements of both halves have are eliminated after both. So the order is found in slices, and as long as the cuts
 //! lead through narrow places, a factor has hardly more entries than in a minimum degree order of the whole.
 
+use std::mem;
+
 use kurbo::Point;
 use scumble_core::Triangulation;
 use scumble_core::pace;
@@ -11,7 +13,7 @@ use super::dofs::{Dofs, NONE};
 use super::order;
 
 /// Most elements of a part that is not halved.
-const MOST_ELEMENTS: usize = 49_152;
+const MOST_ELEMENTS: usize = 24_576;
 
 /// So many places are looked at to cut a part.
 const CUTS: usize = 256;
@@ -79,6 +81,8 @@ struct Dissection<'a> {
     extents: Vec<[[f32; 2]; 2]>,
     /// Elements of the parts to be ranked, the first one last.
     parts: Vec<Vec<u32>>,
+    /// Those of the halves of a part, before what is between them is ranked; else of none.
+    halves: [Vec<u32>; 2],
     /// Of each corner; [`NONE`] as long as it has none.
     rank: Vec<u32>,
     /// Number of corners without a rank; ranks are given from the last one on.
@@ -97,6 +101,7 @@ impl<'a> Dissection<'a> {
             elements,
             extents,
             parts: vec![(0..elements.len() as u32).collect()],
+            halves: Default::default(),
             rank: vec![NONE; count],
             left: count as u32,
             mark_of: vec![0; count],
@@ -105,21 +110,27 @@ impl<'a> Dissection<'a> {
         }
     }
 
-    /// Ranks a part, or halves it if it has more than so many elements; tells whether there are more.
+    /// Ranks a part, or halves it if it has more than so many elements, or ranks what is between halves; tells whether there
+    /// are more.
     fn go_on(&mut self, most_elements: usize) -> bool {
-        let Some(part) = self.parts.pop() else { return false };
-        let halves = if part.len() > most_elements { self.halves(&part) } else { Default::default() };
-        if halves.iter().any(Vec::is_empty) {
-            self.rank_part(&part);
-        } else {
+        let halves = mem::take(&mut self.halves);
+        if halves.iter().all(|half| !half.is_empty()) {
             self.rank_between(&halves);
             self.parts.extend(halves);
+            return true;
+        }
+        let Some(part) = self.parts.pop() else { return false };
+        if part.len() > most_elements {
+            self.halves = self.halved(&part);
+        }
+        if self.halves.iter().any(Vec::is_empty) {
+            self.rank_part(&part);
         }
         true
     }
 
     /// Elements on either side of the line along an axis that leads through few of them and leaves many on either side.
-    fn halves(&self, part: &[u32]) -> [Vec<u32>; 2] {
+    fn halved(&self, part: &[u32]) -> [Vec<u32>; 2] {
         let mut cuts = [0, 1].map(|axis| Cuts::new(self.bounds(part, axis)));
         for &element in part {
             cuts.iter_mut().zip(self.extents[element as usize]).for_each(|(cuts, extent)| cuts.add(extent));
