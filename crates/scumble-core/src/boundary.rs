@@ -92,7 +92,7 @@ impl KnownBoundary {
             let sides = vec![None; map.side_count()];
             *self = Self { boundary: sides.into(), paints: Vec::new(), by_hand, blend };
         }
-        debug_assert_eq!(self.boundary.sides.len(), map.side_count(), "another map");
+        debug_assert_eq!(self.boundary.sides.len(), map.side_count());
     }
 
     /// Colours the sides of all curves, or of those alone on which something changed.

@@ -106,7 +106,7 @@ pub(super) struct Tree<'a> {
 impl<'a> Tree<'a> {
     /// Of what [`Pattern::new`] takes, with no group yet.
     pub(super) fn new(elements: &'a [[u32; 6]], ends: &'a [u32]) -> Self {
-        debug_assert!(ends.is_sorted_by(|before, after| before < after), "groups of something");
+        debug_assert!(ends.is_sorted_by(|before, after| before < after));
         let group_of = group_of(ends);
         Self {
             elements,
