@@ -53,7 +53,7 @@ pub fn boundary(
 #[derive(Clone, Debug, Default)]
 pub struct KnownBoundary {
     boundary: Boundary,
-    /// The colours that labels gave the steps of all curves.
+    /// The colours that labels gave the steps of all curves, curve after curve.
     paints: Vec<StepPaints>,
     by_hand: Vec<ColorPoint>,
     blend: Blend,
@@ -70,7 +70,8 @@ impl KnownBoundary {
         self.blend
     }
 
-    /// Makes it the [`boundary`] of these, in slices; the map is the same each time. What is left of one that was not let finish is of no use.
+    /// Makes it the [`boundary`] of these, in slices; the map is the same each time. What is left of one that was not let
+    /// finish is of no use.
     pub fn following<'a>(
         &'a mut self,
         map: &'a PlanarMap,

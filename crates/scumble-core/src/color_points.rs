@@ -55,7 +55,7 @@ pub(crate) fn label_paint(labels: &Labels, scribbles: &[Scribble]) -> impl Fn(Si
     }
 }
 
-/// The colours of a step, on the right of the curve and on its left.
+/// The colours of a step, on the right of the curve and on its left, as [`ColorSpan::is_left`] has it.
 pub(crate) type StepPaints = [Option<Paint>; 2];
 
 /// The colours of all steps of a curve.

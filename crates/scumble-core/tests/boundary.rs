@@ -69,7 +69,8 @@ proptest! {
         for change in changes {
             match change {
                 Change::Label(first, count, label) => {
-                    labels.sides.iter_mut().skip(first).take(count).for_each(|side| *side = label);
+                    let end = labels.sides.len().min(first + count);
+                    labels.sides[first.min(end)..end].fill(label);
                 }
                 Change::Gap(gap) => {
                     let count = labels.closed_gaps.len();

@@ -10,8 +10,8 @@ use super::sheet::Sheet;
 use crate::effect::{Effect, Wanted};
 use crate::solver::{Moment, PIECES_IN_HAND, Source};
 
-/// Makes all that the first picture of a document takes, from a map: its boundary, and where it comes from a mesh, its field.
-/// What fails is told of when the picture is shown, with the lines.
+/// Makes all that the first picture of a document takes, from a map: its boundary, and where it comes from a mesh, its field,
+/// which it gives. What fails is told of when the picture is shown, with the lines.
 pub(super) async fn make<'a>(
     picture: &'a mut Picture,
     document: &Document,
