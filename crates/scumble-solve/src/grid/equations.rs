@@ -87,29 +87,33 @@ impl Constraints {
     }
 }
 
-/// Where there is no equation.
-const NONE: u32 = u32::MAX;
-
-/// Equations by pixel, and the place of each pixel's.
+/// Equations by pixel.
 struct List {
     equations: Vec<Equation>,
-    places: Vec<u32>,
+    /// Which pixels have one, a bit each, 64 of them together; and how many are before these.
+    named: Vec<(u64, u32)>,
 }
 
 impl List {
     /// Plain ones for all pixels that are named.
     fn new(pixels: impl Iterator<Item = u32>, count: usize) -> Self {
-        let (mut equations, mut places) = (Vec::new(), vec![NONE; count]);
-        pixels.for_each(|pixel| places[pixel as usize] = 0);
-        for (place, pixel) in places.iter_mut().zip(0..).filter(|(place, _)| **place != NONE) {
-            *place = equations.len() as u32;
-            equations.push(Equation { pixel, ..Equation::PLAIN });
+        let (mut equations, mut named) = (Vec::new(), vec![(0, 0); count.div_ceil(64)]);
+        pixels.for_each(|pixel| named[pixel as usize / 64].0 |= 1 << (pixel % 64));
+        for (i, (bits, before)) in (0..).zip(&mut named) {
+            *before = equations.len() as u32;
+            let mut rest: u64 = *bits;
+            while rest != 0 {
+                equations.push(Equation { pixel: 64 * i + rest.trailing_zeros(), ..Equation::PLAIN });
+                rest &= rest - 1;
+            }
         }
-        Self { equations, places }
+        Self { equations, named }
     }
 
     fn at(&mut self, pixel: u32) -> &mut Equation {
-        &mut self.equations[self.places[pixel as usize] as usize]
+        let (bits, before) = self.named[pixel as usize / 64];
+        let beside = bits & ((1 << (pixel % 64)) - 1);
+        &mut self.equations[(before + beside.count_ones()) as usize]
     }
 
     fn cut(&mut self, cut: &Cut) {
