@@ -4,12 +4,14 @@
 // A link weaker than this, as a part of the sum of the links of either unknown, does not make two unknowns one part.
 const STRONG: f32 = 0.08;
 
-// By member: the sum of its links, how strongly it is held, and those that it has strong links to, a bit for each.
+// By member: the sum of its links, how strongly it is held, those that it has strong links to, a bit for each; and the first
+// member of its part.
 var<private> links: array<f32, 16>;
 var<private> held: array<f32, 16>;
 var<private> strong: array<u32, 16>;
-// By member that is the first of a part: all of that part, and what the coarser level can do for it.
-var<private> wholes: array<u32, 16>;
+var<private> firsts: array<i32, 16>;
+// By member that is the first of a part: how strongly that is held, and what the coarser level can do for it.
+var<private> holding: array<f32, 16>;
 var<private> scores: array<f32, 16>;
 
 // As many of 16 as there are.
@@ -29,6 +31,11 @@ fn find(cell: vec2<i32>, member: i32) {
     links[member] = select(0.0, hold.y - hold.x, is_within);
     held[member] = select(0.0, hold.x, is_within);
     strong[member] = 1u << u32(member);
+    firsts[member] = -1;
+}
+
+fn is_member(i: i32) -> bool {
+    return links[i] + held[i] > 0.0;
 }
 
 // Visits the links of a member to those before it.
@@ -52,21 +59,15 @@ fn visit_links(cell: vec2<i32>, member: i32) {
 
 var<private> is_scoring: bool;
 
+// Finds strong links; then takes those within a part away from those that lead out of it.
 fn visit(a: i32, b: i32, weight: f32) {
-    if weight > 0.0 && is_scoring {
-        lessen(a, b, weight);
+    if is_scoring {
+        if firsts[a] == firsts[b] {
+            scores[firsts[a]] -= 2.0 * weight;
+        }
     } else if weight > 0.0 && weight >= STRONG * min(links[a], links[b]) {
         strong[a] |= 1u << u32(b);
         strong[b] |= 1u << u32(a);
-    }
-}
-
-// Takes a link within a part away from those that lead out of it.
-fn lessen(a: i32, b: i32, weight: f32) {
-    for (var i = 0; i < member_count(); i++) {
-        if ((wholes[i] >> u32(a)) & (wholes[i] >> u32(b)) & 1u) != 0u {
-            scores[i] -= 2.0 * weight;
-        }
     }
 }
 
@@ -85,62 +86,57 @@ fn whole(member: i32) -> u32 {
     return whole;
 }
 
-fn find_wholes() {
-    var found = 0u;
-    for (var i = 0; i < member_count(); i++) {
-        wholes[i] = 0u;
-        if ((found >> u32(i)) & 1u) == 0u {
-            wholes[i] = whole(i);
-            found |= wholes[i];
+fn find_parts() {
+    for (var first = 0; first < member_count(); first++) {
+        if is_member(first) && firsts[first] < 0 {
+            let whole = whole(first);
+            for (var i = first; i < member_count(); i++) {
+                firsts[i] = select(firsts[i], first, ((whole >> u32(i)) & 1u) != 0u);
+            }
         }
     }
-}
-
-fn sum_over(whole: u32, is_held: bool) -> f32 {
-    var sum = 0.0;
-    for (var i = 0; i < member_count(); i++) {
-        if ((whole >> u32(i)) & 1u) != 0u {
-            sum += select(links[i], held[i], is_held);
-        }
-    }
-    return sum;
 }
 
 fn score(cell: vec2<i32>) {
     for (var i = 0; i < member_count(); i++) {
-        scores[i] = sum_over(wholes[i], false);
+        if is_member(i) {
+            scores[firsts[i]] += links[i];
+            holding[firsts[i]] += held[i];
+        }
     }
     is_scoring = true;
-    for (var i = 0; i < member_count(); i++) {
-        visit_member(cell, i);
-    }
+    visit_members(cell);
     for (var i = 0; i < member_count(); i++) {
         let out = scores[i];
-        scores[i] = select(0.0, out * out / (out + sum_over(wholes[i], true)), out > 0.0);
+        // Less is what rounding leaves of links that all stay within.
+        scores[i] = select(0.0, out * out / (out + holding[i]), out > 1e-5 * links[i]);
     }
 }
 
-fn visit_member(cell: vec2<i32>, member: i32) {
-    if links[member] + held[member] > 0.0 {
-        visit_links(cell, member);
+fn visit_members(cell: vec2<i32>) {
+    for (var i = 0; i < member_count(); i++) {
+        if is_member(i) {
+            visit_links(cell, i);
+        }
     }
 }
 
 fn best() -> i32 {
     var best = 0;
     for (var i = 1; i < member_count(); i++) {
-        if scores[i] > scores[best] {
+        // Devices round differently: the first counts of those that are nearly the same.
+        if scores[i] > 1.001 * scores[best] {
             best = i;
         }
     }
     return best;
 }
 
-// Adds a slot to the digits of a part.
-fn marked(marks: vec4<f32>, whole: u32, slot: i32) -> vec4<f32> {
+// Adds a slot to the digits of the part of a member.
+fn marked(marks: vec4<f32>, first: i32, slot: i32) -> vec4<f32> {
     var sum = marks;
-    for (var i = 0; i < member_count(); i++) {
-        if ((whole >> u32(i)) & 1u) != 0u {
+    for (var i = first; i < member_count(); i++) {
+        if firsts[i] == first {
             let digit = f32(slot << (3u * u32(i % level.slots)));
             sum += select(vec4(0.0), vec4(digit), vec4(i / level.slots) == vec4(0, 1, 2, 3));
         }
@@ -149,20 +145,17 @@ fn marked(marks: vec4<f32>, whole: u32, slot: i32) -> vec4<f32> {
 }
 
 fn kernel(cell: vec2<i32>) -> vec4<f32> {
-    is_scoring = false;
     for (var i = 0; i < member_count(); i++) {
         find(cell, i);
     }
-    for (var i = 0; i < member_count(); i++) {
-        visit_member(cell, i);
-    }
-    find_wholes();
+    visit_members(cell);
+    find_parts();
     score(cell);
     var marks = vec4(0.0);
     for (var slot = 1; slot <= select(4, 2, level.slots == 1); slot++) {
         let chosen = best();
         if scores[chosen] > 0.0 {
-            marks = marked(marks, wholes[chosen], slot);
+            marks = marked(marks, chosen, slot);
             scores[chosen] = 0.0;
         }
     }

@@ -9,6 +9,14 @@ const MOST: usize = 16;
 /// through it they can keep different colours.
 const STRONG: f32 = 0.08;
 
+/// Of scores that do not differ by more than this the first counts: devices round them differently, and symmetric drawings
+/// have many that are the same.
+const CLEARLY: f32 = 1.001;
+
+/// A part whose links lead out by no more than this, as a part of its first unknown's links, is taken as one whose links all
+/// stay within: less is what rounding leaves.
+const ROUNDING: f32 = 1e-5;
+
 /// Marks for each unknown which slot of its coarser cell it is a part of.
 pub(super) fn mark(level: &mut Level, slots: usize) {
     let mut members = Members::default();
@@ -69,7 +77,8 @@ impl Members {
         let mut scores = self.scores(&labels);
         let mut parents = [0; MOST];
         for slot in 1..=slots {
-            let best = (0..self.count).fold(0, |best, i| if scores[i] > scores[best] { i } else { best });
+            let is_better = |i: usize, best: usize| scores[i] > CLEARLY * scores[best];
+            let best = (0..self.count).fold(0, |best, i| if is_better(i, best) { i } else { best });
             if scores[best] <= 0.0 {
                 break;
             }
@@ -108,8 +117,7 @@ impl Members {
         for &(i, j, weight) in self.inner.iter().filter(|(i, j, _)| labels[*i] == labels[*j]) {
             links[labels[i.min(j)]] -= 2.0 * weight;
         }
-        std::array::from_fn(
-            |i| if links[i] > 0.0 { links[i] * links[i] / (links[i] + holds[i]) } else { 0.0 },
-        )
+        let leads_out = |i: usize| links[i] > ROUNDING * self.links[i];
+        std::array::from_fn(|i| if leads_out(i) { links[i] * links[i] / (links[i] + holds[i]) } else { 0.0 })
     }
 }
