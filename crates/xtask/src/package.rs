@@ -19,8 +19,8 @@ pub(crate) const FILES: &str = "files";
 /// that are called once stay functions: inlined they compress worse, by 3% of the whole.
 const WASM_OPT: [&str; 15] = [
     "-O2",
-    // Once more, for what the first time left.
-    "-O2",
+    // Once more, for what the first time left, with nothing that costs bytes.
+    "-Os",
     "--one-caller-inline-max-function-size=0",
     // A call takes as much as a body that small.
     "--always-inline-max-function-size=5",
