@@ -7,18 +7,6 @@
 @group(0) @binding(1) var second: texture_2d<u32>;
 @group(0) @binding(2) var third: texture_2d<u32>;
 
-// One triangle that covers the target.
-@vertex
-fn vertex(@builtin(vertex_index) corner: u32) -> @builtin(position) vec4<f32> {
-    let far = vec2<f32>(vec2(corner & 1u, corner >> 1u));
-    return vec4(4.0 * far - 1.0, 0.0, 1.0);
-}
-
-@fragment
-fn fragment(@builtin(position) position: vec4<f32>) -> @location(0) vec4<u32> {
-    return bitcast<vec4<u32>>(kernel(vec2<i32>(position.xy)));
-}
-
 // A texel within the border.
 fn texel(texels: texture_2d<u32>, place: vec2<i32>) -> vec4<f32> {
     return bitcast<vec4<f32>>(textureLoad(texels, place, 0));

@@ -60,6 +60,11 @@ impl Gpu {
         watch(&device, on_failure);
         Ok(Self { adapter, device, queue })
     }
+
+    /// Whether it computes without drawing. In a page everything is drawn.
+    pub(crate) fn computes(&self) -> bool {
+        cfg!(not(target_arch = "wasm32")) && self.device.limits().max_compute_invocations_per_workgroup > 0
+    }
 }
 
 /// Whether a device is destroyed when nobody uses it any more. In WebGPU it is not: what is destroyed there is gone under
@@ -69,10 +74,23 @@ const IS_DESTROYED_IF_DROPPED: bool = !cfg!(all(target_arch = "wasm32", feature 
 /// WebGL2's limits, but the adapter's texture size, and one colour attachment: some adapters have few.
 fn device_descriptor(adapter: &wgpu::Adapter) -> wgpu::DeviceDescriptor<'static> {
     let limits = wgpu::Limits::downlevel_webgl2_defaults().using_resolution(adapter.limits());
-    wgpu::DeviceDescriptor {
-        label: Some("scumble"),
-        required_limits: wgpu::Limits { max_color_attachments: 1, ..limits },
-        ..Default::default()
+    let limits = wgpu::Limits { max_color_attachments: 1, ..limits };
+    #[cfg(not(target_arch = "wasm32"))]
+    let limits = computing(limits, &adapter.limits());
+    wgpu::DeviceDescriptor { label: Some("scumble"), required_limits: limits, ..Default::default() }
+}
+
+/// Limits with all that an adapter computes.
+#[cfg(not(target_arch = "wasm32"))]
+fn computing(limits: wgpu::Limits, most: &wgpu::Limits) -> wgpu::Limits {
+    wgpu::Limits {
+        max_storage_textures_per_shader_stage: most.max_storage_textures_per_shader_stage,
+        max_compute_invocations_per_workgroup: most.max_compute_invocations_per_workgroup,
+        max_compute_workgroup_size_x: most.max_compute_workgroup_size_x,
+        max_compute_workgroup_size_y: most.max_compute_workgroup_size_y,
+        max_compute_workgroup_size_z: most.max_compute_workgroup_size_z,
+        max_compute_workgroups_per_dimension: most.max_compute_workgroups_per_dimension,
+        ..limits
     }
 }
 

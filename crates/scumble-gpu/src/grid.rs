@@ -5,7 +5,7 @@
 //! | a shader and what it reads | `kernels` |
 //! | textures of numbers | `texels` |
 //! | the equations of pixels, what changes of them, and what is beyond the borders of a part | `equations`, `points` |
-//! | passes that are drawn over and over | `tape` |
+//! | passes that are made over and over | `tape` |
 //! | levels, and the ways through them | `levels` |
 //! | sums over all texels | `reduction` |
 //! | a problem, and steps to its solution | `gradients` |
@@ -14,9 +14,10 @@
 //! | what passes cost | `costs` |
 //! | why it cannot be done | `error` |
 //!
-//! Every pass draws a texture of numbers from others with a fragment shader, so that WebGL2 can do it too. Of a problem only
-//! the equations of pixels at curves are uploaded, and later those that have changed: the matrices of the levels are drawn
-//! from them.
+//! Every pass makes a texture of numbers from others. In a page it is drawn with a fragment shader, so that WebGL2 can do it
+//! too; elsewhere the same kernel is computed, where the device can: cards of computing centres draw far more slowly than they
+//! compute. Of a problem only the equations of pixels at curves are uploaded, and later those that have changed: the matrices of
+//! the levels are drawn from them.
 
 mod costs;
 mod equations;
@@ -49,7 +50,10 @@ use tape::{Recorder, Tape};
 pub struct GpuGridSolver {
     gpu: Gpu,
     stack: Stack,
-    /// Builds the levels and makes the first picture.
+    /// Builds the levels, which depend on no colours.
+    build: Tape,
+    is_built: bool,
+    /// Makes the first picture.
     start: Tape,
     /// Every step draws into the textures that the one before has read: what is done next, and what was done last.
     steps: [Step; 2],
@@ -77,33 +81,34 @@ impl GpuGridSolver {
     /// # Errors
     /// When the device cannot draw so large a picture.
     pub fn costs(gpu: &Gpu, kernels: &Kernels, constraints: &Constraints) -> Result<SolverCosts, GridError> {
-        let Self { start, steps, .. } = Self::record(gpu, kernels, constraints)?;
-        Ok(SolverCosts::of(&start, steps.each_ref().map(|step| &step.tape)))
+        let Self { build, start, steps, .. } = Self::record(gpu, kernels, constraints)?;
+        Ok(SolverCosts::of([&build, &start], steps.each_ref().map(|step| &step.tape)))
     }
 
     fn record(gpu: &Gpu, kernels: &Kernels, constraints: &Constraints) -> Result<Self, GridError> {
         let mut recorder = Recorder::new(gpu, kernels);
-        let mut stack = Stack::new(gpu, kernels, constraints, &mut recorder)?;
-        let start = recorder.take();
+        let (mut stack, [build, start]) = Stack::new(gpu, kernels, constraints, &mut recorder)?;
         let steps = [(); 2].map(|()| stack.step(&mut recorder));
         let change = stack.change().clone();
-        Ok(Self { gpu: gpu.clone(), stack, start, steps, is_even: true, change })
+        Ok(Self { gpu: gpu.clone(), stack, build, is_built: false, start, steps, is_even: true, change })
     }
 
     /// Takes other constraints, with a first picture as [`GpuGridSolver::new`] does. Where there are as many pixels and as many
-    /// layers as before, only what has changed is uploaded; tells for how many pixels that was.
+    /// layers as before, only what has changed is uploaded, and where that is colours alone, no level is built; tells for how
+    /// many pixels it was.
     ///
     /// # Errors
     /// When the device cannot draw so large a picture; then nothing has changed.
     pub fn update(&mut self, kernels: &Kernels, constraints: &Constraints) -> Result<usize, GridError> {
-        let Some(changed) = self.stack.update(&self.gpu, kernels, constraints) else {
+        let Some(changes) = self.stack.update(&self.gpu, kernels, constraints) else {
             *self = Self::new(&self.gpu, kernels, constraints)?;
             return Ok(constraints.width_px as usize * constraints.height_px as usize);
         };
+        self.is_built &= !changes.weights;
         if constraints.exits.is_empty() {
             self.begin();
         }
-        Ok(changed)
+        Ok(changes.pixels)
     }
 
     /// Begins, or begins anew, with what a grid of the whole, without shades, has beyond the borders of the part that this solves.
@@ -116,6 +121,9 @@ impl GpuGridSolver {
     fn begin(&mut self) {
         if !std::mem::replace(&mut self.is_even, true) {
             self.steps.swap(0, 1);
+        }
+        if !std::mem::replace(&mut self.is_built, true) {
+            self.build.play(&self.gpu);
         }
         self.start.play(&self.gpu);
     }

@@ -17,7 +17,7 @@ pub(crate) const SOLUTION: [&str; 3] = [COMMON, SEEN, wgsl!("solution")];
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::grid::kernels::{BORDER, POINTS, SOURCES};
+    use crate::grid::kernels::{BORDER, COMPUTE, DRAW, POINTS, SOURCES};
     use naga::ShaderStage::{Fragment, Vertex};
     use naga::back::glsl;
     use naga::valid::{Capabilities, ModuleInfo, ValidationFlags, Validator};
@@ -31,12 +31,14 @@ mod tests {
     ];
 
     /// Pieces of the grid solver's kernels that are none themselves.
-    const PIECES: [&str; 9] =
-        ["block", "given", "level", "links", "matrix", "parent", "parts", "pass", "weighted"];
+    const PIECES: [&str; 11] = [
+        "block", "compute", "draw", "given", "level", "links", "matrix", "parent", "parts", "pass",
+        "weighted",
+    ];
 
     fn all() -> impl Iterator<Item = (&'static str, String)> {
         let scene = SCENE.into_iter().map(|(name, pieces)| (name, pieces.concat()));
-        scene.chain(SOURCES.iter().map(|source| (source.name, source.text())))
+        scene.chain(SOURCES.iter().map(|source| (source.name, source.text(DRAW))))
     }
 
     fn validated(name: &str, source: &str) -> (naga::Module, ModuleInfo) {
@@ -72,6 +74,14 @@ mod tests {
             for (stage, entry) in [(Vertex, "vertex"), (Fragment, "fragment")] {
                 assert!(webgl_source(&module, &info, stage, entry).contains("void main()"), "{name}");
             }
+        }
+    }
+
+    #[test]
+    fn every_kernel_can_be_computed() {
+        for source in &SOURCES {
+            let (module, _) = validated(source.name, &source.text(COMPUTE));
+            assert_eq!(module.entry_points[0].stage, naga::ShaderStage::Compute, "{}", source.name);
         }
     }
 

@@ -55,8 +55,7 @@ fn solved(gpu: &Gpu, side_px: u32) -> (GridProblem, GpuGridSolver, Renderer) {
 
 fn solved_with(gpu: &Gpu, side_px: u32, boundary: &Boundary) -> (GridProblem, GpuGridSolver, Renderer) {
     let problem = GridProblem::new(&map(), boundary, &page(side_px), Blend::Oklab).expect("solved");
-    let mut solver =
-        GpuGridSolver::new(gpu, &GridKernels::new(&gpu.device), &problem.constraints).expect("a solver");
+    let mut solver = GpuGridSolver::new(gpu, &GridKernels::new(gpu), &problem.constraints).expect("a solver");
     (0..8).for_each(|_| solver.step());
     let mut renderer = Renderer::new(gpu, Rgba8Unorm);
     renderer.set_problem(&problem);
@@ -129,7 +128,7 @@ fn a_part_from_close_by_is_cut_at_curves_as_they_bend() {
     let map = PlanarMap::build(&drawing, &Sampling::default()).expect("a map");
     let boundary = boundary(&map);
     let whole = GridProblem::new(&map, &boundary, &page(256), Blend::Oklab).expect("a whole");
-    let kernels = GridKernels::new(&gpu.device);
+    let kernels = GridKernels::new(&gpu);
     let mut on_whole = GpuGridSolver::new(&gpu, &kernels, &whole.constraints).expect("a solver");
     (0..8).for_each(|_| on_whole.step());
 
@@ -193,7 +192,7 @@ fn a_part_takes_what_the_whole_has_beyond_its_borders_as_on_the_cpu() {
 
     let straight = Bends::default();
     let part = whole.part(&map, &straight, &boundary, &view);
-    let kernels = GridKernels::new(&gpu.device);
+    let kernels = GridKernels::new(&gpu);
     let mut on_gpu = GpuGridSolver::new(&gpu, &kernels, &part.constraints).expect("a solver");
     renderer.set_part(Some(&part));
     // Once more makes no difference.

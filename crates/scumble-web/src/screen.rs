@@ -215,7 +215,7 @@ impl GpuScreen {
 
     /// Takes a problem, if it is another one, to its first picture, and a part of it.
     fn begin(&mut self, problem: &GridProblem, part: Option<&GridProblem>, is_other: bool) {
-        let kernels = self.kernels.get_or_insert_with(|| GridKernels::new(&self.gpu.device));
+        let kernels = self.kernels.get_or_insert_with(|| GridKernels::new(&self.gpu));
         let begun = |before, problem| Solving::begun(before, &self.gpu, kernels, problem);
         if is_other {
             self.renderer.set_problem(problem);

@@ -26,7 +26,7 @@ async fn gpu() -> Gpu {
 #[wasm_bindgen_test]
 async fn the_grid_solver_finds_what_its_twin_on_the_cpu_finds() {
     let gpu = gpu().await;
-    let kernels = GridKernels::new(&gpu.device);
+    let kernels = GridKernels::new(&gpu);
     for (width_px, height_px) in [(256, 256), (130, 97), (5, 200), (1, 1)] {
         for shades in SHADES {
             let constraints = constraints(width_px, height_px, shades);
@@ -43,7 +43,7 @@ async fn the_grid_solver_finds_what_its_twin_on_the_cpu_finds() {
 #[wasm_bindgen_test]
 async fn what_has_changed_is_drawn_over_what_was_there() {
     let gpu = gpu().await;
-    let kernels = GridKernels::new(&gpu.device);
+    let kernels = GridKernels::new(&gpu);
     let before = constraints(130, 97, &[]);
     let mut on_gpu = GpuGridSolver::new(&gpu, &kernels, &before).expect("a solver");
     on_gpu.step();

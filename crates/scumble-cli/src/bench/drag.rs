@@ -88,7 +88,7 @@ impl Scene {
         picture.color(&scribbles, &[], &Settings::default());
         let view = stages::page_view(&drawing, size_px);
         let (constraints, kernels) =
-            (Constraints::new(picture.map(), picture.boundary(), &view)?, GridKernels::new(&gpu.device));
+            (Constraints::new(picture.map(), picture.boundary(), &view)?, GridKernels::new(gpu));
         let solver = GpuGridSolver::new(gpu, &kernels, &constraints)?;
         Ok(Self { scribbles, picture, view, kernels, solver })
     }

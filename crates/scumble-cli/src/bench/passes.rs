@@ -1,10 +1,11 @@
 //! What one picture of the grid solver costs on a graphics card: told from the passes themselves, and measured.
 
-use scumble_core::{Blend, Drawing, Settings};
+use kurbo::PathEl;
+use scumble_core::{Drawing, Scribble, Settings};
 use scumble_gpu::grid::SolverCosts;
 use scumble_gpu::{Gpu, GpuGridSolver, GridError, GridKernels, wgpu};
 use scumble_solve::Picture;
-use scumble_solve::grid::{Constraints, GridProblem, PAGE_STEPS};
+use scumble_solve::grid::{Constraints, PAGE_STEPS};
 
 use crate::clock::{Times, timed};
 use crate::{made, stages};
@@ -15,11 +16,17 @@ const SIZES_PX: [u32; 2] = [1024, 4096];
 /// Steps of a picture: as many as drawings with all their colours need, and those of the page.
 const STEPS: [u64; 2] = [6, PAGE_STEPS as u64];
 
+/// A step that changes nothing by more leaves a smaller error: half a level of 255.
+const HALF_LEVEL: f32 = 0.5 / 255.0;
+
+/// How far the end of a curve is moved, in du.
+const MOVE_DU: f64 = 5.0;
+
 /// What the graphics part of a laptop's processor moves.
 const BYTES_PER_SECOND: f64 = 50e9;
 
 /// Pictures that a graphics card makes to be timed. Without one a single picture takes long enough.
-const RUNS: usize = 5;
+const RUNS: usize = 21;
 
 /// Cells in a row of the made drawing.
 const CELLS: u32 = 5;
@@ -30,52 +37,74 @@ const CELLS: u32 = 5;
 /// When there is no graphics device, or one that has no textures of this size.
 pub(crate) fn run() -> anyhow::Result<()> {
     let gpu = pollster::block_on(Gpu::headless(|error| eprintln!("scumble: {error}")))?;
-    let kernels = GridKernels::new(&gpu.device);
-    let drawing = made::drawing(CELLS);
+    let kernels = GridKernels::new(&gpu);
     print_head();
     for size_px in SIZES_PX {
-        let problem = problem(&drawing, size_px)?;
-        print_costs(size_px, &GpuGridSolver::costs(&gpu, &kernels, &problem.constraints)?);
+        let [plain, ..] = problems(size_px)?;
+        print_costs(size_px, &GpuGridSolver::costs(&gpu, &kernels, &plain)?);
     }
     let info = gpu.adapter.get_info();
-    println!();
     let is_card = info.device_type != wgpu::DeviceType::Cpu;
     let (sizes, runs) = if is_card { (SIZES_PX.len(), RUNS) } else { (1, 1) };
-    println!("{} ({:?}), {PAGE_STEPS} steps, median of {runs}", info.name, info.device_type);
+    println!();
+    let title = format!("{} ({:?}), median of {runs}", info.name, info.device_type);
+    println!("{title:<56} {:>12} {:>12}", "cold, ms", "recolour, ms");
     for size_px in SIZES_PX.into_iter().take(sizes) {
-        let solve_ms = solve_ms(&gpu, &kernels, &problem(&drawing, size_px)?.constraints, runs)?;
-        println!("{:<34} {solve_ms:9.1} ms", format!("{size_px} × {size_px} px"));
+        print_times(&gpu, &kernels, size_px, runs)?;
     }
     Ok(())
 }
 
-fn problem(drawing: &Drawing, size_px: u32) -> anyhow::Result<GridProblem> {
-    let mut picture = Picture::new(drawing)?;
-    picture.color(&made::scribbles(), &[], &Settings::default());
-    let view = stages::page_view(drawing, size_px);
-    Ok(GridProblem::new(picture.map(), picture.boundary(), &view, Blend::default())?)
+/// The made drawing, the same with the end of a curve elsewhere, and that in other colours.
+fn problems(size_px: u32) -> anyhow::Result<[Constraints; 3]> {
+    let (plain, scribbles) = (made::drawing(CELLS), made::scribbles());
+    let mut moved = plain.clone();
+    if let Some(PathEl::LineTo(end)) = moved.curves[0].path.elements_mut().last_mut() {
+        end.x += MOVE_DU;
+    }
+    let mut colors = scribbles.clone();
+    colors.iter_mut().zip(scribbles.iter().rev()).for_each(|(to, from)| to.color = from.color);
+    let problem = |drawing: &Drawing, scribbles: &[Scribble]| {
+        let mut picture = Picture::new(drawing)?;
+        picture.color(scribbles, &[], &Settings::default());
+        let view = stages::page_view(drawing, size_px);
+        anyhow::Ok(Constraints::new(picture.map(), picture.boundary(), &view)?)
+    };
+    Ok([problem(&plain, &scribbles)?, problem(&moved, &scribbles)?, problem(&moved, &colors)?])
+}
+
+/// Prints how long pictures take to half a level, and in as many steps as in the page.
+fn print_times(gpu: &Gpu, kernels: &GridKernels, size_px: u32, runs: usize) -> anyhow::Result<()> {
+    let problems = problems(size_px)?;
+    let mut solver = GpuGridSolver::new(gpu, kernels, &problems[0])?;
+    let least = pollster::block_on(solver.solve(HALF_LEVEL))?;
+    for steps in [least, PAGE_STEPS] {
+        let [mut cold, mut recolored] = [(); 2].map(|()| Times::default());
+        for _ in 0..runs {
+            let times_ms = [0, 1, 2].map(|i| solve_ms(&mut solver, kernels, &problems[i], steps));
+            let [_, cold_ms, recolored_ms] = times_ms;
+            cold.push(cold_ms?);
+            recolored.push(recolored_ms?);
+        }
+        let title = format!("{size_px} × {size_px} px, {steps} steps");
+        println!("{title:<56} {:12.1} {:12.1}", cold.median(), recolored.median());
+    }
+    Ok(())
 }
 
 /// From constraints to the picture, textures and pipelines being there.
 fn solve_ms(
-    gpu: &Gpu,
+    solver: &mut GpuGridSolver,
     kernels: &GridKernels,
     constraints: &Constraints,
-    runs: usize,
+    steps: usize,
 ) -> Result<f64, GridError> {
-    let mut solver = GpuGridSolver::new(gpu, kernels, constraints)?;
-    pollster::block_on(solver.last_change())?;
-    let mut times = Times::default();
-    for _ in 0..runs {
-        let (solved, ms) = timed(|| {
-            solver.update(kernels, constraints)?;
-            (0..PAGE_STEPS).for_each(|_| solver.step());
-            Ok::<_, GridError>(pollster::block_on(solver.last_change())?)
-        });
-        solved?;
-        times.push(ms);
-    }
-    Ok(times.median())
+    let (solved, ms) = timed(|| {
+        solver.update(kernels, constraints)?;
+        (0..steps).for_each(|_| solver.step());
+        Ok::<_, GridError>(pollster::block_on(solver.last_change())?)
+    });
+    solved.map(|_| ms)
 }
 
 fn print_head() {
@@ -86,7 +115,8 @@ fn print_costs(size_px: u32, costs: &SolverCosts) {
     let texture_gb = costs.texture_bytes as f64 / 1e9;
     println!("{size_px} × {size_px} px, {texture_gb:.2} GB of textures");
     let solves = STEPS.map(|steps| (format!("a picture in {steps} steps"), costs.solve(steps)));
-    let parts = [("levels and first picture".to_owned(), costs.start), ("a step".to_owned(), costs.step)];
+    let parts = [("levels", costs.levels), ("first picture", costs.start), ("a step", costs.step)];
+    let parts = parts.map(|(name, costs)| (name.to_owned(), costs));
     for (name, costs) in parts.into_iter().chain(solves) {
         let (bytes, ms) = (costs.bytes as f64, costs.bytes as f64 / BYTES_PER_SECOND * 1e3);
         println!("  {name:<32} {:9} {:9.2} {ms:12.1}", costs.passes, bytes / 1e9);

@@ -42,7 +42,7 @@ fn paint_on_gpu(page: &Page<'_>) -> anyhow::Result<Pixmap> {
     let failure = Arc::new(OnceLock::new());
     let noted = Arc::clone(&failure);
     let gpu = pollster::block_on(Gpu::headless(move |error| drop(noted.set(error))))?;
-    let kernels = GridKernels::new(&gpu.device);
+    let kernels = GridKernels::new(&gpu);
     page.paint(|constraints| Ok(pollster::block_on(on_gpu(&gpu, &kernels, &failure, constraints))?))
 }
 

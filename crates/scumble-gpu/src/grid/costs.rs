@@ -14,7 +14,9 @@ pub struct Costs {
 /// What a solver costs.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct SolverCosts {
-    /// To build the levels and to make a first picture.
+    /// To build the levels.
+    pub levels: Costs,
+    /// To make a first picture.
     pub start: Costs,
     /// A step.
     pub step: Costs,
@@ -23,15 +25,22 @@ pub struct SolverCosts {
 }
 
 impl SolverCosts {
-    pub(super) fn of(start: &Tape, [one, next]: [&Tape; 2]) -> Self {
-        let texture_bytes = texture_bytes([start, one, next]);
-        Self { start: Costs::of(start), step: Costs::of(one), texture_bytes }
+    pub(super) fn of([build, start]: [&Tape; 2], [one, next]: [&Tape; 2]) -> Self {
+        let texture_bytes = texture_bytes([build, start, one, next]);
+        let [levels, start, step] = [build, start, one].map(Costs::of);
+        Self { levels, start, step, texture_bytes }
+    }
+
+    /// A picture in other colours, in so many steps.
+    pub fn recolor(&self, steps: u64) -> Costs {
+        let Self { start, step, .. } = self;
+        Costs { passes: start.passes + steps * step.passes, bytes: start.bytes + steps * step.bytes }
     }
 
     /// A picture from nothing, in so many steps.
     pub fn solve(&self, steps: u64) -> Costs {
-        let Self { start, step, .. } = self;
-        Costs { passes: start.passes + steps * step.passes, bytes: start.bytes + steps * step.bytes }
+        let (levels, rest) = (self.levels, self.recolor(steps));
+        Costs { passes: levels.passes + rest.passes, bytes: levels.bytes + rest.bytes }
     }
 }
 
@@ -43,7 +52,7 @@ impl Costs {
 }
 
 /// Bytes of all textures that passes read or draw.
-fn texture_bytes(tapes: [&Tape; 3]) -> u64 {
+fn texture_bytes(tapes: [&Tape; 4]) -> u64 {
     let mut seen: Vec<&wgpu::Texture> = Vec::new();
     let views =
         tapes.into_iter().flat_map(|tape| &tape.0).flat_map(|pass| pass.reads.iter().chain([&pass.target]));

@@ -7,6 +7,15 @@ use super::points::{Borders, Points};
 use super::texels::{FORMAT, THIN_FORMAT, target};
 use crate::gpu::Gpu;
 
+/// How other equations differ from those before.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) struct Changes {
+    /// Pixels with another equation.
+    pub(super) pixels: usize,
+    /// Whether there are others than right sides.
+    pub(super) weights: bool,
+}
+
 /// Textures with a texel for each pixel, and what is in them.
 #[derive(Debug)]
 pub(crate) struct Equations {
@@ -26,28 +35,35 @@ impl Equations {
         let right = target(gpu, size_px, FORMAT);
         let drawn = constraints.equations();
         let equations = Self { size_px, east, south, hold, right, drawn };
-        equations.draw(gpu, kernels, &equations.drawn, true);
+        equations.draw(gpu, kernels, &equations.drawn, [true; 2]);
         equations
     }
 
-    /// Draws what other constraints, of as many pixels, have otherwise; tells for how many pixels that was.
-    pub(crate) fn update(&mut self, gpu: &Gpu, kernels: &Kernels, constraints: &Constraints) -> usize {
+    /// Draws what other constraints, of as many pixels, have otherwise.
+    pub(super) fn update(&mut self, gpu: &Gpu, kernels: &Kernels, constraints: &Constraints) -> Changes {
         let after = constraints.equations();
         let changed = changes(&self.drawn, &after);
+        let weights = |e: &Equation| [e.east, e.south, e.hold];
+        let is_alike = |(a, b): (&Equation, &Equation)| a.pixel == b.pixel && weights(a) == weights(b);
+        let has_other_weights =
+            self.drawn.len() != after.len() || !self.drawn.iter().zip(&after).all(is_alike);
         self.drawn = after;
-        self.draw(gpu, kernels, &changed, false);
-        changed.len()
+        self.draw(gpu, kernels, &changed, [false, has_other_weights]);
+        Changes { pixels: changed.len(), weights: has_other_weights }
     }
 
-    /// Draws some equations over those that are there, or over plain ones.
-    fn draw(&self, gpu: &Gpu, kernels: &Kernels, equations: &[Equation], is_first: bool) {
+    /// Draws some equations over plain ones, where they are the first, or over those that are there, with their weights or
+    /// without.
+    fn draw(&self, gpu: &Gpu, kernels: &Kernels, equations: &[Equation], [is_first, has_weights]: [bool; 2]) {
         let plain = |number: f32| is_first.then_some(number);
         let points =
             Points::new(gpu, kernels, &equations.iter().map(|e| self.center(e.pixel)).collect::<Vec<_>>());
         let mut encoder = gpu.device.create_command_encoder(&Default::default());
-        points.draw(&mut encoder, &self.east, plain(1.0), &numbers(equations, |e| e.east));
-        points.draw(&mut encoder, &self.south, plain(1.0), &numbers(equations, |e| e.south));
-        points.draw(&mut encoder, &self.hold, plain(0.0), &numbers(equations, |e| e.hold));
+        if has_weights {
+            points.draw(&mut encoder, &self.east, plain(1.0), &numbers(equations, |e| e.east));
+            points.draw(&mut encoder, &self.south, plain(1.0), &numbers(equations, |e| e.south));
+            points.draw(&mut encoder, &self.hold, plain(0.0), &numbers(equations, |e| e.hold));
+        }
         points.draw(&mut encoder, &self.right, plain(0.0), &numbers(equations, |e| e.right));
         gpu.queue.submit([encoder.finish()]);
     }

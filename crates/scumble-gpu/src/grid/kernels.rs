@@ -4,6 +4,7 @@ use wgpu::VertexFormat::{Float32x2, Uint32, Uint32x4};
 
 use super::layer;
 use super::texels::{FORMAT, THIN_FORMAT};
+use crate::gpu::Gpu;
 use crate::shaders::SEEN;
 use crate::wgsl::wgsl;
 
@@ -52,10 +53,18 @@ pub(crate) struct Source {
 }
 
 impl Source {
-    pub(crate) fn text(&self) -> String {
-        self.pieces.concat()
+    /// With how every texel of a target comes to what the kernel gives.
+    pub(crate) fn text(&self, way: &str) -> String {
+        [way, &self.pieces.concat()].concat()
     }
 }
+
+/// Draws all texels.
+pub(crate) const DRAW: &str = wgsl!("grid/draw");
+
+/// Computes all texels.
+#[cfg(not(target_arch = "wasm32"))]
+pub(crate) const COMPUTE: &str = wgsl!("grid/compute");
 
 const BLOCK: &str = wgsl!("grid/block");
 const GIVEN: &str = wgsl!("grid/given");
@@ -109,10 +118,23 @@ pub(crate) const BORDER: [&str; 2] = [SEEN, wgsl!("grid/border")];
 /// What a kernel may read besides a level.
 pub(super) const OPERANDS: usize = 3;
 
+/// Operands, and what is computed.
+pub(super) fn bindings(gpu: &Gpu) -> usize {
+    OPERANDS + usize::from(gpu.computes())
+}
+
+/// What runs a kernel.
+#[derive(Clone, Debug)]
+pub(super) enum Pipeline {
+    Draws(wgpu::RenderPipeline),
+    #[cfg(not(target_arch = "wasm32"))]
+    Computes(wgpu::ComputePipeline),
+}
+
 /// A pipeline for each kernel, and how they are given what they read: the same for all solvers on a device.
 #[derive(Debug)]
 pub struct Kernels {
-    pipelines: Vec<wgpu::RenderPipeline>,
+    pipelines: Vec<Pipeline>,
     /// For targets of one number a texel, and of four.
     points: [wgpu::RenderPipeline; 2],
     pub(super) border: wgpu::RenderPipeline,
@@ -122,17 +144,23 @@ pub struct Kernels {
 
 impl Kernels {
     /// Has all of them compiled.
-    pub fn new(device: &wgpu::Device) -> Self {
-        let operands: [_; OPERANDS] = std::array::from_fn(|i| entry(i as u32, TEXELS));
+    pub fn new(gpu: &Gpu) -> Self {
+        let device = &gpu.device;
+        let operand = |i| entry(i as u32, if i < OPERANDS { TEXELS } else { RESULT });
+        let operands: [_; OPERANDS + 1] = std::array::from_fn(operand);
         let level =
             [entry(0, UNIFORM), entry(1, TEXELS), entry(2, TEXELS), entry(3, TEXELS), entry(4, TEXELS)];
-        let operands_layout = bind_group_layout(device, "operands", &operands);
+        let operands_layout = bind_group_layout(device, "operands", &operands[..bindings(gpu)]);
         let level_layout = bind_group_layout(device, "level", &level);
         let both = [Some(&operands_layout), Some(&level_layout)];
         let pipelines = SOURCES.iter().map(|source| {
             let layouts = if source.has_level { &both[..] } else { &both[..1] };
+            #[cfg(not(target_arch = "wasm32"))]
+            if gpu.computes() {
+                return Pipeline::Computes(compute_pipeline(device, source, layouts));
+            }
             let drawing = Drawing { format: FORMAT, topology: TRIANGLES, buffers: &[] };
-            pipeline(device, source.name, &source.text(), layouts, &drawing)
+            Pipeline::Draws(pipeline(device, source.name, &source.text(DRAW), layouts, &drawing))
         });
         let pipelines = pipelines.collect();
         Self { pipelines, points: points(device), border: border(device), operands_layout, level_layout }
@@ -143,7 +171,7 @@ impl Kernels {
         &self.points[usize::from(format == FORMAT)]
     }
 
-    pub(super) fn pipeline(&self, kernel: Kernel) -> &wgpu::RenderPipeline {
+    pub(super) fn pipeline(&self, kernel: Kernel) -> &Pipeline {
         &self.pipelines[kernel as usize]
     }
 }
@@ -154,6 +182,12 @@ pub(super) const TEXELS: wgpu::BindingType = wgpu::BindingType::Texture {
     multisampled: false,
 };
 
+const RESULT: wgpu::BindingType = wgpu::BindingType::StorageTexture {
+    access: wgpu::StorageTextureAccess::WriteOnly,
+    format: FORMAT,
+    view_dimension: wgpu::TextureViewDimension::D2,
+};
+
 pub(super) const UNIFORM: wgpu::BindingType = wgpu::BindingType::Buffer {
     ty: wgpu::BufferBindingType::Uniform,
     has_dynamic_offset: false,
@@ -161,7 +195,11 @@ pub(super) const UNIFORM: wgpu::BindingType = wgpu::BindingType::Buffer {
 };
 
 pub(super) fn entry(binding: u32, ty: wgpu::BindingType) -> wgpu::BindGroupLayoutEntry {
-    wgpu::BindGroupLayoutEntry { binding, visibility: wgpu::ShaderStages::FRAGMENT, ty, count: None }
+    let visibility = match ty {
+        wgpu::BindingType::StorageTexture { .. } => wgpu::ShaderStages::COMPUTE,
+        _ => wgpu::ShaderStages::FRAGMENT | wgpu::ShaderStages::COMPUTE,
+    };
+    wgpu::BindGroupLayoutEntry { binding, visibility, ty, count: None }
 }
 
 pub(super) fn bind_group_layout(
@@ -215,21 +253,46 @@ fn point_pipeline(
     pipeline(device, "points", text, layouts, &drawing)
 }
 
+/// A compiled text, and how what runs it is given what it reads.
+fn compiled(
+    device: &wgpu::Device,
+    label: Option<&str>,
+    text: &str,
+    bind_group_layouts: &[Option<&wgpu::BindGroupLayout>],
+) -> (wgpu::ShaderModule, wgpu::PipelineLayout) {
+    let source = wgpu::ShaderSource::Wgsl(text.into());
+    let module = device.create_shader_module(wgpu::ShaderModuleDescriptor { label, source });
+    let layout = wgpu::PipelineLayoutDescriptor { bind_group_layouts, ..Default::default() };
+    (module, device.create_pipeline_layout(&layout))
+}
+
+#[cfg(not(target_arch = "wasm32"))]
+fn compute_pipeline(
+    device: &wgpu::Device,
+    source: &Source,
+    layouts: &[Option<&wgpu::BindGroupLayout>],
+) -> wgpu::ComputePipeline {
+    let label = Some(source.name);
+    let (module, layout) = compiled(device, label, &source.text(COMPUTE), layouts);
+    device.create_compute_pipeline(&wgpu::ComputePipelineDescriptor {
+        label,
+        layout: Some(&layout),
+        module: &module,
+        entry_point: Some("compute"),
+        compilation_options: Default::default(),
+        cache: None,
+    })
+}
+
 fn pipeline(
     device: &wgpu::Device,
     name: &str,
     text: &str,
-    bind_group_layouts: &[Option<&wgpu::BindGroupLayout>],
+    layouts: &[Option<&wgpu::BindGroupLayout>],
     drawing: &Drawing<'_>,
 ) -> wgpu::RenderPipeline {
     let label = Some(name);
-    let text = wgpu::ShaderSource::Wgsl(text.into());
-    let module = device.create_shader_module(wgpu::ShaderModuleDescriptor { label, source: text });
-    let layout = device.create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
-        label,
-        bind_group_layouts,
-        immediate_size: 0,
-    });
+    let (module, layout) = compiled(device, label, text, layouts);
     device.create_render_pipeline(&wgpu::RenderPipelineDescriptor {
         label,
         layout: Some(&layout),

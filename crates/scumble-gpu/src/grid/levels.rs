@@ -26,8 +26,8 @@ pub(crate) struct GpuLevel {
     /// At first the given colours.
     pub(super) right: wgpu::TextureView,
     room: wgpu::TextureView,
-    /// What each unknown is a part of, by cells of the coarser level; none on the coarsest.
-    marks: Option<wgpu::TextureView>,
+    /// What each unknown is a part of, by cells of the coarser level; nothing on the coarsest.
+    pub(super) marks: wgpu::TextureView,
 }
 
 /// Levels, the finest first.
@@ -72,8 +72,7 @@ impl Maker<'_> {
 
     fn level(&self, size: Size, links: [wgpu::TextureView; 3], right: wgpu::TextureView) -> GpuLevel {
         let [holds, values, room] = [(); 3].map(|()| alike(self.gpu, &right));
-        let has_coarser = size.columns.max(size.rows) > 1;
-        let marks = has_coarser.then(|| self.target(size.columns.div_ceil(2), size.rows.div_ceil(2)));
+        let marks = self.target(size.columns.div_ceil(2), size.rows.div_ceil(2));
         let uniform = uniform(self.gpu, [size.columns as i32, size.slots as i32, 0, 0]);
         let draft = self.matrix(&uniform, links.clone(), values.clone());
         let matrix = self.matrix(&uniform, links, holds);
@@ -131,7 +130,7 @@ impl GpuLevels {
         }
     }
 
-    /// Records how the matrices and the given colours of all levels come from the equations of pixels.
+    /// Records how the matrices of all levels come from the equations of pixels.
     ///
     /// Values and rooms are overwritten.
     pub(crate) fn build(&self, recorder: &mut Recorder<'_>) {
@@ -148,29 +147,37 @@ impl GpuLevels {
         let GpuLevel { matrix, draft, values, room, marks, .. } = &self.levels[depth];
         let holds = &matrix.holds;
         let hold = if depth == 0 { &self.hold } else { room };
-        let Some(marks) = marks else {
+        if depth + 1 == self.levels.len() {
             return recorder.pass_on(draft, Kernel::Diagonal, &[hold], holds);
-        };
+        }
         recorder.pass_on(matrix, Kernel::Diagonal, &[hold], values);
         recorder.pass_on(draft, Kernel::Mark, &[hold], marks);
         recorder.pass_on(draft, Kernel::Attach, &[values, marks], holds);
     }
 
-    /// The links of the next level, how strongly it is held, and to which colours.
+    /// The links of the next level, and how strongly it is held.
     fn build_coarser(&self, recorder: &mut Recorder<'_>, depth: usize) {
-        let GpuLevel { matrix, right, .. } = &self.levels[depth];
+        let GpuLevel { matrix, marks, .. } = &self.levels[depth];
         let coarse = &self.levels[depth + 1];
         for (direction, links) in self.directions.iter().zip(&coarse.matrix.links) {
-            recorder.pass_on(matrix, Kernel::Join, &[direction], links);
+            recorder.pass_on(matrix, Kernel::Join, &[direction, marks], links);
         }
-        recorder.pass_on(matrix, Kernel::Gather, &[&matrix.holds], &coarse.room);
-        recorder.pass_on(matrix, Kernel::Gather, &[right], &coarse.right);
+        recorder.pass_on(matrix, Kernel::Gather, &[&matrix.holds, marks], &coarse.room);
+    }
+
+    /// Records how the given colours of all levels come from those of pixels.
+    pub(crate) fn gather(&self, recorder: &mut Recorder<'_>) {
+        for pair in self.levels.windows(2) {
+            let GpuLevel { matrix, right, marks, .. } = &pair[0];
+            recorder.pass_on(matrix, Kernel::Gather, &[right, marks], &pair[1].right);
+        }
     }
 
     /// Records the way to a first picture, from the coarsest level up, with one cycle at each.
     ///
     /// Right sides are overwritten, each when its given colours have been used.
     pub(crate) fn first_picture(&mut self, recorder: &mut Recorder<'_>) {
+        self.gather(recorder);
         for depth in (1..self.levels.len()).rev() {
             self.spread(recorder, depth);
             self.cycle_from(recorder, depth);
@@ -219,9 +226,9 @@ impl GpuLevels {
 
     /// Records how the values of a level are corrected by those of the next.
     fn correct(&mut self, recorder: &mut Recorder<'_>, depth: usize) {
-        let GpuLevel { matrix, right, values, room, .. } = &self.levels[depth];
+        let GpuLevel { matrix, right, values, room, marks, .. } = &self.levels[depth];
         recorder.pass_on(matrix, Kernel::Residual, &[values, right], room);
-        recorder.pass_on(matrix, Kernel::Restrict, &[room], &self.levels[depth + 1].right);
+        recorder.pass_on(matrix, Kernel::Restrict, &[room, marks], &self.levels[depth + 1].right);
         self.cycle_from_zero(recorder, depth + 1);
         let (fine, coarse) = self.levels.split_at_mut(depth + 1);
         let GpuLevel { matrix, values, room, .. } = &mut fine[depth];

@@ -2,7 +2,7 @@
 
 use scumble_solve::grid::{Constraints, Covers, Size, Texture};
 
-use super::equations::Equations;
+use super::equations::{Changes, Equations};
 use super::error::GridError;
 use super::gradients::Gradients;
 use super::kernels::{Kernel, Kernels};
@@ -76,35 +76,35 @@ fn update_rows(gpu: &Gpu, view: &wgpu::TextureView, before: &Texture, after: &Te
 }
 
 impl Stack {
-    /// Records how levels are built and a first picture is made.
+    /// With what builds its levels, and what makes a first picture.
     pub(super) fn new(
         gpu: &Gpu,
         kernels: &Kernels,
         constraints: &Constraints,
         recorder: &mut Recorder<'_>,
-    ) -> Result<Self, GridError> {
+    ) -> Result<(Self, [Tape; 2]), GridError> {
         let sizes = Size::levels(constraints);
         check(gpu, &sizes)?;
         let equations = Equations::new(gpu, kernels, constraints);
         let levels = GpuLevels::new(gpu, kernels, &equations, &sizes);
         levels.build(recorder);
+        let build = recorder.take();
         let picture = Gradients::new(gpu, levels, recorder);
         let layer = constraints.covers.as_ref().map(|covers| Layer::new(gpu, covers));
         let size_px = [constraints.width_px, constraints.height_px];
         let borders = equations.borders(gpu, constraints);
         let stack = Self { size_px, equations, borders, picture, layer };
         stack.cover(recorder);
-        Ok(stack)
+        Ok((stack, [build, recorder.take()]))
     }
 
-    /// Uploads what other constraints have otherwise, where they have room in the same textures; tells for how many pixels
-    /// that was.
+    /// Uploads what other constraints have otherwise, where they have room in the same textures.
     pub(super) fn update(
         &mut self,
         gpu: &Gpu,
         kernels: &Kernels,
         constraints: &Constraints,
-    ) -> Option<usize> {
+    ) -> Option<Changes> {
         if self.size_px != [constraints.width_px, constraints.height_px] {
             return None;
         }
@@ -113,9 +113,9 @@ impl Stack {
             (Some(layer), Some(covers)) if layer.has_room_for(covers) => layer.update(gpu, covers),
             _ => return None,
         }
-        let changed = self.equations.update(gpu, kernels, constraints);
+        let changes = self.equations.update(gpu, kernels, constraints);
         self.borders = self.equations.borders(gpu, constraints);
-        Some(changed)
+        Some(changes)
     }
 
     /// Has equations at the borders of a part take what a grid of the whole has beyond.

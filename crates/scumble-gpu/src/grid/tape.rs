@@ -1,13 +1,17 @@
-//! Passes that are made ready once and drawn over and over: all that a step of the solver does.
+//! Passes that are made ready once and drawn, or computed, over and over: all that a step of the solver does.
 
-use super::kernels::{Kernel, Kernels, OPERANDS};
+use super::kernels::{Kernel, Kernels, OPERANDS, Pipeline, bindings};
 use super::levels::Matrix;
 use crate::gpu::Gpu;
+
+/// Columns and rows that are computed together, as the shaders have them.
+#[cfg(not(target_arch = "wasm32"))]
+const WORKGROUP: u32 = 8;
 
 /// A kernel with what it reads and where it draws.
 #[derive(Debug)]
 pub(super) struct Pass {
-    pipeline: wgpu::RenderPipeline,
+    pipeline: Pipeline,
     operands: wgpu::BindGroup,
     level: Option<wgpu::BindGroup>,
     /// The textures that it reads.
@@ -20,16 +24,51 @@ pub(super) struct Pass {
 pub(crate) struct Tape(pub(super) Vec<Pass>);
 
 impl Tape {
-    /// Has all passes drawn.
+    /// Has all passes drawn, or computed: they are of one kind.
     pub(crate) fn play(&self, gpu: &Gpu) {
         let mut encoder = gpu.device.create_command_encoder(&Default::default());
-        self.0.iter().for_each(|pass| pass.draw(&mut encoder));
+        #[cfg(not(target_arch = "wasm32"))]
+        self.compute(&mut encoder);
+        self.draw(&mut encoder);
         gpu.queue.submit([encoder.finish()]);
+    }
+
+    /// Runs the passes that are drawn.
+    fn draw(&self, encoder: &mut wgpu::CommandEncoder) {
+        for pass in &self.0 {
+            match &pass.pipeline {
+                Pipeline::Draws(pipeline) => pass.draw(encoder, pipeline),
+                #[cfg(not(target_arch = "wasm32"))]
+                Pipeline::Computes(_) => {}
+            }
+        }
+    }
+
+    /// Runs the passes that are computed.
+    #[cfg(not(target_arch = "wasm32"))]
+    fn compute(&self, encoder: &mut wgpu::CommandEncoder) {
+        let mut computing = encoder.begin_compute_pass(&Default::default());
+        for pass in &self.0 {
+            if let Pipeline::Computes(pipeline) = &pass.pipeline {
+                pass.compute(&mut computing, pipeline);
+            }
+        }
     }
 }
 
 impl Pass {
-    fn draw(&self, encoder: &mut wgpu::CommandEncoder) {
+    #[cfg(not(target_arch = "wasm32"))]
+    fn compute(&self, pass: &mut wgpu::ComputePass<'_>, pipeline: &wgpu::ComputePipeline) {
+        pass.set_pipeline(pipeline);
+        pass.set_bind_group(0, &self.operands, &[]);
+        if let Some(level) = &self.level {
+            pass.set_bind_group(1, level, &[]);
+        }
+        let size = self.target.texture().size();
+        pass.dispatch_workgroups(size.width.div_ceil(WORKGROUP), size.height.div_ceil(WORKGROUP), 1);
+    }
+
+    fn draw(&self, encoder: &mut wgpu::CommandEncoder, pipeline: &wgpu::RenderPipeline) {
         let target = wgpu::RenderPassColorAttachment {
             view: &self.target,
             depth_slice: None,
@@ -44,7 +83,7 @@ impl Pass {
             color_attachments: &[Some(target)],
             ..Default::default()
         });
-        pass.set_pipeline(&self.pipeline);
+        pass.set_pipeline(pipeline);
         pass.set_bind_group(0, &self.operands, &[]);
         if let Some(level) = &self.level {
             pass.set_bind_group(1, level, &[]);
@@ -100,7 +139,7 @@ impl<'a> Recorder<'a> {
     fn ready(&self, kernel: Kernel, operands: &[&wgpu::TextureView], target: &wgpu::TextureView) -> Pass {
         Pass {
             pipeline: self.kernels.pipeline(kernel).clone(),
-            operands: self.operands(operands),
+            operands: self.operands(operands, target),
             level: None,
             reads: operands.iter().copied().cloned().collect(),
             target: target.clone(),
@@ -108,15 +147,16 @@ impl<'a> Recorder<'a> {
     }
 
     /// The last operand stands also for those that a kernel does not read.
-    fn operands(&self, operands: &[&wgpu::TextureView]) -> wgpu::BindGroup {
-        let entries: [_; OPERANDS] = std::array::from_fn(|i| wgpu::BindGroupEntry {
+    fn operands(&self, operands: &[&wgpu::TextureView], target: &wgpu::TextureView) -> wgpu::BindGroup {
+        let view = |i: usize| if i < OPERANDS { operands[i.min(operands.len() - 1)] } else { target };
+        let entries: [_; OPERANDS + 1] = std::array::from_fn(|i| wgpu::BindGroupEntry {
             binding: i as u32,
-            resource: wgpu::BindingResource::TextureView(operands[i.min(operands.len() - 1)]),
+            resource: wgpu::BindingResource::TextureView(view(i)),
         });
         self.gpu.device.create_bind_group(&wgpu::BindGroupDescriptor {
             label: Some("operands"),
             layout: &self.kernels.operands_layout,
-            entries: &entries,
+            entries: &entries[..bindings(self.gpu)],
         })
     }
 }

@@ -55,7 +55,20 @@ struct Bench {
 impl Bench {
     fn new() -> Option<Self> {
         let gpu = gpu()?;
-        Some(Self { kernels: Kernels::new(&gpu.device), gpu })
+        Some(Self { kernels: Kernels::new(&gpu), gpu })
+    }
+
+    /// One that computes, where there is a device for it, and one that draws, as all do in a page.
+    fn both() -> Vec<Self> {
+        let Some(gpu) = gpu() else { return Vec::new() };
+        let required_limits =
+            wgpu::Limits::downlevel_webgl2_defaults().using_resolution(gpu.adapter.limits());
+        let descriptor = wgpu::DeviceDescriptor { required_limits, ..Default::default() };
+        let opened = pollster::block_on(gpu.adapter.request_device(&descriptor));
+        let (device, queue) = opened.expect("a device that draws alone");
+        let drawing = Gpu { adapter: gpu.adapter.clone(), device, queue };
+        assert!(!drawing.computes());
+        [gpu, drawing].map(|gpu| Self { kernels: Kernels::new(&gpu), gpu }).into()
     }
 
     /// The levels of a problem, built.
@@ -65,6 +78,7 @@ impl Bench {
         let levels = GpuLevels::new(&self.gpu, &self.kernels, &equations, &sizes);
         let mut recorder = Recorder::new(&self.gpu, &self.kernels);
         levels.build(&mut recorder);
+        levels.gather(&mut recorder);
         recorder.take().play(&self.gpu);
         levels
     }
@@ -72,9 +86,11 @@ impl Bench {
     /// What a kernel draws.
     fn drawn(&self, level: &GpuLevel, kernel: Kernel, operands: &[&Texture], like: &Level) -> Vec<Texel> {
         let operands: Vec<_> = operands.iter().map(|texture| uploaded(&self.gpu, texture)).collect();
+        let marks = matches!(kernel, Kernel::Restrict).then_some(&level.marks);
+        let operands: Vec<_> = operands.iter().chain(marks).collect();
         let target = target(&self.gpu, [like.holds.width as u32, like.holds.height as u32], FORMAT);
         let mut recorder = Recorder::new(&self.gpu, &self.kernels);
-        recorder.pass_on(&level.matrix, kernel, &operands.iter().collect::<Vec<_>>(), &target);
+        recorder.pass_on(&level.matrix, kernel, &operands, &target);
         recorder.take().play(&self.gpu);
         self.read(&target)
     }
@@ -109,39 +125,51 @@ fn levels(bench: &Bench) -> (GpuLevels, Hierarchy) {
 
 #[test]
 fn kernels_within_a_level_draw_what_their_twins_compute() {
-    let Some(bench) = Bench::new() else { return };
-    let (built, hierarchy) = levels(&bench);
-    for (depth, (level, drawn)) in hierarchy.levels.iter().zip(&built.levels).take(LEVELS).enumerate() {
-        let (values, right) = (noise_like(level, 1), noise_like(level, 2));
-        let single = |texel| Texture { width: 1, height: 1, texels: vec![texel] };
-        let (part, parts) = (single([STEPS[0]; 4]), single([STEPS[0], STEPS[1], 0.0, 0.0]));
-        let check = |kernel, operands: &[&Texture], twin: &dyn Fn(i32, i32) -> Texel| {
-            let drawn = bench.drawn(drawn, kernel, operands, level);
-            assert_near(&drawn, &computed(level, twin).texels, ROUNDING, &format!("{kernel:?} at {depth}"));
-        };
-        let (v, r) = (&values, &right);
-        check(Kernel::Multiply, &[v], &|x, y| twin::multiply(level, v, x, y));
-        check(Kernel::Residual, &[v, r], &|x, y| twin::residual(level, v, r, x, y));
-        check(Kernel::Relax, &[v, r, &part], &|x, y| twin::relax(level, v, r, STEPS[0], x, y));
-        check(Kernel::Start, &[r, &parts], &|x, y| twin::start(level, r, STEPS, x, y));
+    for bench in Bench::both() {
+        let (built, hierarchy) = levels(&bench);
+        for (depth, (level, drawn)) in hierarchy.levels.iter().zip(&built.levels).take(LEVELS).enumerate() {
+            let (values, right) = (noise_like(level, 1), noise_like(level, 2));
+            let single = |texel| Texture { width: 1, height: 1, texels: vec![texel] };
+            let (part, parts) = (single([STEPS[0]; 4]), single([STEPS[0], STEPS[1], 0.0, 0.0]));
+            let check = |kernel, operands: &[&Texture], twin: &dyn Fn(i32, i32) -> Texel| {
+                let drawn = bench.drawn(drawn, kernel, operands, level);
+                assert_near(
+                    &drawn,
+                    &computed(level, twin).texels,
+                    ROUNDING,
+                    &format!("{kernel:?} at {depth}"),
+                );
+            };
+            let (v, r) = (&values, &right);
+            check(Kernel::Multiply, &[v], &|x, y| twin::multiply(level, v, x, y));
+            check(Kernel::Residual, &[v, r], &|x, y| twin::residual(level, v, r, x, y));
+            check(Kernel::Relax, &[v, r, &part], &|x, y| twin::relax(level, v, r, STEPS[0], x, y));
+            check(Kernel::Start, &[r, &parts], &|x, y| twin::start(level, r, STEPS, x, y));
+        }
     }
 }
 
 #[test]
 fn kernels_between_levels_draw_what_their_twins_compute() {
-    let Some(bench) = Bench::new() else { return };
-    let (built, hierarchy) = levels(&bench);
-    for (depth, pair) in hierarchy.levels[..=LEVELS].windows(2).enumerate() {
-        let [fine, coarse] = pair else { unreachable!() };
-        let (values, below) = (noise_like(fine, 1), noise_like(coarse, 2));
-        let check = |kernel, operands: &[&Texture], like: &Level, twin: &dyn Fn(i32, i32) -> Texel| {
-            let drawn = bench.drawn(&built.levels[depth], kernel, operands, like);
-            assert_near(&drawn, &computed(like, twin).texels, ROUNDING, &format!("{kernel:?} at {depth}"));
-        };
-        let (v, b) = (&values, &below);
-        check(Kernel::Restrict, &[v], coarse, &|x, y| twin::restrict(fine, coarse, v, x, y));
-        check(Kernel::Interpolate, &[v, b], fine, &|x, y| twin::interpolate(fine, v, b, x, y));
-        check(Kernel::Spread, &[v, b], fine, &|x, y| twin::spread(fine, v, b, x, y));
+    for bench in Bench::both() {
+        let (built, hierarchy) = levels(&bench);
+        for (depth, pair) in hierarchy.levels[..=LEVELS].windows(2).enumerate() {
+            let [fine, coarse] = pair else { unreachable!() };
+            let (values, below) = (noise_like(fine, 1), noise_like(coarse, 2));
+            let check = |kernel, operands: &[&Texture], like: &Level, twin: &dyn Fn(i32, i32) -> Texel| {
+                let drawn = bench.drawn(&built.levels[depth], kernel, operands, like);
+                assert_near(
+                    &drawn,
+                    &computed(like, twin).texels,
+                    ROUNDING,
+                    &format!("{kernel:?} at {depth}"),
+                );
+            };
+            let (v, b) = (&values, &below);
+            check(Kernel::Restrict, &[v], coarse, &|x, y| twin::restrict(fine, coarse, v, x, y));
+            check(Kernel::Interpolate, &[v, b], fine, &|x, y| twin::interpolate(fine, v, b, x, y));
+            check(Kernel::Spread, &[v, b], fine, &|x, y| twin::spread(fine, v, b, x, y));
+        }
     }
 }
 
@@ -181,75 +209,84 @@ fn assert_alike(drawn: &[Texel], expected: &Texture, name: &str) -> bool {
 /// The links of pixels, of which the GPU keeps a number each, are compared by what kernels make of them.
 #[test]
 fn levels_are_built_as_on_the_cpu() {
-    let Some(bench) = Bench::new() else { return };
-    let mut has_links = [false; 3];
-    for constraints in [constraints(130, 97, &[]), halves()] {
-        let (built, hierarchy) = (bench.levels(&constraints), Hierarchy::new(&constraints));
-        assert_eq!(built.levels.len(), hierarchy.levels.len());
-        for (depth, (level, drawn)) in hierarchy.levels.iter().zip(&built.levels).enumerate() {
-            let check = |name: &str, view: &wgpu::TextureView, expected: &Texture| {
-                assert_alike(&bench.read(view), expected, &format!("{name} at {depth}"))
-            };
-            check("holds", &drawn.matrix.holds, &level.holds);
-            check("given", &drawn.right, &hierarchy.given[depth]);
-            let links = drawn.matrix.links.iter().zip([&level.east, &level.south, &level.within]);
-            for (has, (drawn, expected)) in has_links.iter_mut().zip(links).filter(|_| depth > 0) {
-                *has |= check("links", drawn, expected);
+    for bench in Bench::both() {
+        let mut has_links = [false; 3];
+        for constraints in [constraints(130, 97, &[]), halves()] {
+            let (built, hierarchy) = (bench.levels(&constraints), Hierarchy::new(&constraints));
+            assert_eq!(built.levels.len(), hierarchy.levels.len());
+            for (depth, (level, drawn)) in hierarchy.levels.iter().zip(&built.levels).enumerate() {
+                let check = |name: &str, view: &wgpu::TextureView, expected: &Texture| {
+                    assert_alike(&bench.read(view), expected, &format!("{name} at {depth}"))
+                };
+                check("holds", &drawn.matrix.holds, &level.holds);
+                check("given", &drawn.right, &hierarchy.given[depth]);
+                let links = drawn.matrix.links.iter().zip([&level.east, &level.south, &level.within]);
+                for (has, (drawn, expected)) in has_links.iter_mut().zip(links).filter(|_| depth > 0) {
+                    *has |= check("links", drawn, expected);
+                }
             }
         }
+        assert_eq!(has_links, [true; 3], "links of all kinds");
     }
-    assert_eq!(has_links, [true; 3], "links of all kinds");
 }
 
 #[test]
 fn a_picture_is_covered_as_the_twin_covers_it() {
-    let Some(bench) = Bench::new() else { return };
-    let [under, colors, covers] = [1, 2, 3].map(|seed| noise(130, 97, seed));
-    let mut covered = Texture::new(130, 97);
-    covered.draw(|x, y| twin::cover(&under, &colors, &covers, x, y));
-    let target = target(&bench.gpu, [130, 97], FORMAT);
-    let operands = [under, colors, covers].map(|texture| uploaded(&bench.gpu, &texture));
-    let mut recorder = Recorder::new(&bench.gpu, &bench.kernels);
-    recorder.pass(Kernel::Cover, &operands.each_ref(), &target);
-    recorder.take().play(&bench.gpu);
-    assert_near(&bench.read(&target), &covered.texels, ROUNDING, "Cover");
+    for bench in Bench::both() {
+        let [under, colors, covers] = [1, 2, 3].map(|seed| noise(130, 97, seed));
+        let mut covered = Texture::new(130, 97);
+        covered.draw(|x, y| twin::cover(&under, &colors, &covers, x, y));
+        let target = target(&bench.gpu, [130, 97], FORMAT);
+        let operands = [under, colors, covers].map(|texture| uploaded(&bench.gpu, &texture));
+        let mut recorder = Recorder::new(&bench.gpu, &bench.kernels);
+        recorder.pass(Kernel::Cover, &operands.each_ref(), &target);
+        recorder.take().play(&bench.gpu);
+        assert_near(&bench.read(&target), &covered.texels, ROUNDING, "Cover");
+    }
 }
 
 #[test]
 fn reductions_take_every_texel_once() {
-    let Some(Bench { gpu, kernels }) = Bench::new() else { return };
-    for (width, height) in [(1, 1), (8, 8), (9, 3), (64, 65), (200, 130)] {
-        let (mut a, b) = (noise(width, height, 3), noise(width, height, 4));
-        a.texels.iter_mut().rev().take(1).for_each(|last| *last = [2.0, -2.0, 3.0, -3.0]);
-        let reduction = Reduction::new(&gpu, width as u32, height as u32);
-        let (views, [dot, largest]) =
-            ([&a, &b].map(|t| uploaded(&gpu, t)), [(); 2].map(|()| single(&gpu, 0.0)));
-        let mut recorder = Recorder::new(&gpu, &kernels);
-        reduction.dot(&mut recorder, [&views[0], &views[1]], &dot);
-        reduction.largest(&mut recorder, &views[0], &largest);
-        recorder.take().play(&gpu);
-        let [dot, largest] =
-            [dot, largest].map(|view| pollster::block_on(read(&gpu, &view)).expect("a texel")[0]);
-        for c in 0..4 {
-            let products = || a.texels.iter().zip(&b.texels).map(|(a, b)| f64::from(a[c]) * f64::from(b[c]));
-            let (sum, size): (f64, f64) = (products().sum(), products().map(f64::abs).sum());
-            assert!((f64::from(dot[c]) - sum).abs() <= 1e-6 * size, "{width} × {height}: {} {sum}", dot[c]);
-            assert_eq!(largest[c], a.texels.iter().fold(0.0, |most, texel| texel[c].abs().max(most)));
+    for Bench { gpu, kernels } in Bench::both() {
+        for (width, height) in [(1, 1), (8, 8), (9, 3), (64, 65), (200, 130)] {
+            let (mut a, b) = (noise(width, height, 3), noise(width, height, 4));
+            a.texels.iter_mut().rev().take(1).for_each(|last| *last = [2.0, -2.0, 3.0, -3.0]);
+            let reduction = Reduction::new(&gpu, width as u32, height as u32);
+            let (views, [dot, largest]) =
+                ([&a, &b].map(|t| uploaded(&gpu, t)), [(); 2].map(|()| single(&gpu, 0.0)));
+            let mut recorder = Recorder::new(&gpu, &kernels);
+            reduction.dot(&mut recorder, [&views[0], &views[1]], &dot);
+            reduction.largest(&mut recorder, &views[0], &largest);
+            recorder.take().play(&gpu);
+            let [dot, largest] =
+                [dot, largest].map(|view| pollster::block_on(read(&gpu, &view)).expect("a texel")[0]);
+            for c in 0..4 {
+                let products =
+                    || a.texels.iter().zip(&b.texels).map(|(a, b)| f64::from(a[c]) * f64::from(b[c]));
+                let (sum, size): (f64, f64) = (products().sum(), products().map(f64::abs).sum());
+                assert!(
+                    (f64::from(dot[c]) - sum).abs() <= 1e-6 * size,
+                    "{width} × {height}: {} {sum}",
+                    dot[c]
+                );
+                assert_eq!(largest[c], a.texels.iter().fold(0.0, |most, texel| texel[c].abs().max(most)));
+            }
         }
     }
 }
 
 #[test]
 fn a_cycle_draws_what_the_one_on_the_cpu_computes() {
-    let Some(bench) = Bench::new() else { return };
-    let (mut built, mut hierarchy) = levels(&bench);
-    let right = noise_like(&hierarchy.levels[0], 5);
-    built.levels[0].right = uploaded(&bench.gpu, &right);
-    let mut recorder = Recorder::new(&bench.gpu, &bench.kernels);
-    built.cycle_from_zero(&mut recorder, 0);
-    recorder.take().play(&bench.gpu);
-    let drawn = bench.read(&built.levels[0].values);
-    assert_near(&drawn, &hierarchy.precondition(&right).texels, 1e-5, "a cycle");
+    for bench in Bench::both() {
+        let (mut built, mut hierarchy) = levels(&bench);
+        let right = noise_like(&hierarchy.levels[0], 5);
+        built.levels[0].right = uploaded(&bench.gpu, &right);
+        let mut recorder = Recorder::new(&bench.gpu, &bench.kernels);
+        built.cycle_from_zero(&mut recorder, 0);
+        recorder.take().play(&bench.gpu);
+        let drawn = bench.read(&built.levels[0].values);
+        assert_near(&drawn, &hierarchy.precondition(&right).texels, 1e-5, "a cycle");
+    }
 }
 
 fn farthest(a: &[Texel], b: &[Texel]) -> f32 {
@@ -260,7 +297,7 @@ fn farthest(a: &[Texel], b: &[Texel]) -> f32 {
 fn assert_same_picture(gpu: &Gpu, constraints: &Constraints, tolerance: f32) {
     let size = [constraints.width_px, constraints.height_px];
     let mut on_cpu = GridSolver::new(constraints);
-    let mut on_gpu = GpuGridSolver::new(gpu, &Kernels::new(&gpu.device), constraints).expect("a solver");
+    let mut on_gpu = GpuGridSolver::new(gpu, &Kernels::new(gpu), constraints).expect("a solver");
     let pixels = |solver: &GpuGridSolver| pollster::block_on(solver.pixels()).expect("the pixels come back");
     let start = farthest(&pixels(&on_gpu), &on_cpu.pixels());
     assert!(start <= TENTH, "{size:?}: {start} at first");
@@ -307,7 +344,7 @@ fn a_spiral_of_barriers_is_that_of_the_cpu() {
 fn a_picture_that_no_texture_holds_is_refused() {
     let Some(gpu) = gpu() else { return };
     let most_px = gpu.device.limits().max_texture_dimension_2d;
-    let kernels = Kernels::new(&gpu.device);
+    let kernels = Kernels::new(&gpu);
     let wide = Constraints { width_px: most_px + 1, height_px: 1, ..constraints(1, 1, &[]) };
     let solver = GpuGridSolver::new(&gpu, &kernels, &wide);
     assert_eq!(solver.err(), Some(GridError::TooLarge { most_px }));
@@ -331,8 +368,13 @@ fn other_constraints_leave_nothing_of_those_before() {
     let Some(Bench { gpu, kernels }) = Bench::new() else { return };
     let before = constraints(130, 97, SHADES[2]);
     let layered = |shades| constraints(130, 97, shades);
-    let others =
-        [circle(500.0, 0.2, 130), circle(503.0, 0.2, 130), circle(503.0, 0.3, 64), layered(SHADES[1])];
+    let others = [
+        circle(500.0, 0.2, 130),
+        circle(503.0, 0.2, 130),
+        circle(503.0, 0.7, 130),
+        circle(503.0, 0.3, 64),
+        layered(SHADES[1]),
+    ];
     for steps in [3, 4] {
         let mut solver = GpuGridSolver::new(&gpu, &kernels, &before).expect("a solver");
         for other in &others {
@@ -367,19 +409,22 @@ fn costs_are_those_of_the_passes() {
         let blank = Constraints { width_px, height_px, cuts, faces, pulls, sources, exits, covers: None };
         GpuGridSolver::costs(&gpu, &kernels, &blank).expect("costs")
     };
-    // One pixel: the diagonal, the first picture, what it lacks, and no direction yet; each a pass with its textures.
+    // One pixel: the diagonal; the first picture, what it lacks, and no direction yet; each a pass with its textures.
     let pixel = costs(1);
     let [thin, thick] = [4, 16];
     let diagonal = 3 * thin + 2 * thick;
     let spread = 4 * thick;
     let residual = 2 * thin + 5 * thick;
     let ratio = 3 * thick;
-    assert_eq!(pixel.start, Costs { passes: 4, bytes: diagonal + spread + residual + ratio });
+    assert_eq!(pixel.levels, Costs { passes: 1, bytes: diagonal });
+    assert_eq!(pixel.start, Costs { passes: 3, bytes: spread + residual + ratio });
     let [small, large] = [256, 512].map(costs);
-    for (small, large) in [(small.start, large.start), (small.step, large.step)] {
+    for (small, large) in [(small.levels, large.levels), (small.start, large.start), (small.step, large.step)]
+    {
         assert!(large.passes > small.passes, "one level more");
         assert!((3.9..4.1).contains(&(large.bytes as f64 / small.bytes as f64)), "{large:?} {small:?}");
     }
     assert!((3.9..4.1).contains(&(large.texture_bytes as f64 / small.texture_bytes as f64)));
-    assert_eq!(large.solve(3).passes, large.start.passes + 3 * large.step.passes);
+    assert_eq!(large.recolor(3).passes, large.start.passes + 3 * large.step.passes);
+    assert_eq!(large.solve(3).passes, large.levels.passes + large.recolor(3).passes);
 }

@@ -17,8 +17,11 @@ pub(super) const THIN_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::R32Uint
 
 /// Texels that may be drawn; at first zeros.
 pub(super) fn target(gpu: &Gpu, size: [u32; 2], format: wgpu::TextureFormat) -> wgpu::TextureView {
-    let usage = wgpu::TextureUsages::RENDER_ATTACHMENT | wgpu::TextureUsages::COPY_SRC;
-    made(gpu, size, format, usage).create_view(&Default::default())
+    let is_computed = gpu.computes() && format == FORMAT;
+    let computed =
+        if is_computed { wgpu::TextureUsages::STORAGE_BINDING } else { wgpu::TextureUsages::empty() };
+    let drawn = wgpu::TextureUsages::RENDER_ATTACHMENT | wgpu::TextureUsages::COPY_SRC;
+    made(gpu, size, format, drawn | computed).create_view(&Default::default())
 }
 
 /// A target like another.
