@@ -10,7 +10,8 @@ var<private> links: array<f32, 16>;
 var<private> held: array<f32, 16>;
 var<private> strong: array<u32, 16>;
 var<private> firsts: array<i32, 16>;
-// By member that is the first of a part: how strongly that is held, and what the coarser level can do for it.
+// By member that is the first of a part: all of its links, how strongly it is held, and what the coarser level can do for it.
+var<private> linked: array<f32, 16>;
 var<private> holding: array<f32, 16>;
 var<private> scores: array<f32, 16>;
 
@@ -100,16 +101,17 @@ fn find_parts() {
 fn score(cell: vec2<i32>) {
     for (var i = 0; i < member_count(); i++) {
         if is_member(i) {
-            scores[firsts[i]] += links[i];
+            linked[firsts[i]] += links[i];
             holding[firsts[i]] += held[i];
         }
     }
+    scores = linked;
     is_scoring = true;
     visit_members(cell);
     for (var i = 0; i < member_count(); i++) {
         let out = scores[i];
         // Less is what rounding leaves of links that all stay within.
-        scores[i] = select(0.0, out * out / (out + holding[i]), out > 1e-5 * links[i]);
+        scores[i] = select(0.0, out * out / (out + holding[i]), out > 1e-5 * (linked[i] + holding[i]));
     }
 }
 

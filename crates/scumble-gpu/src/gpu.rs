@@ -61,7 +61,7 @@ impl Gpu {
         Ok(Self { adapter, device, queue })
     }
 
-    /// Whether it computes without drawing. In a page everything is drawn.
+    /// Whether passes are computed. In a page they are drawn.
     pub(crate) fn computes(&self) -> bool {
         cfg!(not(target_arch = "wasm32")) && self.device.limits().max_compute_invocations_per_workgroup > 0
     }
@@ -71,27 +71,14 @@ impl Gpu {
 /// its users.
 const IS_DESTROYED_IF_DROPPED: bool = !cfg!(all(target_arch = "wasm32", feature = "webgpu"));
 
-/// WebGL2's limits, but the adapter's texture size, and one colour attachment: some adapters have few.
+/// WebGL2's limits, but the adapter's texture size, and one colour attachment, as some adapters have few; and, outside the
+/// page, what computing takes.
 fn device_descriptor(adapter: &wgpu::Adapter) -> wgpu::DeviceDescriptor<'static> {
     let limits = wgpu::Limits::downlevel_webgl2_defaults().using_resolution(adapter.limits());
     let limits = wgpu::Limits { max_color_attachments: 1, ..limits };
     #[cfg(not(target_arch = "wasm32"))]
-    let limits = computing(limits, &adapter.limits());
+    let limits = crate::grid::computing::limits(limits, &adapter.limits());
     wgpu::DeviceDescriptor { label: Some("scumble"), required_limits: limits, ..Default::default() }
-}
-
-/// Limits with all that an adapter computes.
-#[cfg(not(target_arch = "wasm32"))]
-fn computing(limits: wgpu::Limits, most: &wgpu::Limits) -> wgpu::Limits {
-    wgpu::Limits {
-        max_storage_textures_per_shader_stage: most.max_storage_textures_per_shader_stage,
-        max_compute_invocations_per_workgroup: most.max_compute_invocations_per_workgroup,
-        max_compute_workgroup_size_x: most.max_compute_workgroup_size_x,
-        max_compute_workgroup_size_y: most.max_compute_workgroup_size_y,
-        max_compute_workgroup_size_z: most.max_compute_workgroup_size_z,
-        max_compute_workgroups_per_dimension: most.max_compute_workgroups_per_dimension,
-        ..limits
-    }
 }
 
 fn watch(device: &wgpu::Device, on_failure: impl Fn(GpuError) + Send + Sync + 'static) {

@@ -5,7 +5,7 @@
 //! | a shader and what it reads | `kernels` |
 //! | textures of numbers | `texels` |
 //! | the equations of pixels, what changes of them, and what is beyond the borders of a part | `equations`, `points` |
-//! | passes that are made over and over | `tape` |
+//! | passes that are made over and over, and how they are computed | `tape`, `computing` |
 //! | levels, and the ways through them | `levels` |
 //! | sums over all texels | `reduction` |
 //! | a problem, and steps to its solution | `gradients` |
@@ -17,8 +17,10 @@
 //! Every pass makes a texture of numbers from others. In a page it is drawn with a fragment shader, so that WebGL2 can do it
 //! too; elsewhere the same kernel is computed, where the device can: cards of computing centres draw far more slowly than they
 //! compute. Of a problem only the equations of pixels at curves are uploaded, and later those that have changed: the matrices of
-//! the levels are drawn from them.
+//! the levels are made from them.
 
+#[cfg(not(target_arch = "wasm32"))]
+pub(crate) mod computing;
 mod costs;
 mod equations;
 mod error;
@@ -55,7 +57,7 @@ pub struct GpuGridSolver {
     is_built: bool,
     /// Makes the first picture.
     start: Tape,
-    /// Every step draws into the textures that the one before has read: what is done next, and what was done last.
+    /// Every step writes the textures that the one before has read: what is done next, and what was done last.
     steps: [Step; 2],
     /// Whether the steps stand as they did at the start.
     is_even: bool,

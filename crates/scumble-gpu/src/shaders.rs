@@ -17,7 +17,8 @@ pub(crate) const SOLUTION: [&str; 3] = [COMMON, SEEN, wgsl!("solution")];
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::grid::kernels::{BORDER, COMPUTE, DRAW, POINTS, SOURCES};
+    use crate::grid::computing::COMPUTE;
+    use crate::grid::kernels::{BORDER, DRAW, POINTS, SOURCES};
     use naga::ShaderStage::{Fragment, Vertex};
     use naga::back::glsl;
     use naga::valid::{Capabilities, ModuleInfo, ValidationFlags, Validator};

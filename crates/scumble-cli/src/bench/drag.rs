@@ -72,7 +72,7 @@ struct Scene {
 }
 
 /// The made drawing with the end of its first curve where it is in a frame.
-fn drawing(frame: u32) -> Drawing {
+pub(super) fn drawing(frame: u32) -> Drawing {
     let mut drawing = made::drawing(CELLS);
     let angle = TAU * f64::from(frame) / f64::from(FRAMES);
     if let Some(PathEl::LineTo(end)) = drawing.curves[0].path.elements_mut().last_mut() {

@@ -1,12 +1,12 @@
 //! What one picture of the grid solver costs on a graphics card: told from the passes themselves, and measured.
 
-use kurbo::PathEl;
 use scumble_core::{Drawing, Scribble, Settings};
 use scumble_gpu::grid::SolverCosts;
 use scumble_gpu::{Gpu, GpuGridSolver, GridError, GridKernels, wgpu};
 use scumble_solve::Picture;
 use scumble_solve::grid::{Constraints, PAGE_STEPS};
 
+use super::drag;
 use crate::clock::{Times, timed};
 use crate::{made, stages};
 
@@ -16,20 +16,14 @@ const SIZES_PX: [u32; 2] = [1024, 4096];
 /// Steps of a picture: as many as drawings with all their colours need, and those of the page.
 const STEPS: [u64; 2] = [6, PAGE_STEPS as u64];
 
-/// A step that changes nothing by more leaves a smaller error: half a level of 255.
+/// A step that changes nothing by more is the last: half a level of 255.
 const HALF_LEVEL: f32 = 0.5 / 255.0;
-
-/// How far the end of a curve is moved, in du.
-const MOVE_DU: f64 = 5.0;
 
 /// What the graphics part of a laptop's processor moves.
 const BYTES_PER_SECOND: f64 = 50e9;
 
 /// Pictures that a graphics card makes to be timed. Without one a single picture takes long enough.
 const RUNS: usize = 21;
-
-/// Cells in a row of the made drawing.
-const CELLS: u32 = 5;
 
 /// Prints costs and times.
 ///
@@ -40,54 +34,49 @@ pub(crate) fn run() -> anyhow::Result<()> {
     let kernels = GridKernels::new(&gpu);
     print_head();
     for size_px in SIZES_PX {
-        let [plain, ..] = problems(size_px)?;
-        print_costs(size_px, &GpuGridSolver::costs(&gpu, &kernels, &plain)?);
+        let constraints = constraints(&drag::drawing(0), &made::scribbles(), size_px)?;
+        print_costs(size_px, &GpuGridSolver::costs(&gpu, &kernels, &constraints)?);
     }
     let info = gpu.adapter.get_info();
     let is_card = info.device_type != wgpu::DeviceType::Cpu;
     let (sizes, runs) = if is_card { (SIZES_PX.len(), RUNS) } else { (1, 1) };
     println!();
     let title = format!("{} ({:?}), median of {runs}", info.name, info.device_type);
-    println!("{title:<56} {:>12} {:>12}", "cold, ms", "recolour, ms");
+    println!("{title:<56} {:>12} {:>12}", "move, ms", "recolour, ms");
     for size_px in SIZES_PX.into_iter().take(sizes) {
         print_times(&gpu, &kernels, size_px, runs)?;
     }
     Ok(())
 }
 
-/// The made drawing, the same with the end of a curve elsewhere, and that in other colours.
-fn problems(size_px: u32) -> anyhow::Result<[Constraints; 3]> {
-    let (plain, scribbles) = (made::drawing(CELLS), made::scribbles());
-    let mut moved = plain.clone();
-    if let Some(PathEl::LineTo(end)) = moved.curves[0].path.elements_mut().last_mut() {
-        end.x += MOVE_DU;
-    }
-    let mut colors = scribbles.clone();
-    colors.iter_mut().zip(scribbles.iter().rev()).for_each(|(to, from)| to.color = from.color);
-    let problem = |drawing: &Drawing, scribbles: &[Scribble]| {
-        let mut picture = Picture::new(drawing)?;
-        picture.color(scribbles, &[], &Settings::default());
-        let view = stages::page_view(drawing, size_px);
-        anyhow::Ok(Constraints::new(picture.map(), picture.boundary(), &view)?)
-    };
-    Ok([problem(&plain, &scribbles)?, problem(&moved, &scribbles)?, problem(&moved, &colors)?])
+fn constraints(drawing: &Drawing, scribbles: &[Scribble], size_px: u32) -> anyhow::Result<Constraints> {
+    let mut picture = Picture::new(drawing)?;
+    picture.color(scribbles, &[], &Settings::default());
+    let view = stages::page_view(drawing, size_px);
+    Ok(Constraints::new(picture.map(), picture.boundary(), &view)?)
 }
 
-/// Prints how long pictures take to half a level, and in as many steps as in the page.
+/// Prints how long pictures take until a step changes them by half a level, and in as many steps as in the page: where the end
+/// of a curve was elsewhere before, and where colours were others.
 fn print_times(gpu: &Gpu, kernels: &GridKernels, size_px: u32, runs: usize) -> anyhow::Result<()> {
-    let problems = problems(size_px)?;
-    let mut solver = GpuGridSolver::new(gpu, kernels, &problems[0])?;
+    let [before, moved] = [0, 1].map(drag::drawing);
+    let scribbles = made::scribbles();
+    let mut colors = scribbles.clone();
+    colors.iter_mut().zip(scribbles.iter().rev()).for_each(|(to, from)| to.color = from.color);
+    let before = constraints(&before, &scribbles, size_px)?;
+    let [moved, recolored] =
+        [constraints(&moved, &scribbles, size_px)?, constraints(&moved, &colors, size_px)?];
+    let mut solver = GpuGridSolver::new(gpu, kernels, &before)?;
     let least = pollster::block_on(solver.solve(HALF_LEVEL))?;
     for steps in [least, PAGE_STEPS] {
-        let [mut cold, mut recolored] = [(); 2].map(|()| Times::default());
+        let [mut moves, mut recolors] = [(); 2].map(|()| Times::default());
         for _ in 0..runs {
-            let times_ms = [0, 1, 2].map(|i| solve_ms(&mut solver, kernels, &problems[i], steps));
-            let [_, cold_ms, recolored_ms] = times_ms;
-            cold.push(cold_ms?);
-            recolored.push(recolored_ms?);
+            solve_ms(&mut solver, kernels, &before, steps)?;
+            moves.push(solve_ms(&mut solver, kernels, &moved, steps)?);
+            recolors.push(solve_ms(&mut solver, kernels, &recolored, steps)?);
         }
         let title = format!("{size_px} × {size_px} px, {steps} steps");
-        println!("{title:<56} {:12.1} {:12.1}", cold.median(), recolored.median());
+        println!("{title:<56} {:12.1} {:12.1}", moves.median(), recolors.median());
     }
     Ok(())
 }

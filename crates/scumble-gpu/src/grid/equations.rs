@@ -16,6 +16,17 @@ pub(super) struct Changes {
     pub(super) weights: bool,
 }
 
+/// What of equations is drawn.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Part {
+    /// All, over plain ones everywhere.
+    First,
+    /// All, over those before.
+    All,
+    /// Right sides, over those before.
+    Right,
+}
+
 /// Textures with a texel for each pixel, and what is in them.
 #[derive(Debug)]
 pub(crate) struct Equations {
@@ -35,7 +46,7 @@ impl Equations {
         let right = target(gpu, size_px, FORMAT);
         let drawn = constraints.equations();
         let equations = Self { size_px, east, south, hold, right, drawn };
-        equations.draw(gpu, kernels, &equations.drawn, [true; 2]);
+        equations.draw(gpu, kernels, &equations.drawn, Part::First);
         equations
     }
 
@@ -43,23 +54,19 @@ impl Equations {
     pub(super) fn update(&mut self, gpu: &Gpu, kernels: &Kernels, constraints: &Constraints) -> Changes {
         let after = constraints.equations();
         let changed = changes(&self.drawn, &after);
-        let weights = |e: &Equation| [e.east, e.south, e.hold];
-        let is_alike = |(a, b): (&Equation, &Equation)| a.pixel == b.pixel && weights(a) == weights(b);
-        let has_other_weights =
-            self.drawn.len() != after.len() || !self.drawn.iter().zip(&after).all(is_alike);
+        let weights = !have_same_weights(&self.drawn, &after);
         self.drawn = after;
-        self.draw(gpu, kernels, &changed, [false, has_other_weights]);
-        Changes { pixels: changed.len(), weights: has_other_weights }
+        self.draw(gpu, kernels, &changed, if weights { Part::All } else { Part::Right });
+        Changes { pixels: changed.len(), weights }
     }
 
-    /// Draws some equations over plain ones, where they are the first, or over those that are there, with their weights or
-    /// without.
-    fn draw(&self, gpu: &Gpu, kernels: &Kernels, equations: &[Equation], [is_first, has_weights]: [bool; 2]) {
-        let plain = |number: f32| is_first.then_some(number);
+    /// Draws a part of some equations.
+    fn draw(&self, gpu: &Gpu, kernels: &Kernels, equations: &[Equation], part: Part) {
+        let plain = |number: f32| (part == Part::First).then_some(number);
         let points =
             Points::new(gpu, kernels, &equations.iter().map(|e| self.center(e.pixel)).collect::<Vec<_>>());
         let mut encoder = gpu.device.create_command_encoder(&Default::default());
-        if has_weights {
+        if part != Part::Right {
             points.draw(&mut encoder, &self.east, plain(1.0), &numbers(equations, |e| e.east));
             points.draw(&mut encoder, &self.south, plain(1.0), &numbers(equations, |e| e.south));
             points.draw(&mut encoder, &self.hold, plain(0.0), &numbers(equations, |e| e.hold));
@@ -91,6 +98,13 @@ impl Equations {
 
 fn numbers<T>(equations: &[Equation], number: impl Fn(&Equation) -> T) -> Vec<T> {
     equations.iter().map(number).collect()
+}
+
+/// Whether equations of the same pixels differ in their right sides alone.
+fn have_same_weights(before: &[Equation], after: &[Equation]) -> bool {
+    let weights = |e: &Equation| [e.east, e.south, e.hold];
+    let mut pairs = before.iter().zip(after);
+    before.len() == after.len() && pairs.all(|(a, b)| a.pixel == b.pixel && weights(a) == weights(b))
 }
 
 /// The equations that are not as before, by pixel; some of them are plain.

@@ -1,7 +1,9 @@
-//! The kernels of the grid solver: shaders, and the pipelines that draw with them.
+//! The kernels of the grid solver: shaders, and the pipelines that run them.
 
 use wgpu::VertexFormat::{Float32x2, Uint32, Uint32x4};
 
+#[cfg(not(target_arch = "wasm32"))]
+use super::computing;
 use super::layer;
 use super::texels::{FORMAT, THIN_FORMAT};
 use crate::gpu::Gpu;
@@ -61,10 +63,6 @@ impl Source {
 
 /// Draws all texels.
 pub(crate) const DRAW: &str = wgsl!("grid/draw");
-
-/// Computes all texels.
-#[cfg(not(target_arch = "wasm32"))]
-pub(crate) const COMPUTE: &str = wgsl!("grid/compute");
 
 const BLOCK: &str = wgsl!("grid/block");
 const GIVEN: &str = wgsl!("grid/given");
@@ -157,7 +155,7 @@ impl Kernels {
             let layouts = if source.has_level { &both[..] } else { &both[..1] };
             #[cfg(not(target_arch = "wasm32"))]
             if gpu.computes() {
-                return Pipeline::Computes(compute_pipeline(device, source, layouts));
+                return Pipeline::Computes(computing::pipeline(device, source, layouts));
             }
             let drawing = Drawing { format: FORMAT, topology: TRIANGLES, buffers: &[] };
             Pipeline::Draws(pipeline(device, source.name, &source.text(DRAW), layouts, &drawing))
@@ -254,7 +252,7 @@ fn point_pipeline(
 }
 
 /// A compiled text, and how what runs it is given what it reads.
-fn compiled(
+pub(super) fn compiled(
     device: &wgpu::Device,
     label: Option<&str>,
     text: &str,
@@ -264,24 +262,6 @@ fn compiled(
     let module = device.create_shader_module(wgpu::ShaderModuleDescriptor { label, source });
     let layout = wgpu::PipelineLayoutDescriptor { bind_group_layouts, ..Default::default() };
     (module, device.create_pipeline_layout(&layout))
-}
-
-#[cfg(not(target_arch = "wasm32"))]
-fn compute_pipeline(
-    device: &wgpu::Device,
-    source: &Source,
-    layouts: &[Option<&wgpu::BindGroupLayout>],
-) -> wgpu::ComputePipeline {
-    let label = Some(source.name);
-    let (module, layout) = compiled(device, label, &source.text(COMPUTE), layouts);
-    device.create_compute_pipeline(&wgpu::ComputePipelineDescriptor {
-        label,
-        layout: Some(&layout),
-        module: &module,
-        entry_point: Some("compute"),
-        compilation_options: Default::default(),
-        cache: None,
-    })
 }
 
 fn pipeline(

@@ -4,16 +4,12 @@ use super::kernels::{Kernel, Kernels, OPERANDS, Pipeline, bindings};
 use super::levels::Matrix;
 use crate::gpu::Gpu;
 
-/// Columns and rows that are computed together, as the shaders have them.
-#[cfg(not(target_arch = "wasm32"))]
-const WORKGROUP: u32 = 8;
-
-/// A kernel with what it reads and where it draws.
+/// A kernel with what it reads and what it makes.
 #[derive(Debug)]
 pub(super) struct Pass {
-    pipeline: Pipeline,
-    operands: wgpu::BindGroup,
-    level: Option<wgpu::BindGroup>,
+    pub(super) pipeline: Pipeline,
+    pub(super) operands: wgpu::BindGroup,
+    pub(super) level: Option<wgpu::BindGroup>,
     /// The textures that it reads.
     pub(super) reads: Vec<wgpu::TextureView>,
     pub(super) target: wgpu::TextureView,
@@ -24,48 +20,24 @@ pub(super) struct Pass {
 pub(crate) struct Tape(pub(super) Vec<Pass>);
 
 impl Tape {
-    /// Has all passes drawn, or computed: they are of one kind.
+    /// Has all passes made.
     pub(crate) fn play(&self, gpu: &Gpu) {
         let mut encoder = gpu.device.create_command_encoder(&Default::default());
         #[cfg(not(target_arch = "wasm32"))]
-        self.compute(&mut encoder);
-        self.draw(&mut encoder);
+        super::computing::run(&self.0, &mut encoder);
+        self.0.iter().for_each(|pass| pass.run(&mut encoder));
         gpu.queue.submit([encoder.finish()]);
-    }
-
-    /// Runs the passes that are drawn.
-    fn draw(&self, encoder: &mut wgpu::CommandEncoder) {
-        for pass in &self.0 {
-            match &pass.pipeline {
-                Pipeline::Draws(pipeline) => pass.draw(encoder, pipeline),
-                #[cfg(not(target_arch = "wasm32"))]
-                Pipeline::Computes(_) => {}
-            }
-        }
-    }
-
-    /// Runs the passes that are computed.
-    #[cfg(not(target_arch = "wasm32"))]
-    fn compute(&self, encoder: &mut wgpu::CommandEncoder) {
-        let mut computing = encoder.begin_compute_pass(&Default::default());
-        for pass in &self.0 {
-            if let Pipeline::Computes(pipeline) = &pass.pipeline {
-                pass.compute(&mut computing, pipeline);
-            }
-        }
     }
 }
 
 impl Pass {
-    #[cfg(not(target_arch = "wasm32"))]
-    fn compute(&self, pass: &mut wgpu::ComputePass<'_>, pipeline: &wgpu::ComputePipeline) {
-        pass.set_pipeline(pipeline);
-        pass.set_bind_group(0, &self.operands, &[]);
-        if let Some(level) = &self.level {
-            pass.set_bind_group(1, level, &[]);
+    /// Draws it, unless it is computed.
+    fn run(&self, encoder: &mut wgpu::CommandEncoder) {
+        match &self.pipeline {
+            Pipeline::Draws(pipeline) => self.draw(encoder, pipeline),
+            #[cfg(not(target_arch = "wasm32"))]
+            Pipeline::Computes(_) => {}
         }
-        let size = self.target.texture().size();
-        pass.dispatch_workgroups(size.width.div_ceil(WORKGROUP), size.height.div_ceil(WORKGROUP), 1);
     }
 
     fn draw(&self, encoder: &mut wgpu::CommandEncoder, pipeline: &wgpu::RenderPipeline) {

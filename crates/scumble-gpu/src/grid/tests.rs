@@ -61,13 +61,13 @@ impl Bench {
     /// One that computes, where there is a device for it, and one that draws, as all do in a page.
     fn both() -> Vec<Self> {
         let Some(gpu) = gpu() else { return Vec::new() };
-        let required_limits =
-            wgpu::Limits::downlevel_webgl2_defaults().using_resolution(gpu.adapter.limits());
+        let limits = wgpu::Limits::downlevel_webgl2_defaults().using_resolution(gpu.adapter.limits());
+        let required_limits = wgpu::Limits { max_color_attachments: 1, ..limits };
         let descriptor = wgpu::DeviceDescriptor { required_limits, ..Default::default() };
         let opened = pollster::block_on(gpu.adapter.request_device(&descriptor));
         let (device, queue) = opened.expect("a device that draws alone");
         let drawing = Gpu { adapter: gpu.adapter.clone(), device, queue };
-        assert!(!drawing.computes());
+        assert!(gpu.computes() && !drawing.computes());
         [gpu, drawing].map(|gpu| Self { kernels: Kernels::new(&gpu), gpu }).into()
     }
 
@@ -397,6 +397,16 @@ fn only_what_has_changed_is_uploaded() {
     let cut = cuts.iter_mut().find(|cut| cut.color.is_some()).expect("a colour");
     cut.fraction *= 0.5;
     assert_eq!(solver.update(&kernels, &Constraints { cuts, ..before }), Ok(1));
+}
+
+#[test]
+fn colors_alone_leave_the_levels_as_they_are() {
+    let Some(Bench { gpu, kernels }) = Bench::new() else { return };
+    let mut equations = Equations::new(&gpu, &kernels, &circle(500.0, 0.2, 130));
+    let recolored = equations.update(&gpu, &kernels, &circle(500.0, 0.7, 130));
+    assert!(recolored.pixels > 0 && !recolored.weights, "{recolored:?}");
+    let moved = equations.update(&gpu, &kernels, &circle(503.0, 0.7, 130));
+    assert!(moved.weights, "{moved:?}");
 }
 
 #[test]

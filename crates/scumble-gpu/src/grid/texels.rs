@@ -15,7 +15,7 @@ pub(super) const FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rgba32Uint;
 /// The bits of one float a texel.
 pub(super) const THIN_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::R32Uint;
 
-/// Texels that may be drawn; at first zeros.
+/// Texels that may be made; at first zeros.
 pub(super) fn target(gpu: &Gpu, size: [u32; 2], format: wgpu::TextureFormat) -> wgpu::TextureView {
     let is_computed = gpu.computes() && format == FORMAT;
     let computed =

@@ -112,6 +112,7 @@ impl List {
 
     fn at(&mut self, pixel: u32) -> &mut Equation {
         let (bits, before) = self.named[pixel as usize / 64];
+        debug_assert!(bits >> (pixel % 64) & 1 == 1);
         let beside = bits & ((1 << (pixel % 64)) - 1);
         &mut self.equations[(before + beside.count_ones()) as usize]
     }

@@ -13,8 +13,8 @@ const STRONG: f32 = 0.08;
 /// have many that are the same.
 const CLEARLY: f32 = 1.001;
 
-/// A part whose links lead out by no more than this, as a part of its first unknown's links, is taken as one whose links all
-/// stay within: less is what rounding leaves.
+/// A part whose links lead out by no more than this, as a part of its links and of what holds it, is taken as one whose links
+/// all stay within: less is what rounding leaves.
 const ROUNDING: f32 = 1e-5;
 
 /// Marks for each unknown which slot of its coarser cell it is a part of.
@@ -114,10 +114,11 @@ impl Members {
             links[labels[i]] += self.links[i];
             holds[labels[i]] += self.holds[i];
         }
+        let all = links;
         for &(i, j, weight) in self.inner.iter().filter(|(i, j, _)| labels[*i] == labels[*j]) {
             links[labels[i.min(j)]] -= 2.0 * weight;
         }
-        let leads_out = |i: usize| links[i] > ROUNDING * self.links[i];
+        let leads_out = |i: usize| links[i] > ROUNDING * (all[i] + holds[i]);
         std::array::from_fn(|i| if leads_out(i) { links[i] * links[i] / (links[i] + holds[i]) } else { 0.0 })
     }
 }
