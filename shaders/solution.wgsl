@@ -8,13 +8,6 @@
 // Places in a pixel where colours are looked up: a lattice of so many, in which no two share a column or a row.
 const SAMPLES = 16;
 
-// One triangle that covers the target.
-@vertex
-fn vertex(@builtin(vertex_index) corner: u32) -> @builtin(position) vec4<f32> {
-    let far = vec2<f32>(vec2(corner & 1u, corner >> 1u));
-    return vec4(4.0 * far - 1.0, 0.0, 1.0);
-}
-
 @fragment
 fn fragment(@builtin(position) position: vec4<f32>) -> @location(0) vec4<f32> {
     var is_cut = false;

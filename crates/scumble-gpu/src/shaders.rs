@@ -11,8 +11,10 @@ pub(crate) const FIELD: [&str; 2] = [COMMON, wgsl!("field")];
 pub(crate) const SHAPE: [&str; 2] = [COMMON, wgsl!("shape")];
 /// Looks up what the grid solver found.
 pub(crate) const SEEN: &str = wgsl!("seen");
+/// Covers a target.
+pub(crate) const TARGET: &str = wgsl!("target");
 /// Draws what the grid solver found.
-pub(crate) const SOLUTION: [&str; 3] = [COMMON, SEEN, wgsl!("solution")];
+pub(crate) const SOLUTION: [&str; 4] = [COMMON, SEEN, TARGET, wgsl!("solution")];
 
 #[cfg(test)]
 mod tests {
@@ -39,7 +41,7 @@ mod tests {
 
     fn all() -> impl Iterator<Item = (&'static str, String)> {
         let scene = SCENE.into_iter().map(|(name, pieces)| (name, pieces.concat()));
-        scene.chain(SOURCES.iter().map(|source| (source.name, source.text(DRAW))))
+        scene.chain(SOURCES.iter().map(|source| (source.name, source.text(&DRAW))))
     }
 
     fn validated(name: &str, source: &str) -> (naga::Module, ModuleInfo) {
@@ -81,7 +83,7 @@ mod tests {
     #[test]
     fn every_kernel_can_be_computed() {
         for source in &SOURCES {
-            let (module, _) = validated(source.name, &source.text(COMPUTE));
+            let (module, _) = validated(source.name, &source.text(&[COMPUTE]));
             assert_eq!(module.entry_points[0].stage, naga::ShaderStage::Compute, "{}", source.name);
         }
     }
@@ -111,7 +113,10 @@ mod tests {
 
     #[test]
     fn every_shader_file_is_used() {
-        assert_eq!(files(""), ["common.wgsl", "field.wgsl", "seen.wgsl", "shape.wgsl", "solution.wgsl"]);
+        assert_eq!(
+            files(""),
+            ["common.wgsl", "field.wgsl", "seen.wgsl", "shape.wgsl", "solution.wgsl", "target.wgsl"]
+        );
         let mut names: Vec<_> =
             SOURCES.iter().map(|source| source.name).chain(PIECES).chain(["border", "points"]).collect();
         names.sort();

@@ -30,7 +30,7 @@ pub(super) fn pipeline(
     layouts: &[Option<&wgpu::BindGroupLayout>],
 ) -> wgpu::ComputePipeline {
     let label = Some(source.name);
-    let (module, layout) = compiled(device, label, &source.text(COMPUTE), layouts);
+    let (module, layout) = compiled(device, label, &source.text(&[COMPUTE]), layouts);
     device.create_compute_pipeline(&wgpu::ComputePipelineDescriptor {
         label,
         layout: Some(&layout),

@@ -7,7 +7,7 @@ use super::computing;
 use super::layer;
 use super::texels::{FORMAT, THIN_FORMAT};
 use crate::gpu::Gpu;
-use crate::shaders::SEEN;
+use crate::shaders::{SEEN, TARGET};
 use crate::wgsl::wgsl;
 
 /// A kernel and its twin on the CPU have the same name, but for sums over all texels.
@@ -56,13 +56,13 @@ pub(crate) struct Source {
 
 impl Source {
     /// With how every texel of a target comes to what the kernel gives.
-    pub(crate) fn text(&self, way: &str) -> String {
-        [way, &self.pieces.concat()].concat()
+    pub(crate) fn text(&self, way: &[&str]) -> String {
+        [way.concat(), self.pieces.concat()].concat()
     }
 }
 
 /// Draws all texels.
-pub(crate) const DRAW: &str = wgsl!("grid/draw");
+pub(crate) const DRAW: [&str; 2] = [TARGET, wgsl!("grid/draw")];
 
 const BLOCK: &str = wgsl!("grid/block");
 const GIVEN: &str = wgsl!("grid/given");
@@ -158,7 +158,7 @@ impl Kernels {
                 return Pipeline::Computes(computing::pipeline(device, source, layouts));
             }
             let drawing = Drawing { format: FORMAT, topology: TRIANGLES, buffers: &[] };
-            Pipeline::Draws(pipeline(device, source.name, &source.text(DRAW), layouts, &drawing))
+            Pipeline::Draws(pipeline(device, source.name, &source.text(&DRAW), layouts, &drawing))
         });
         let pipelines = pipelines.collect();
         Self { pipelines, points: points(device), border: border(device), operands_layout, level_layout }

@@ -95,6 +95,19 @@ impl Bench {
         self.read(&target)
     }
 
+    /// Checks that a kernel, at some depth, draws what its twin computes.
+    fn assert_twin(
+        &self,
+        level: &GpuLevel,
+        (kernel, depth): (Kernel, usize),
+        operands: &[&Texture],
+        like: &Level,
+        twin: &dyn Fn(i32, i32) -> Texel,
+    ) {
+        let drawn = self.drawn(level, kernel, operands, like);
+        assert_near(&drawn, &computed(like, twin).texels, ROUNDING, &format!("{kernel:?} at {depth}"));
+    }
+
     fn read(&self, view: &wgpu::TextureView) -> Vec<Texel> {
         pollster::block_on(read(&self.gpu, view)).expect("the texels come back")
     }
@@ -132,13 +145,7 @@ fn kernels_within_a_level_draw_what_their_twins_compute() {
             let single = |texel| Texture { width: 1, height: 1, texels: vec![texel] };
             let (part, parts) = (single([STEPS[0]; 4]), single([STEPS[0], STEPS[1], 0.0, 0.0]));
             let check = |kernel, operands: &[&Texture], twin: &dyn Fn(i32, i32) -> Texel| {
-                let drawn = bench.drawn(drawn, kernel, operands, level);
-                assert_near(
-                    &drawn,
-                    &computed(level, twin).texels,
-                    ROUNDING,
-                    &format!("{kernel:?} at {depth}"),
-                );
+                bench.assert_twin(drawn, (kernel, depth), operands, level, twin);
             };
             let (v, r) = (&values, &right);
             check(Kernel::Multiply, &[v], &|x, y| twin::multiply(level, v, x, y));
@@ -157,13 +164,7 @@ fn kernels_between_levels_draw_what_their_twins_compute() {
             let [fine, coarse] = pair else { unreachable!() };
             let (values, below) = (noise_like(fine, 1), noise_like(coarse, 2));
             let check = |kernel, operands: &[&Texture], like: &Level, twin: &dyn Fn(i32, i32) -> Texel| {
-                let drawn = bench.drawn(&built.levels[depth], kernel, operands, like);
-                assert_near(
-                    &drawn,
-                    &computed(like, twin).texels,
-                    ROUNDING,
-                    &format!("{kernel:?} at {depth}"),
-                );
+                bench.assert_twin(&built.levels[depth], (kernel, depth), operands, like, twin);
             };
             let (v, b) = (&values, &below);
             check(Kernel::Restrict, &[v], coarse, &|x, y| twin::restrict(fine, coarse, v, x, y));
