@@ -4,6 +4,7 @@
  */
 import { once } from "node:events";
 import { readdir } from "node:fs/promises";
+import { setTimeout } from "node:timers/promises";
 import { chromium } from "playwright-core";
 import puppeteer from "puppeteer-core";
 
@@ -263,7 +264,7 @@ export async function launchIn(name, folder) {
 async function areBack(folder) {
   for (let tries = 0; tries < 100; tries++) {
     if (!(await readdir(folder)).some((file) => file.endsWith(".puppeteer"))) return;
-    await new Promise((wake) => setTimeout(wake, 20));
+    await setTimeout(20);
   }
 }
 
@@ -284,10 +285,28 @@ function control(page, role, name) {
 }
 
 /**
+ * Waits until an expression is true. Puppeteer's own way is now and then never told where the page is loaded anew meanwhile.
+ * @param {import("puppeteer-core").Page} page
+ * @param {string} expression
+ */
+async function waitFor(page, expression) {
+  const end_ms = Date.now() + PATIENCE_MS;
+  /** @type {unknown} Of a page that is going, or has not come yet. */
+  let cause;
+  while (Date.now() < end_ms) {
+    const isSo = await page.evaluate(`(async () => Boolean(await (${expression})))()`).catch((fault) => void (cause = fault));
+    if (isSo) return;
+    await setTimeout(20);
+  }
+  throw new Error(`waited in vain for ${expression}`, { cause });
+}
+
+/**
  * @param {import("puppeteer-core").Page} page
  * @returns {Tab}
  */
 function puppeteerTab(page) {
+  page.setDefaultTimeout(PATIENCE_MS);
   /** @type {string[]} */
   const faults = [];
   page.on("pageerror", (error) => faults.push(String(error)));
@@ -296,8 +315,7 @@ function puppeteerTab(page) {
     faults,
     goto: (url) => page.goto(url),
     evaluate: (expression) => /** @type {Promise<any>} */ (page.evaluate(expression)),
-    // Frames, which it would look at by itself, do not come in a tab that is not in front.
-    waitFor: (expression) => page.waitForFunction(expression, { polling: 20 }),
+    waitFor: (expression) => waitFor(page, expression),
     click: (role, name) => control(page, role, name).click(),
     choose: async (list, option) => (await control(page, "combobox", list).waitHandle()).select(option),
     mouse: page.mouse,
