@@ -1,6 +1,6 @@
 // What is seen of a solved grid at a place. Who asks binds it: grid; the bits of the colours of pixels, times their opacity,
-// and the opacity, in values; by cell the first of the pieces of curves in it, and their number, in cells; the bits of the
-// ends of pieces, in pixels of the grid, in pieces.
+// and the opacity, in values; by cell the first of the pieces of curves and closed gaps in it, and their number, in cells; the
+// bits of the ends of pieces, in pixels of the grid, in pieces.
 //
 // A *cell* is the square between the centres of four pixels of the grid. A place takes the colours of those centres that
 // no curve hides from it, by their nearness.

@@ -91,7 +91,8 @@ fn pixel_for_pixel_it_is_what_the_painter_on_the_cpu_paints() {
     let Some(gpu) = gpu() else { return };
     let (problem, solver, mut renderer) = solved(&gpu, 300);
     let pixels = pollster::block_on(solver.pixels()).expect("the pixels come back");
-    let found = GridPicture::new(&map(), &Bends::default(), &problem.view, Blend::Oklab, pixels);
+    let (map, straight) = (map(), Bends::default());
+    let found = GridPicture::new(&map, &straight, &boundary(&map), &problem.view, Blend::Oklab, pixels);
     let painted = paint_grid(&found, &[], &problem.view, PAPER);
     let drawn = read(&mut renderer, &problem.view);
     assert_alike(&drawn, &painted);
@@ -208,7 +209,7 @@ fn a_part_takes_what_the_whole_has_beyond_its_borders_as_on_the_cpu() {
         solver.pixels()
     };
     let pixels = on_cpu(Constraints::new(&map, &without_shade, &whole.view).expect("a whole"));
-    let whole = Whole::new(&map, &straight, &whole.view, pixels);
+    let whole = Whole::new(&map, &straight, &without_shade, &whole.view, pixels);
     let shades = Shades::new(&map, &boundary).expect("shades");
     let expected = on_cpu(Constraints::within(&whole, &map, &straight, &boundary, &shades, &view));
     let levels =
@@ -219,7 +220,7 @@ fn a_part_takes_what_the_whole_has_beyond_its_borders_as_on_the_cpu() {
     let before = read(&mut renderer, &view);
     renderer.update_part(&on_gpu);
     let after = read(&mut renderer, &view);
-    let found = GridPicture::new(&map, &straight, &view, Blend::Oklab, found);
+    let found = GridPicture::new(&map, &straight, &boundary, &view, Blend::Oklab, found);
     assert_alike(&after, &paint_grid(&found, &[], &view, PAPER));
     assert_ne!(before, after, "the whole is less sharp");
 }

@@ -3,7 +3,7 @@
 //! | noun | file |
 //! |---|---|
 //! | all that is given | `constraints` |
-//! | how the pieces of a map run | `straights` |
+//! | how the pieces of a map run, and its closed gaps | `straights` |
 //! | where curves cut the links between pixels | `cut_links`, `wall` |
 //! | corners where the solution is steep without end | `corners` |
 //! | what that makes of the equations of pixels | `equations` |
@@ -16,7 +16,7 @@
 //! | grids from pixels to a single cell, and cycles through them | `hierarchy` |
 //! | a problem, and steps to its solution | `gradients` |
 //! | another solver, to compare with | `jeschke` |
-//! | what a painter needs of a solved grid | `picture`, `curve_cells` |
+//! | what a painter needs of a solved grid | `picture`, `curve_cells`, `sight` |
 //! | a picture to be solved | `problem` |
 //! | what is beyond the borders of a part | `whole` |
 //!
@@ -42,6 +42,7 @@ mod parts;
 mod picture;
 mod problem;
 mod regions;
+mod sight;
 mod straights;
 mod texture;
 mod unreached;
@@ -62,6 +63,7 @@ pub use texture::{Texel, Texture};
 pub use whole::{AROUND_PX, Whole};
 
 use gradients::Gradients;
+pub(crate) use sight::Sight;
 
 /// A step that changes no value by more than this may be the last: a twentieth of a level of 255.
 pub const TOLERANCE: f32 = 0.05 / 255.0;

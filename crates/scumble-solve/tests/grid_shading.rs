@@ -46,7 +46,8 @@ fn on_grid(picture: &Picture, document: &Document, boundary: &Boundary, view: &V
     let mut solver = GridSolver::new(&Constraints::new(picture.map(), boundary, view).expect("solved"));
     solver.solve(1e-4);
     let pixels = solver.pixels().to_vec();
-    let found = GridPicture::new(picture.map(), &Bends::default(), view, document.settings.blend, pixels);
+    let straight = Bends::default();
+    let found = GridPicture::new(picture.map(), &straight, boundary, view, document.settings.blend, pixels);
     paint_grid(&found, &[], view, PAPER)
 }
 

@@ -70,11 +70,11 @@ impl Page<'_> {
             View { px_from_du: Affine::scale(1.0 / scale) * self.view.px_from_du, width_px, height_px };
         let constraints =
             Constraints::new(map, boundary, &view)?.fitted(map, &Bends::default(), boundary, &view);
-        Ok(Whole::new(map, bends, &view, solve(&constraints)?))
+        Ok(Whole::new(map, bends, boundary, &view, solve(&constraints)?))
     }
 
     fn painted(&self, view: &View, bends: &Bends, pixels: Vec<[f32; 4]>) -> Pixmap {
-        let picture = GridPicture::new(self.picture.map(), bends, view, self.blend, pixels);
+        let picture = GridPicture::new(self.picture.map(), bends, self.boundary, view, self.blend, pixels);
         paint_grid(&picture, self.shapes, view, self.paper)
     }
 }

@@ -1,4 +1,5 @@
-//! Which curves pass between which pixels: all that a painter needs to cut a solved picture at them, at any zoom.
+//! Which curves and closed gaps pass between which pixels: all that a painter needs to cut a solved picture at them, at any
+//! zoom.
 //!
 //! A *cell* is the square between the centres of four neighbouring pixels, at the border what there is of one. From a
 //! place in it to the centres at its corners no way leaves it: the pieces of curves that hide one from the other are
@@ -7,15 +8,15 @@
 use std::ops::Range;
 
 use kurbo::{Line, Vec2};
-use scumble_core::{Bends, PlanarMap, clamped, sort};
+use scumble_core::{Bends, Boundary, PlanarMap, clamped, sort};
 
-use super::straights::straights;
+use super::straights::jumps;
 use crate::scene::View;
 
 /// Pieces are listed also where they pass this close by, in px: more than a place is rounded by on a GPU.
 const CLOSE_PX: f64 = 0.01;
 
-/// The pieces of curves in each cell.
+/// The pieces of curves, and the closed gaps, in each cell.
 #[derive(Clone, Debug, PartialEq)]
 pub struct CurveCells {
     /// Cells of a row: one more than pixels.
@@ -29,14 +30,12 @@ pub struct CurveCells {
 }
 
 impl CurveCells {
-    /// Those of the curves of a map, as they bend, in what a view shows.
-    pub fn new(map: &PlanarMap, bends: &Bends, view: &View) -> Self {
-        let all = straights(map, bends, view.px_from_du);
-        let curves = all.filter(|straight| map.pieces()[straight.piece].curve.is_some());
-        let lines: Vec<_> = curves.map(|straight| Line::new(straight.ends[0], straight.ends[1])).collect();
+    /// Those of the curves of a map, as they bend, and its closed gaps, in what a view shows.
+    pub fn new(map: &PlanarMap, bends: &Bends, boundary: &Boundary, view: &View) -> Self {
+        let jumps = jumps(map, bends, boundary, view.px_from_du);
         let [columns, rows] = [view.width_px + 1, view.height_px + 1];
         let mut entries = Vec::new();
-        for (line, i) in lines.iter().zip(0..) {
+        for (line, i) in jumps.iter().zip(0..) {
             each_cell(*line, [columns, rows], |cell| entries.push((u64::from(cell), i)));
         }
         sort::sort(&mut entries);
@@ -45,7 +44,7 @@ impl CurveCells {
             let [first, count] = &mut cells[cell as usize];
             (*first, *count) = (i - *count, *count + 1);
         }
-        let pieces = entries.iter().map(|&(_, i)| ends(lines[i as usize])).collect();
+        let pieces = entries.iter().map(|&(_, i)| ends(jumps[i as usize])).collect();
         Self { columns, rows, cells, pieces }
     }
 

@@ -1,8 +1,9 @@
 //! A solved grid and the curves in it: all that a painter needs.
 
-use scumble_core::{Bends, Blend, PlanarMap};
+use kurbo::Line;
+use scumble_core::{Bends, Blend, Boundary, PlanarMap};
 
-use super::straights::straights;
+use super::straights::jumps;
 use crate::scene::View;
 
 /// The colours of pixels, and where between them the picture may jump.
@@ -16,16 +17,21 @@ pub struct GridPicture {
     pub blend: Blend,
     /// Blend-space colours times their opacity, and the opacity, at the centres of pixels, row by row.
     pub pixels: Vec<[f32; 4]>,
-    /// The ends of all straight stretches of curves, in px from the top left.
-    pub edges: Vec<[[f64; 2]; 2]>,
+    /// All straight stretches of curves, and closed gaps, in px from the top left.
+    pub edges: Vec<Line>,
 }
 
 impl GridPicture {
-    /// The pixels of a view, and the curves of a map in it, as they bend.
-    pub fn new(map: &PlanarMap, bends: &Bends, view: &View, blend: Blend, pixels: Vec<[f32; 4]>) -> Self {
-        let all = straights(map, bends, view.px_from_du);
-        let curves = all.filter(|straight| map.pieces()[straight.piece].curve.is_some());
-        let edges = curves.map(|straight| straight.ends.map(|p| [p.x, p.y])).collect();
+    /// The pixels of a view, and the curves of a map in it, as they bend, and its closed gaps.
+    pub fn new(
+        map: &PlanarMap,
+        bends: &Bends,
+        boundary: &Boundary,
+        view: &View,
+        blend: Blend,
+        pixels: Vec<[f32; 4]>,
+    ) -> Self {
+        let edges = jumps(map, bends, boundary, view.px_from_du);
         Self { width_px: view.width_px, height_px: view.height_px, blend, pixels, edges }
     }
 }

@@ -33,7 +33,7 @@ impl GridProblem {
     pub fn new(map: &PlanarMap, boundary: &Boundary, view: &View, blend: Blend) -> Result<Self, SolveError> {
         let shades = Arc::new(Shades::new(map, boundary)?);
         let constraints = Constraints::shaded(map, boundary, &shades, view);
-        let curves = CurveCells::new(map, &Bends::default(), view);
+        let curves = CurveCells::new(map, &Bends::default(), boundary, view);
         Ok(Self { view: *view, blend, constraints, curves, shades })
     }
 
@@ -41,7 +41,7 @@ impl GridProblem {
     pub fn part(&self, map: &PlanarMap, bends: &Bends, boundary: &Boundary, view: &View) -> Self {
         let whole = (&self.view, &self.curves);
         let constraints = Constraints::part(whole, map, bends, boundary, &self.shades, view);
-        let curves = CurveCells::new(map, bends, view);
+        let curves = CurveCells::new(map, bends, boundary, view);
         Self { view: *view, blend: self.blend, constraints, curves, shades: Arc::clone(&self.shades) }
     }
 }

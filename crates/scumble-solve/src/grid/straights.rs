@@ -1,7 +1,7 @@
-//! The pieces of a map as they run: straight, or from close by as their curves bend.
+//! The pieces of a map as they run: straight, or from close by as their curves bend; and its closed gaps.
 
-use kurbo::{Affine, Point};
-use scumble_core::{Bends, Piece, PlanarMap, SideId};
+use kurbo::{Affine, Line, Point};
+use scumble_core::{Bends, Boundary, Piece, PlanarMap, SideId};
 
 /// A straight stretch of a piece of a map.
 pub(super) struct Straight {
@@ -36,4 +36,27 @@ pub(super) fn straights<'a>(
             Straight { piece, parts: [a.0, b.0], ends: [a.1, b.1].map(|p| from_du * p) }
         })
     })
+}
+
+/// Closed gaps, taken to elsewhere.
+pub(super) fn closed_gaps<'a>(
+    map: &'a PlanarMap,
+    boundary: &'a Boundary,
+    from_du: Affine,
+) -> impl Iterator<Item = Line> + use<'a> {
+    let points = map.triangulation().points();
+    let closed = map.gaps().iter().zip(&boundary.closed_gaps).filter(|(_, is_closed)| **is_closed);
+    closed.map(move |(gap, _)| {
+        let [start, end] = gap.nodes.map(|node| points[node as usize]);
+        from_du * Line::new(start, end)
+    })
+}
+
+/// Where a picture may jump: straight stretches of curves, and closed gaps, taken to elsewhere.
+pub(super) fn jumps(map: &PlanarMap, bends: &Bends, boundary: &Boundary, from_du: Affine) -> Vec<Line> {
+    let all = straights(map, bends, from_du);
+    let curves = all.filter(|straight| map.pieces()[straight.piece].curve.is_some());
+    let mut jumps: Vec<_> = curves.map(|Straight { ends: [a, b], .. }| Line::new(a, b)).collect();
+    jumps.extend(closed_gaps(map, boundary, from_du));
+    jumps
 }

@@ -4,11 +4,11 @@
 
 use std::ops::Range;
 
-use kurbo::{Affine, Point, Rect, Vec2};
+use kurbo::{Affine, Line, Point, Rect, Vec2};
 use robust::{Coord, orient2d};
 use scumble_core::{Bends, BlendColor, Boundary, PlanarMap, SideId};
 
-use super::straights::{Straight, straights};
+use super::straights::{Straight, closed_gaps, straights};
 use crate::quadratic;
 use crate::scene::View;
 
@@ -55,10 +55,10 @@ pub(super) fn walls<'a>(
         let right = color(SideId::of(piece, true)).map(|[start, middle, end]| [end, middle, start]);
         Wall { segment: Segment(ends), parts, sides: [color(SideId::of(piece, false)), right] }
     };
-    let closed = map.gaps().iter().zip(&boundary.closed_gaps).filter(|(_, closed)| **closed);
-    let gaps = closed.map(move |(gap, _)| {
-        let ends = gap.nodes.map(|node| centers_from_du * map.triangulation().points()[node as usize]);
-        Wall { segment: Segment(ends), parts: [0.0, 1.0], sides: [None; 2] }
+    let gaps = closed_gaps(map, boundary, centers_from_du).map(|Line { p0, p1 }| Wall {
+        segment: Segment([p0, p1]),
+        parts: [0.0, 1.0],
+        sides: [None; 2],
     });
     straights(map, bends, centers_from_du).map(wall).chain(gaps)
 }

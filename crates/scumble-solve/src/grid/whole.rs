@@ -1,22 +1,20 @@
 //! A solved picture of the whole, which says what is beyond the borders of a part of it that is solved at a larger scale.
 
-use kurbo::{Point, Vec2};
-use scumble_core::{Bends, PlanarMap, clamped};
+use kurbo::{Line, Point, Vec2};
+use scumble_core::{Bends, Boundary, PlanarMap, clamped};
 
 use super::constraints::{Constraints, Exits, Pull};
 use super::curve_cells::CurveCells;
 use super::cut_links::{Link, WAYS};
+use super::sight::Sight;
 use super::texture::{Texel, plus, times};
 use crate::scene::View;
-
-/// A curve that passes through the centre of a pixel, to so many px, hides it: which side it is on is rounding.
-const BEYOND_PX: f64 = 0.01;
 
 /// A part is solved with so many pixels of the whole around it: what its borders get wrong has faded away then. That is most
 /// where a curve, a side without colour or a closed gap crosses them, about which only the pixels of the whole are known.
 pub const AROUND_PX: f64 = 8.0;
 
-/// A picture without shades, and the curves in it; closed gaps do not hide its pixels from each other.
+/// A picture without shades, and what may part its pixels.
 #[derive(Clone, Debug)]
 pub struct Whole {
     view: View,
@@ -27,8 +25,8 @@ pub struct Whole {
 impl Whole {
     /// What was found for the pixels of a view: blend-space colours times opacity, and opacity, row by row. Its curves bend as
     /// those of its parts.
-    pub fn new(map: &PlanarMap, bends: &Bends, view: &View, pixels: Vec<Texel>) -> Self {
-        Self { view: *view, pixels, curves: CurveCells::new(map, bends, view) }
+    pub fn new(map: &PlanarMap, bends: &Bends, boundary: &Boundary, view: &View, pixels: Vec<Texel>) -> Self {
+        Self { view: *view, pixels, curves: CurveCells::new(map, bends, boundary, view) }
     }
 
     /// What draws the pixels at the borders of a part to what lies beyond, along links as wide as any, walls beside them or not.
@@ -119,19 +117,11 @@ fn place_in(whole: &View, part: &View, pixel: [i64; 2]) -> Point {
     whole.px_from_du * (part.px_from_du.inverse() * Point::new(x, y))
 }
 
-/// Whether one of some pieces of curves passes between a place and the centre of a pixel.
+/// Whether one of some pieces passes between a place and the centre of a pixel.
 fn is_hidden(place: Point, center: Point, pieces: &[[f32; 4]]) -> bool {
-    let way = center - place;
-    let end = center + BEYOND_PX * way / way.length().max(BEYOND_PX);
+    let sight = Sight::new(place, center);
     pieces.iter().any(|piece| {
         let [ax, ay, bx, by] = piece.map(f64::from);
-        let [a, b] = [Point::new(ax, ay), Point::new(bx, by)];
-        are_apart([a, b], [place, end]) && are_apart([place, end], [a, b])
+        sight.is_crossed_by(Line::new((ax, ay), (bx, by)))
     })
-}
-
-/// Whether two places are on different sides of the line through two others.
-fn are_apart([a, b]: [Point; 2], places: [Point; 2]) -> bool {
-    let [one, other] = places.map(|p| (b - a).cross(p - a) > 0.0);
-    one != other
 }

@@ -1,6 +1,7 @@
 //! Paints a picture that was solved on pixels: as it is, save in pixels that a curve passes through. There each of the
 //! samples has the colour of the nearest pixel from whose centre no curve keeps it.
 
+use kurbo::{Line, Point};
 use scumble_core::{Srgb8, clamped};
 
 use super::canvas::{Canvas, over};
@@ -8,7 +9,7 @@ use super::encode::Encoder;
 use super::field_painter::{add, mean};
 use super::pixel_set::PixelSet;
 use super::raster::{SAMPLE_X, SAMPLE_Y, SAMPLES};
-use crate::grid::GridPicture;
+use crate::grid::{GridPicture, Sight};
 
 /// Paints a picture over a canvas of bare paper, which has its size.
 pub(super) fn paint_grid(canvas: &mut Canvas, picture: &GridPicture, paper: Option<Srgb8>) {
@@ -36,7 +37,8 @@ struct Rim<'a> {
 
 impl<'a> Rim<'a> {
     fn new(picture: &'a GridPicture) -> Self {
-        let set = PixelSet::touched_by(picture.edges.iter().copied(), picture.width_px, picture.height_px);
+        let edges = picture.edges.iter().map(|Line { p0, p1 }| [p0, p1].map(|p| [p.x, p.y]));
+        let set = PixelSet::touched_by(edges, picture.width_px, picture.height_px);
         let mut edges = vec![Vec::new(); set.len()];
         for (i, &edge) in (0..).zip(&picture.edges) {
             let of_edge = PixelRange::around(edge, picture);
@@ -51,7 +53,7 @@ impl<'a> Rim<'a> {
     fn color(&self, bytes: &[[u8; 4]], column: i32, row: i32, paper: Option<Srgb8>) -> [u8; 4] {
         let mut sum = [0; 4];
         for (x, y) in SAMPLE_X.into_iter().zip(SAMPLE_Y) {
-            let sample = [f64::from(column) + x, f64::from(row) + y];
+            let sample = Point::new(f64::from(column) + x, f64::from(row) + y);
             let [r, g, b, alpha] = bytes[self.source(sample, column, row)];
             add(&mut sum, [r, g, b], u32::from(alpha));
         }
@@ -59,13 +61,10 @@ impl<'a> Rim<'a> {
     }
 
     /// The pixel that gives a sample of a pixel its colour.
-    fn source(&self, sample: [f64; 2], column: i32, row: i32) -> usize {
+    fn source(&self, sample: Point, column: i32, row: i32) -> usize {
         let around = (-1..=1).flat_map(|dy| (-1..=1).map(move |dx| (column + dx, row + dy)));
         let seen = around.filter(|&(x, y)| self.is_within(x, y) && self.sees(sample, [column, row], [x, y]));
-        let distance2 = |&(x, y): &(i32, i32)| {
-            let [dx, dy] = [f64::from(x) + 0.5 - sample[0], f64::from(y) + 0.5 - sample[1]];
-            dx * dx + dy * dy
-        };
+        let distance2 = |&(x, y): &(i32, i32)| center([x, y]).distance_squared(sample);
         let (x, y) = seen.min_by(|a, b| distance2(a).total_cmp(&distance2(b))).unwrap_or((column, row));
         y as usize * self.picture.width_px as usize + x as usize
     }
@@ -75,13 +74,13 @@ impl<'a> Rim<'a> {
     }
 
     /// Whether no curve passes between a sample of one pixel and the centre of another, or the same.
-    fn sees(&self, sample: [f64; 2], own: [i32; 2], other: [i32; 2]) -> bool {
-        let center = other.map(|i| f64::from(i) + 0.5);
+    fn sees(&self, sample: Point, own: [i32; 2], other: [i32; 2]) -> bool {
+        let sight = Sight::new(sample, center(other));
         let mut is_free = true;
         for [x, y] in [own, other] {
             self.set.for_each_in(y, &(x as usize..x as usize + 1), |_, member| {
                 let mut edges = self.edges[member].iter().map(|&edge| self.picture.edges[edge as usize]);
-                is_free &= !edges.any(|edge| is_crossed(edge, [sample, center]));
+                is_free &= !edges.any(|edge| sight.is_crossed_by(edge));
             });
         }
         is_free
@@ -96,12 +95,12 @@ struct PixelRange {
 
 impl PixelRange {
     /// The pixels that a line's bounding box touches.
-    fn around([a, b]: [[f64; 2]; 2], picture: &GridPicture) -> Self {
-        let range = |i: usize, count: u32| {
-            let first = clamped(a[i].min(b[i]).floor(), [0.0, f64::from(count)]);
-            first..clamped(a[i].max(b[i]).floor() + 1.0, [first, f64::from(count)])
+    fn around(Line { p0, p1 }: Line, picture: &GridPicture) -> Self {
+        let range = |a: f64, b: f64, count: u32| {
+            let first = clamped(a.min(b).floor(), [0.0, f64::from(count)]);
+            first..clamped(a.max(b).floor() + 1.0, [first, f64::from(count)])
         };
-        let (columns, rows) = (range(0, picture.width_px), range(1, picture.height_px));
+        let (columns, rows) = (range(p0.x, p1.x, picture.width_px), range(p0.y, p1.y, picture.height_px));
         Self {
             columns: columns.start as usize..columns.end as usize,
             rows: rows.start as i32..rows.end as i32,
@@ -109,10 +108,6 @@ impl PixelRange {
     }
 }
 
-/// Whether two lines cross.
-fn is_crossed([a, b]: [[f64; 2]; 2], [c, d]: [[f64; 2]; 2]) -> bool {
-    let turn = |a: [f64; 2], b: [f64; 2], p: [f64; 2]| {
-        ((b[0] - a[0]) * (p[1] - a[1]) - (b[1] - a[1]) * (p[0] - a[0])) > 0.0
-    };
-    turn(a, b, c) != turn(a, b, d) && turn(c, d, a) != turn(c, d, b)
+fn center([column, row]: [i32; 2]) -> Point {
+    Point::new(f64::from(column) + 0.5, f64::from(row) + 0.5)
 }

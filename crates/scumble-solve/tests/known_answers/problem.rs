@@ -94,7 +94,7 @@ impl Problem<'_> {
         let constraints = Constraints::new(&map, &boundary, &view).expect("solved");
         let straight = &Bends::default();
         let pixels = solved(&constraints.fitted(&map, straight, &boundary, &view));
-        let whole = Whole::new(&map, straight, &view, pixels);
+        let whole = Whole::new(&map, straight, &boundary, &view, pixels);
 
         let px_from_du = view.px_from_du.then_scale(times);
         let half_px = Vec2::new(f64::from(size_px), f64::from(size_px)) / 2.0;
