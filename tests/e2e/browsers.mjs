@@ -120,7 +120,11 @@ export function launch(name, { hasGpu = false } = {}) {
  * @returns {Promise<Browser>}
  */
 async function launchChromium(hasGpu) {
-  const browser = await chromium.launch({ executablePath: "/usr/bin/chromium", args: chromiumArgs(hasGpu) });
+  const browser = await chromium.launch({
+    executablePath: "/usr/bin/chromium",
+    args: chromiumArgs(hasGpu),
+    timeout: PATIENCE_MS,
+  });
   return {
     open: async ({ isFirst = false, isDark = false } = {}) => {
       const colorScheme = isDark ? "dark" : "light";
@@ -223,7 +227,7 @@ async function pen(page, kind, x, y) {
 
 /** @returns {Promise<Browser>} */
 async function launchFirefox() {
-  const browser = await puppeteer.launch({ ...FIREFOX, defaultViewport: VIEWPORT });
+  const browser = await puppeteer.launch({ ...FIREFOX, defaultViewport: VIEWPORT, timeout: PATIENCE_MS });
   return {
     open: async ({ isFirst = false } = {}) => {
       const page = await (await browser.createBrowserContext()).newPage();
@@ -245,6 +249,7 @@ export async function launchIn(name, folder) {
     ...(name === "chromium" ? CHROMIUM : FIREFOX),
     userDataDir: folder,
     defaultViewport: VIEWPORT,
+    timeout: PATIENCE_MS,
   });
   const page = await browser.newPage();
   await page.evaluateOnNewDocument(asSeen);
@@ -291,14 +296,15 @@ function control(page, role, name) {
  */
 async function waitFor(page, expression) {
   const end_ms = Date.now() + PATIENCE_MS;
-  /** @type {unknown} Of a page that is going, or has not come yet. */
-  let cause;
+  /** @type {unknown} */
+  let answer;
   while (Date.now() < end_ms) {
-    const isSo = await page.evaluate(`(async () => Boolean(await (${expression})))()`).catch((fault) => void (cause = fault));
-    if (isSo) return;
+    // A page that is going, or has not come yet, has faults.
+    answer = await page.evaluate(`Boolean(${expression})`).catch((fault) => fault);
+    if (answer === true) return;
     await setTimeout(20);
   }
-  throw new Error(`waited in vain for ${expression}`, { cause });
+  throw new Error(`waited in vain for ${expression}`, { cause: answer });
 }
 
 /**

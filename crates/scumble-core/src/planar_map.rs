@@ -231,8 +231,13 @@ impl PlanarMap {
         if side.is_right() { [b, a] } else { [a, b] }
     }
 
+    /// The gaps that are closed, by what is said of each; gaps beyond the end of that are open.
+    pub fn closed_gaps<'a>(&'a self, is_closed: &'a [bool]) -> impl Iterator<Item = &'a Gap> + use<'a> {
+        self.gaps.iter().zip(is_closed).filter(|(_, is_closed)| **is_closed).map(|(gap, _)| gap)
+    }
+
     /// The same map with other gaps. A gap counts where its nodes are joined by an edge that is no piece; one that is
-    /// given twice, or anywhere else, can be closed without effect.
+    /// given twice, or anywhere else, can be closed without effect on a mesh.
     pub fn with_gaps(mut self, gaps: Vec<Gap>) -> Self {
         self.set_gaps(gaps);
         self

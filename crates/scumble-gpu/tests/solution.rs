@@ -3,7 +3,7 @@
 
 use kurbo::{Affine, BezPath, Circle, Point, Rect, Shape, Vec2};
 use scumble_core::source::weight;
-use scumble_core::{Bends, Blend, Boundary, Curve, Drawing, PlanarMap, Sampling, SoftSource, Srgb8};
+use scumble_core::{Bends, Blend, Boundary, Curve, Drawing, Gap, PlanarMap, Sampling, SoftSource, Srgb8};
 use scumble_gpu::wgpu::TextureFormat::Rgba8Unorm;
 use scumble_gpu::{Gpu, GpuError, GpuGridSolver, GridKernels, Renderer};
 use scumble_solve::grid::{Constraints, GridPicture, GridProblem, GridSolver, Shades, Whole};
@@ -20,7 +20,7 @@ fn gpu() -> Option<Gpu> {
     pollster::block_on(Gpu::headless(failed)).map_err(|error| eprintln!("skipped: {error}")).ok()
 }
 
-/// A circle with an open curve in it, of several colours, and around it paper.
+/// A circle with an open curve in it, of several colours, and around it paper; from an end of the curve to the circle is a gap.
 fn map() -> PlanarMap {
     let mut arm = BezPath::new();
     arm.move_to((300.0, 400.0));
@@ -28,10 +28,18 @@ fn map() -> PlanarMap {
     let curves = [Circle::new((512.0, 512.0), 340.3).to_path(1e-3), arm];
     let curves = curves.map(|path| Curve { path, line: None }).into();
     let drawing = Drawing { curves, ..Drawing::new(Rect::new(0.0, 0.0, 1024.0, 1024.0)) };
-    PlanarMap::build(&drawing, &Sampling::default()).expect("a map")
+    let map = PlanarMap::build(&drawing, &Sampling::default()).expect("a map");
+    let points = map.triangulation().points();
+    let distance = |node: u32, place: Point| points[node as usize].distance(place);
+    let nearest = |place: Point| {
+        let nodes = 0..points.len() as u32;
+        nodes.min_by(|a, b| distance(*a, place).total_cmp(&distance(*b, place))).expect("a node")
+    };
+    let nodes = [(740.0, 610.0), (849.6, 554.6)].map(|place| nearest(place.into()));
+    map.with_gaps(vec![Gap { nodes, is_wide: false, is_plain: false }])
 }
 
-/// Green inside of the circle, red and blue on the sides of the arm.
+/// Green inside of the circle, red and blue on the sides of the arm; the gap is closed.
 fn boundary(map: &PlanarMap) -> Boundary {
     let mut sides = vec![None; map.side_count()];
     for (curve, colors) in [[Some(GREEN), None], [Some(RED), Some(BLUE)]].into_iter().enumerate() {
@@ -41,7 +49,7 @@ fn boundary(map: &PlanarMap) -> Boundary {
             }
         }
     }
-    sides.into()
+    Boundary { closed_gaps: vec![true], ..sides.into() }
 }
 
 fn page(side_px: u32) -> View {

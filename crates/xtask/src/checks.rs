@@ -1,7 +1,7 @@
 //! `cargo xtask test`: every check and every test, each run even where an earlier one failed, then the summary.
 //!
-//! Three of them are on their way at a time, as each waits much of the time: for a browser, a linker or a package. Each is a
-//! process of its own, whose output is shown once it has ended.
+//! Two of them are on their way at a time, as each waits much of the time: for a browser, a linker or a package. Each is a process
+//! of its own, whose output is shown once it has ended.
 
 use crate::process::{cargo, command, find, node, output, root, run, run_into};
 use crate::{dist, package, samples, tools};
@@ -70,7 +70,6 @@ pub(crate) fn run_all() -> Result<()> {
             waiting.clear();
         }
         drop(waiting);
-        scope.spawn(rest);
         rest();
     });
     sum_up(&outcomes.into_inner().unwrap_or_else(PoisonError::into_inner))

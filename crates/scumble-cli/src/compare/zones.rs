@@ -23,8 +23,7 @@ pub(super) fn zones(map: &PlanarMap, boundary: &Boundary, view: &View, special_p
     let at = |node: u32| view.px_from_du * map.triangulation().points()[node as usize];
     let mut zones = Zones::new(view);
     let curves = map.pieces().iter().filter(|piece| piece.curve.is_some()).map(|piece| piece.nodes);
-    let closed = map.gaps().iter().zip(&boundary.closed_gaps).filter(|(_, closed)| **closed);
-    let gaps: Vec<_> = closed.map(|(gap, _)| gap.nodes).collect();
+    let gaps: Vec<_> = map.closed_gaps(&boundary.closed_gaps).map(|gap| gap.nodes).collect();
     for nodes in curves.chain(gaps.iter().copied()) {
         zones.mark(nodes.map(at), CURVE_PX, Zone::Curve);
     }

@@ -1,4 +1,4 @@
-//! A solved grid as a layer of a scene: its colours, and the curves that cut it.
+//! A solved grid as a layer of a scene: its colours, and what cuts it.
 
 use bytemuck::{Pod, Zeroable};
 use kurbo::Affine;

@@ -54,9 +54,8 @@ struct Part {
 }
 
 /// Straight curves without colours across the gaps that are closed.
-fn barriers(map: &PlanarMap, labels: &Labels) -> impl Iterator<Item = Part> {
-    let closed = map.gaps().iter().zip(&labels.closed_gaps).filter(|(_, is_closed)| **is_closed);
-    closed.map(|(gap, _)| {
+fn barriers<'a>(map: &'a PlanarMap, labels: &'a Labels) -> impl Iterator<Item = Part> + use<'a> {
+    map.closed_gaps(&labels.closed_gaps).map(|gap| {
         let [a, b] = gap.nodes.map(|node| map.triangulation().points()[node as usize]);
         let over = (b - a) * (OVERSHOOT_DU / (b - a).hypot());
         let line = |a: Point, b: Point| CubicBez::new(a, a.lerp(b, 1.0 / 3.0), a.lerp(b, 2.0 / 3.0), b);

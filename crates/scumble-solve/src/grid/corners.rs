@@ -71,9 +71,9 @@ fn rays(ground: &Ground<'_>, bends: &Bends, boundary: &Boundary) -> Vec<Ray> {
         let ray = |node, along| Ray { node, along, faces: [Face::default(); 2] };
         [ray(nodes[0], along), ray(nodes[1], -along)]
     };
-    let closed = ground.map.gaps().iter().zip(ground.closed_gaps).filter(|(_, closed)| **closed);
+    let closed = ground.map.closed_gaps(ground.closed_gaps);
     let pieces = straights(ground.map, bends, ground.centers_from_du).flat_map(piece);
-    let mut rays: Vec<_> = pieces.chain(closed.flat_map(|(closed, _)| gap(closed.nodes))).collect();
+    let mut rays: Vec<_> = pieces.chain(closed.flat_map(|closed| gap(closed.nodes))).collect();
     sort::sort_copies_by_key(&mut rays, |ray| sort::float(ray.along.atan2()));
     sort::sort_copies_by_key(&mut rays, |ray| ray.node.into());
     rays

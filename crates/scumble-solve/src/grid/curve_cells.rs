@@ -1,5 +1,5 @@
-//! Which curves and closed gaps pass between which pixels: all that a painter needs to cut a solved picture at them, at any
-//! zoom.
+//! Which curves pass between which pixels: all that a painter needs to cut a solved picture at them, at any zoom. Closed gaps
+//! count as curves.
 //!
 //! A *cell* is the square between the centres of four neighbouring pixels, at the border what there is of one. From a
 //! place in it to the centres at its corners no way leaves it: the pieces of curves that hide one from the other are

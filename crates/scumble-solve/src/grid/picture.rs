@@ -1,4 +1,4 @@
-//! A solved grid and the curves in it: all that a painter needs.
+//! A solved grid, and where it may jump: all that a painter needs.
 
 use kurbo::Line;
 use scumble_core::{Bends, Blend, Boundary, PlanarMap};
@@ -18,7 +18,7 @@ pub struct GridPicture {
     /// Blend-space colours times their opacity, and the opacity, at the centres of pixels, row by row.
     pub pixels: Vec<[f32; 4]>,
     /// All straight stretches of curves, and closed gaps, in px from the top left.
-    pub edges: Vec<Line>,
+    pub jumps: Vec<Line>,
 }
 
 impl GridPicture {
@@ -31,7 +31,7 @@ impl GridPicture {
         blend: Blend,
         pixels: Vec<[f32; 4]>,
     ) -> Self {
-        let edges = jumps(map, bends, boundary, view.px_from_du);
-        Self { width_px: view.width_px, height_px: view.height_px, blend, pixels, edges }
+        let jumps = jumps(map, bends, boundary, view.px_from_du);
+        Self { width_px: view.width_px, height_px: view.height_px, blend, pixels, jumps }
     }
 }

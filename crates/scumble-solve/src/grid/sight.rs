@@ -17,12 +17,12 @@ impl Sight {
 
     /// Whether a line hides the centre.
     pub(crate) fn is_crossed_by(self, line: Line) -> bool {
-        parts(line, self.0) && parts(self.0, line)
+        are_apart(line, self.0) && are_apart(self.0, line)
     }
 }
 
 /// Whether the ends of a line are on different sides of another one, however long that is.
-fn parts(other: Line, line: Line) -> bool {
+fn are_apart(other: Line, ends: Line) -> bool {
     let is_left = |p: Point| (other.p1 - other.p0).cross(p - other.p0) > 0.0;
-    is_left(line.p0) != is_left(line.p1)
+    is_left(ends.p0) != is_left(ends.p1)
 }

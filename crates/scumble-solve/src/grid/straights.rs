@@ -39,24 +39,17 @@ pub(super) fn straights<'a>(
 }
 
 /// Closed gaps, taken to elsewhere.
-pub(super) fn closed_gaps<'a>(
-    map: &'a PlanarMap,
-    boundary: &'a Boundary,
-    from_du: Affine,
-) -> impl Iterator<Item = Line> + use<'a> {
+pub(super) fn closed_gaps(map: &PlanarMap, boundary: &Boundary, from_du: Affine) -> Vec<Line> {
     let points = map.triangulation().points();
-    let closed = map.gaps().iter().zip(&boundary.closed_gaps).filter(|(_, is_closed)| **is_closed);
-    closed.map(move |(gap, _)| {
-        let [start, end] = gap.nodes.map(|node| points[node as usize]);
-        from_du * Line::new(start, end)
-    })
+    let line = |[start, end]: [u32; 2]| from_du * Line::new(points[start as usize], points[end as usize]);
+    map.closed_gaps(&boundary.closed_gaps).map(|gap| line(gap.nodes)).collect()
 }
 
 /// Where a picture may jump: straight stretches of curves, and closed gaps, taken to elsewhere.
 pub(super) fn jumps(map: &PlanarMap, bends: &Bends, boundary: &Boundary, from_du: Affine) -> Vec<Line> {
+    let mut jumps = closed_gaps(map, boundary, from_du);
     let all = straights(map, bends, from_du);
     let curves = all.filter(|straight| map.pieces()[straight.piece].curve.is_some());
-    let mut jumps: Vec<_> = curves.map(|Straight { ends: [a, b], .. }| Line::new(a, b)).collect();
-    jumps.extend(closed_gaps(map, boundary, from_du));
+    jumps.extend(curves.map(|Straight { ends: [a, b], .. }| Line::new(a, b)));
     jumps
 }

@@ -55,7 +55,7 @@ pub(super) fn walls<'a>(
         let right = color(SideId::of(piece, true)).map(|[start, middle, end]| [end, middle, start]);
         Wall { segment: Segment(ends), parts, sides: [color(SideId::of(piece, false)), right] }
     };
-    let gaps = closed_gaps(map, boundary, centers_from_du).map(|Line { p0, p1 }| Wall {
+    let gaps = closed_gaps(map, boundary, centers_from_du).into_iter().map(|Line { p0, p1 }| Wall {
         segment: Segment([p0, p1]),
         parts: [0.0, 1.0],
         sides: [None; 2],

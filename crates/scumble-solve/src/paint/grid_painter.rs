@@ -1,5 +1,5 @@
-//! Paints a picture that was solved on pixels: as it is, save in pixels that a curve passes through. There each of the
-//! samples has the colour of the nearest pixel from whose centre no curve keeps it.
+//! Paints a picture that was solved on pixels: as it is, save in pixels that a curve passes through; closed gaps count as
+//! curves. There each of the samples has the colour of the nearest pixel from whose centre no curve keeps it.
 
 use kurbo::{Line, Point};
 use scumble_core::{Srgb8, clamped};
@@ -37,10 +37,10 @@ struct Rim<'a> {
 
 impl<'a> Rim<'a> {
     fn new(picture: &'a GridPicture) -> Self {
-        let edges = picture.edges.iter().map(|Line { p0, p1 }| [p0, p1].map(|p| [p.x, p.y]));
+        let edges = picture.jumps.iter().map(|Line { p0, p1 }| [p0, p1].map(|p| [p.x, p.y]));
         let set = PixelSet::touched_by(edges, picture.width_px, picture.height_px);
         let mut edges = vec![Vec::new(); set.len()];
-        for (i, &edge) in (0..).zip(&picture.edges) {
+        for (i, &edge) in (0..).zip(&picture.jumps) {
             let of_edge = PixelRange::around(edge, picture);
             for row in of_edge.rows {
                 set.for_each_in(row, &of_edge.columns, |_, member| edges[member].push(i));
@@ -79,7 +79,7 @@ impl<'a> Rim<'a> {
         let mut is_free = true;
         for [x, y] in [own, other] {
             self.set.for_each_in(y, &(x as usize..x as usize + 1), |_, member| {
-                let mut edges = self.edges[member].iter().map(|&edge| self.picture.edges[edge as usize]);
+                let mut edges = self.edges[member].iter().map(|&edge| self.picture.jumps[edge as usize]);
                 is_free &= !edges.any(|edge| sight.is_crossed_by(edge));
             });
         }
