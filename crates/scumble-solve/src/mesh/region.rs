@@ -137,11 +137,11 @@ impl Region {
     pub(super) async fn solve(&mut self) -> bool {
         let is_new = !mem::replace(&mut self.is_solved, true);
         if let (true, Coloring::Blended, Some(system)) = (is_new, self.coloring, self.base.system()) {
-            let range = range(self.given_colors());
+            let range = range(self.given_colors()).map(|color| color.map(|c| c as f32));
             let sums = system.right_hand_sides(self.conditions(), iter::empty());
             pace::pause_after(sums.len()).await;
             let values = system.solve(sums).await.unwrap_or_default();
-            let value = |&place: &u32| clamped(values[place as usize].map(f64::from), range);
+            let value = |&place: &u32| within(values[place as usize], range);
             self.values =
                 if values.is_empty() { Vec::new() } else { system.places().iter().map(value).collect() };
         }
@@ -282,6 +282,11 @@ fn range(colors: impl Iterator<Item = BlendColor>) -> [BlendColor; 2] {
 
 fn clamped(value: BlendColor, [least, most]: [BlendColor; 2]) -> [f32; 4] {
     [0, 1, 2, 3].map(|i| value[i].max(least[i]).min(most[i]) as f32)
+}
+
+/// What [`clamped`] gives for a value that is single already.
+fn within(value: [f32; 4], [least, most]: [[f32; 4]; 2]) -> [f32; 4] {
+    [0, 1, 2, 3].map(|i| value[i].max(least[i]).min(most[i]))
 }
 
 fn coloring(mut colors: impl Iterator<Item = BlendColor>) -> Coloring {
