@@ -3,7 +3,7 @@
 //! | noun | file |
 //! |---|---|
 //! | all that is given | `constraints` |
-//! | how the pieces of a map run, and its closed gaps | `straights` |
+//! | how the pieces of a map run, its closed gaps, and where a picture may jump | `straights` |
 //! | where curves cut the links between pixels | `cut_links`, `wall` |
 //! | corners where the solution is steep without end | `corners` |
 //! | what that makes of the equations of pixels | `equations` |
@@ -16,7 +16,8 @@
 //! | grids from pixels to a single cell, and cycles through them | `hierarchy` |
 //! | a problem, and steps to its solution | `gradients` |
 //! | another solver, to compare with | `jeschke` |
-//! | what a painter needs of a solved grid | `picture`, `curve_cells`, `sight` |
+//! | what a painter needs of a solved grid | `picture`, `curve_cells` |
+//! | which pixels are seen past curves | `sight` |
 //! | a picture to be solved | `problem` |
 //! | what is beyond the borders of a part | `whole` |
 //!

@@ -1,4 +1,4 @@
-//! What is seen of the centres of pixels past curves.
+//! Which centres of pixels are seen past curves; closed gaps count as curves. `shaders/seen.wgsl` has the same.
 
 use kurbo::{Line, Point};
 

@@ -1,4 +1,5 @@
-//! The pieces of a map as they run: straight, or from close by as their curves bend; and its closed gaps.
+//! The pieces of a map as they run: straight, or from close by as their curves bend; its closed gaps; and where a picture may
+//! jump.
 
 use kurbo::{Affine, Line, Point};
 use scumble_core::{Bends, Boundary, Piece, PlanarMap, SideId};
