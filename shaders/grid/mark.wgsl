@@ -33,6 +33,8 @@ fn find(cell: vec2<i32>, member: i32) {
     held[member] = select(0.0, hold.x, is_within);
     strong[member] = 1u << u32(member);
     firsts[member] = -1;
+    linked[member] = 0.0;
+    holding[member] = 0.0;
 }
 
 fn is_member(i: i32) -> bool {
@@ -150,6 +152,7 @@ fn kernel(cell: vec2<i32>) -> vec4<f32> {
     for (var i = 0; i < member_count(); i++) {
         find(cell, i);
     }
+    is_scoring = false;
     visit_members(cell);
     find_parts();
     score(cell);

@@ -3,19 +3,17 @@
 //
 // Textures hold the bits of floats: whole numbers can be drawn on every device, floats on some alone.
 
-@group(0) @binding(0) var first: texture_2d<u32>;
-@group(0) @binding(1) var second: texture_2d<u32>;
-@group(0) @binding(2) var third: texture_2d<u32>;
+alias Texels = texture_2d<u32>;
 
-// A texel within the border.
-fn texel(texels: texture_2d<u32>, place: vec2<i32>) -> vec4<f32> {
-    return bitcast<vec4<f32>>(textureLoad(texels, place, 0));
+@group(0) @binding(0) var first: Texels;
+@group(0) @binding(1) var second: Texels;
+@group(0) @binding(2) var third: Texels;
+
+fn extent(texels: Texels) -> vec2<i32> {
+    return vec2<i32>(textureDimensions(texels));
 }
 
-// A texel, zeros beyond the border.
-fn load(texels: texture_2d<u32>, place: vec2<i32>) -> vec4<f32> {
-    if any(place < vec2(0)) || any(place >= vec2<i32>(textureDimensions(texels))) {
-        return vec4(0.0);
-    }
-    return texel(texels, place);
+// A texel within the border.
+fn texel(texels: Texels, place: vec2<i32>) -> vec4<f32> {
+    return bitcast<vec4<f32>>(textureLoad(texels, place, 0));
 }

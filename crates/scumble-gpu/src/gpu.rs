@@ -61,6 +61,11 @@ impl Gpu {
         Ok(Self { adapter, device, queue })
     }
 
+    /// Whether there is no card: what draws is the processor.
+    pub fn is_software(&self) -> bool {
+        self.adapter.get_info().device_type == wgpu::DeviceType::Cpu
+    }
+
     /// Whether passes are computed. In a page they are drawn.
     pub(crate) fn computes(&self) -> bool {
         cfg!(not(target_arch = "wasm32")) && self.device.limits().max_compute_invocations_per_workgroup > 0

@@ -5,7 +5,7 @@
 //! | a shader and what it reads | `kernels` |
 //! | textures of numbers | `texels` |
 //! | the equations of pixels, what changes of them, and what is beyond the borders of a part | `equations`, `points` |
-//! | passes that are made over and over, and how they are computed | `tape`, `computing` |
+//! | passes that are made over and over, and how they are computed, many in one where they are small | `tape`, `computing` |
 //! | levels, and the ways through them | `levels` |
 //! | sums over all texels | `reduction` |
 //! | a problem, and steps to its solution | `gradients` |
@@ -21,6 +21,7 @@
 
 #[cfg(not(target_arch = "wasm32"))]
 pub(crate) mod computing;
+#[cfg(not(target_arch = "wasm32"))]
 mod costs;
 mod equations;
 mod error;
@@ -41,6 +42,7 @@ use scumble_solve::grid::{Constraints, MAX_STEPS, Texel};
 
 use crate::error::GpuError;
 use crate::gpu::Gpu;
+#[cfg(not(target_arch = "wasm32"))]
 pub use costs::{Costs, SolverCosts};
 pub use error::GridError;
 pub use kernels::Kernels;
@@ -72,6 +74,8 @@ impl GpuGridSolver {
     /// When the device cannot draw so large a picture.
     pub fn new(gpu: &Gpu, kernels: &Kernels, constraints: &Constraints) -> Result<Self, GridError> {
         let mut solver = Self::record(gpu, kernels, constraints)?;
+        #[cfg(not(target_arch = "wasm32"))]
+        solver.fuse(kernels);
         if constraints.exits.is_empty() {
             solver.begin();
         }
@@ -82,6 +86,7 @@ impl GpuGridSolver {
     ///
     /// # Errors
     /// When the device cannot draw so large a picture.
+    #[cfg(not(target_arch = "wasm32"))]
     pub fn costs(gpu: &Gpu, kernels: &Kernels, constraints: &Constraints) -> Result<SolverCosts, GridError> {
         let Self { build, start, steps, .. } = Self::record(gpu, kernels, constraints)?;
         Ok(SolverCosts::of([&build, &start], steps.each_ref().map(|step| &step.tape)))
@@ -93,6 +98,16 @@ impl GpuGridSolver {
         let steps = [(); 2].map(|()| stack.step(&mut recorder));
         let change = stack.change().clone();
         Ok(Self { gpu: gpu.clone(), stack, build, is_built: false, start, steps, is_even: true, change })
+    }
+
+    /// Makes programs of passes over few texels, where they are computed.
+    #[cfg(not(target_arch = "wasm32"))]
+    fn fuse(&mut self, kernels: &Kernels) {
+        let Some(programs) = &kernels.programs else { return };
+        let Self { gpu, build, start, steps: [even, odd], change, .. } = self;
+        let picture = even.under.clone();
+        let mut tapes = [build, start, &mut even.tape, &mut even.measure, &mut odd.tape, &mut odd.measure];
+        computing::fuse(gpu, programs, &mut tapes, &picture, change);
     }
 
     /// Takes other constraints, with a first picture as [`GpuGridSolver::new`] does. Where there are as many pixels and as many

@@ -19,7 +19,7 @@ pub(crate) const SOLUTION: [&str; 4] = [COMMON, SEEN, TARGET, wgsl!("solution")]
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::grid::computing::COMPUTE;
+    use crate::grid::computing::{COMPUTE, program_text};
     use crate::grid::kernels::{BORDER, DRAW, POINTS, SOURCES};
     use naga::ShaderStage::{Fragment, Vertex};
     use naga::back::glsl;
@@ -34,9 +34,9 @@ mod tests {
     ];
 
     /// Pieces of the grid solver's kernels that are none themselves.
-    const PIECES: [&str; 11] = [
-        "block", "compute", "draw", "given", "level", "links", "matrix", "parent", "parts", "pass",
-        "weighted",
+    const PIECES: [&str; 14] = [
+        "block", "compute", "draw", "given", "level", "links", "load", "matrix", "parent", "parts", "pass",
+        "program", "unknowns", "weighted",
     ];
 
     fn all() -> impl Iterator<Item = (&'static str, String)> {
@@ -82,9 +82,10 @@ mod tests {
 
     #[test]
     fn every_kernel_can_be_computed() {
-        for source in &SOURCES {
-            let (module, _) = validated(source.name, &source.text(&[COMPUTE]));
-            assert_eq!(module.entry_points[0].stage, naga::ShaderStage::Compute, "{}", source.name);
+        let kernels = SOURCES.iter().map(|source| (source.name, source.text(&[COMPUTE])));
+        for (name, source) in kernels.chain([("program", program_text())]) {
+            let (module, _) = validated(name, &source);
+            assert_eq!(module.entry_points[0].stage, naga::ShaderStage::Compute, "{name}");
         }
     }
 

@@ -2,7 +2,7 @@
 
 use scumble_core::{Drawing, Scribble, Settings};
 use scumble_gpu::grid::SolverCosts;
-use scumble_gpu::{Gpu, GpuGridSolver, GridError, GridKernels, wgpu};
+use scumble_gpu::{Gpu, GpuGridSolver, GridError, GridKernels};
 use scumble_solve::Picture;
 use scumble_solve::grid::{Constraints, PAGE_STEPS};
 
@@ -38,8 +38,7 @@ pub(crate) fn run() -> anyhow::Result<()> {
         print_costs(size_px, &GpuGridSolver::costs(&gpu, &kernels, &constraints)?);
     }
     let info = gpu.adapter.get_info();
-    let is_card = info.device_type != wgpu::DeviceType::Cpu;
-    let (sizes, runs) = if is_card { (SIZES_PX.len(), RUNS) } else { (1, 1) };
+    let (sizes, runs) = if gpu.is_software() { (1, 1) } else { (SIZES_PX.len(), RUNS) };
     println!();
     let title = format!("{} ({:?}), median of {runs}", info.name, info.device_type);
     println!("{title:<56} {:>12} {:>12}", "move, ms", "recolour, ms");

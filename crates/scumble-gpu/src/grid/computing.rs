@@ -1,11 +1,24 @@
 //! Passes that are computed: outside the page, where every byte of this would be loaded, and where a device can.
 
-use super::kernels::{Pipeline, Source, compiled};
+mod fusion;
+mod program;
+
+use super::kernels::{Pipeline, compiled};
 use super::tape::Pass;
 use crate::wgsl::wgsl;
+pub(super) use fusion::fuse;
+pub(super) use program::Programs;
+#[cfg(test)]
+pub(crate) use program::text as program_text;
 
 /// Columns and rows that are computed together, as the shader has them.
 const WORKGROUP: u32 = 8;
+
+/// Texels that programs compute together, as the shader has them.
+const PROGRAM_WORKGROUP: u32 = 256;
+
+/// Bytes of the largest buffer of a program.
+const STORAGE_BYTES: u64 = 1 << 22;
 
 /// Computes all texels.
 pub(crate) const COMPUTE: &str = wgsl!("grid/compute");
@@ -14,8 +27,10 @@ pub(crate) const COMPUTE: &str = wgsl!("grid/compute");
 pub(crate) fn limits(limits: wgpu::Limits, most: &wgpu::Limits) -> wgpu::Limits {
     let computing = wgpu::Limits {
         max_storage_textures_per_shader_stage: 1,
-        max_compute_invocations_per_workgroup: WORKGROUP * WORKGROUP,
-        max_compute_workgroup_size_x: WORKGROUP,
+        max_storage_buffers_per_shader_stage: 2,
+        max_storage_buffer_binding_size: STORAGE_BYTES,
+        max_compute_invocations_per_workgroup: PROGRAM_WORKGROUP,
+        max_compute_workgroup_size_x: PROGRAM_WORKGROUP,
         max_compute_workgroup_size_y: WORKGROUP,
         max_compute_workgroup_size_z: 1,
         max_compute_workgroups_per_dimension: limits.max_texture_dimension_2d.div_ceil(WORKGROUP),
@@ -26,11 +41,12 @@ pub(crate) fn limits(limits: wgpu::Limits, most: &wgpu::Limits) -> wgpu::Limits 
 
 pub(super) fn pipeline(
     device: &wgpu::Device,
-    source: &Source,
+    name: &str,
+    text: &str,
     layouts: &[Option<&wgpu::BindGroupLayout>],
 ) -> wgpu::ComputePipeline {
-    let label = Some(source.name);
-    let (module, layout) = compiled(device, label, &source.text(&[COMPUTE]), layouts);
+    let label = Some(name);
+    let (module, layout) = compiled(device, label, text, layouts);
     device.create_compute_pipeline(&wgpu::ComputePipelineDescriptor {
         label,
         layout: Some(&layout),

@@ -1,6 +1,6 @@
 //! What passes move and take, told from what was recorded.
 
-use super::tape::{Pass, Tape};
+use super::tape::{Recipe, Tape};
 
 /// What passes cost, however long they take.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -46,24 +46,20 @@ impl SolverCosts {
 
 impl Costs {
     pub(super) fn of(tape: &Tape) -> Self {
-        let textures = |pass: &Pass| pass.reads.iter().chain([&pass.target]).map(bytes).sum::<u64>();
-        Self { passes: tape.0.len() as u64, bytes: tape.0.iter().map(textures).sum() }
+        let views = tape.recipes.iter().flat_map(Recipe::views);
+        Self { passes: tape.recipes.len() as u64, bytes: views.map(bytes).sum() }
     }
 }
 
 /// Bytes of all textures that passes read or draw.
 fn texture_bytes(tapes: [&Tape; 4]) -> u64 {
-    let mut seen: Vec<&wgpu::Texture> = Vec::new();
-    let views =
-        tapes.into_iter().flat_map(|tape| &tape.0).flat_map(|pass| pass.reads.iter().chain([&pass.target]));
-    let mut sum = 0;
-    for view in views {
-        if !seen.contains(&view.texture()) {
-            seen.push(view.texture());
-            sum += bytes(view);
+    let mut seen: Vec<&wgpu::TextureView> = Vec::new();
+    for view in tapes.into_iter().flat_map(|tape| &tape.recipes).flat_map(Recipe::views) {
+        if !seen.contains(&view) {
+            seen.push(view);
         }
     }
-    sum
+    seen.into_iter().map(bytes).sum()
 }
 
 fn bytes(view: &wgpu::TextureView) -> u64 {

@@ -3,7 +3,7 @@
 use wgpu::VertexFormat::{Float32x2, Uint32, Uint32x4};
 
 #[cfg(not(target_arch = "wasm32"))]
-use super::computing;
+use super::computing::{COMPUTE, Programs, pipeline as computing_pipeline};
 use super::layer;
 use super::texels::{FORMAT, THIN_FORMAT};
 use crate::gpu::Gpu;
@@ -34,6 +34,7 @@ pub(crate) enum Kernel {
     Gather,
 }
 
+#[cfg(not(target_arch = "wasm32"))]
 impl Kernel {
     /// Whether it reads the links of a level.
     pub(super) fn reads_links(self) -> bool {
@@ -49,7 +50,7 @@ impl Kernel {
 /// What a kernel is made of.
 pub(crate) struct Source {
     pub(crate) name: &'static str,
-    pieces: &'static [&'static str],
+    pub(super) pieces: &'static [&'static str],
     /// Whether it reads the matrix of a level.
     has_level: bool,
 }
@@ -57,7 +58,8 @@ pub(crate) struct Source {
 impl Source {
     /// With how every texel of a target comes to what the kernel gives.
     pub(crate) fn text(&self, way: &[&str]) -> String {
-        [way.concat(), self.pieces.concat()].concat()
+        let level: &[&str] = if self.has_level { &[LEVEL, UNKNOWNS] } else { &[] };
+        [way, &[PASS, LOAD], level, self.pieces].concat().concat()
     }
 }
 
@@ -66,45 +68,47 @@ pub(crate) const DRAW: [&str; 2] = [TARGET, wgsl!("grid/draw")];
 
 const BLOCK: &str = wgsl!("grid/block");
 const GIVEN: &str = wgsl!("grid/given");
-const LEVEL: &str = wgsl!("grid/level");
+pub(super) const LEVEL: &str = wgsl!("grid/level");
 const LINKS: &str = wgsl!("grid/links");
+pub(super) const LOAD: &str = wgsl!("grid/load");
 const MATRIX: &str = wgsl!("grid/matrix");
 const PARENT: &str = wgsl!("grid/parent");
 const PARTS: &str = wgsl!("grid/parts");
 const PASS: &str = wgsl!("grid/pass");
+const UNKNOWNS: &str = wgsl!("grid/unknowns");
 const WEIGHTED: &str = wgsl!("grid/weighted");
 
 macro_rules! source {
-    ($name:literal, $has_level:literal, $($piece:ident),+) => {
+    ($name:literal, $has_level:literal $(, $piece:ident)*) => {
         Source {
             name: $name,
             has_level: $has_level,
-            pieces: &[$($piece,)+ wgsl!(concat!("grid/", $name))],
+            pieces: &[$($piece,)* wgsl!(concat!("grid/", $name))],
         }
     };
 }
 
 /// In the order of [`Kernel`].
 pub(crate) const SOURCES: [Source; 19] = [
-    source!("multiply", true, PASS, LEVEL, LINKS, WEIGHTED, MATRIX, GIVEN),
-    source!("residual", true, PASS, LEVEL, LINKS, WEIGHTED, MATRIX, GIVEN),
-    source!("relax", true, PASS, LEVEL, LINKS, WEIGHTED, MATRIX, GIVEN),
-    source!("start", true, PASS, LEVEL, LINKS, WEIGHTED, MATRIX),
-    source!("restrict", true, PASS, LEVEL, LINKS, WEIGHTED, PARTS),
-    source!("interpolate", true, PASS, LEVEL, LINKS, WEIGHTED, PARENT),
-    source!("spread", true, PASS, LEVEL, PARENT),
-    source!("dot", false, PASS, BLOCK),
-    source!("sum", false, PASS, BLOCK),
-    source!("largest", false, PASS),
-    source!("ratio", false, PASS),
-    source!("advance", false, PASS),
-    source!("retreat", false, PASS),
-    source!("cover", false, PASS),
-    source!("diagonal", true, PASS, LEVEL, LINKS),
-    source!("mark", true, PASS, LEVEL),
-    source!("attach", true, PASS, LEVEL),
-    source!("join", true, PASS, LEVEL, LINKS, PARTS),
-    source!("gather", true, PASS, LEVEL, LINKS, PARTS),
+    source!("multiply", true, LINKS, WEIGHTED, MATRIX, GIVEN),
+    source!("residual", true, LINKS, WEIGHTED, MATRIX, GIVEN),
+    source!("relax", true, LINKS, WEIGHTED, MATRIX, GIVEN),
+    source!("start", true, LINKS, WEIGHTED, MATRIX),
+    source!("restrict", true, LINKS, WEIGHTED, PARTS),
+    source!("interpolate", true, LINKS, WEIGHTED, PARENT),
+    source!("spread", true, PARENT),
+    source!("dot", false, BLOCK),
+    source!("sum", false, BLOCK),
+    source!("largest", false),
+    source!("ratio", false),
+    source!("advance", false),
+    source!("retreat", false),
+    source!("cover", false),
+    source!("diagonal", true, LINKS),
+    source!("mark", true),
+    source!("attach", true),
+    source!("join", true, LINKS, PARTS),
+    source!("gather", true, LINKS, PARTS),
 ];
 
 /// Draws single texels.
@@ -138,6 +142,9 @@ pub struct Kernels {
     pub(super) border: wgpu::RenderPipeline,
     pub(super) operands_layout: wgpu::BindGroupLayout,
     pub(super) level_layout: wgpu::BindGroupLayout,
+    /// Where passes are computed, and not by a few cores: to these, many at once in one work group would be slower.
+    #[cfg(not(target_arch = "wasm32"))]
+    pub(super) programs: Option<Programs>,
 }
 
 impl Kernels {
@@ -155,13 +162,25 @@ impl Kernels {
             let layouts = if source.has_level { &both[..] } else { &both[..1] };
             #[cfg(not(target_arch = "wasm32"))]
             if gpu.computes() {
-                return Pipeline::Computes(computing::pipeline(device, source, layouts));
+                return Pipeline::Computes(computing_pipeline(
+                    device,
+                    source.name,
+                    &source.text(&[COMPUTE]),
+                    layouts,
+                ));
             }
             let drawing = Drawing { format: FORMAT, topology: TRIANGLES, buffers: &[] };
             Pipeline::Draws(pipeline(device, source.name, &source.text(&DRAW), layouts, &drawing))
         });
-        let pipelines = pipelines.collect();
-        Self { pipelines, points: points(device), border: border(device), operands_layout, level_layout }
+        Self {
+            pipelines: pipelines.collect(),
+            points: points(device),
+            border: border(device),
+            operands_layout,
+            level_layout,
+            #[cfg(not(target_arch = "wasm32"))]
+            programs: (gpu.computes() && !gpu.is_software()).then(|| Programs::new(gpu)),
+        }
     }
 
     /// What draws points into targets of a format.

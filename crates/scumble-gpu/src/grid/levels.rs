@@ -9,9 +9,11 @@ use super::texels::{FORMAT, alike, single, single_texel, target};
 use crate::gpu::Gpu;
 
 /// The matrix of a level.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub(crate) struct Matrix {
     pub(super) group: wgpu::BindGroup,
+    #[cfg(not(target_arch = "wasm32"))]
+    pub(super) size: Size,
     pub(super) links: [wgpu::TextureView; 3],
     pub(super) holds: wgpu::TextureView,
 }
@@ -73,18 +75,13 @@ impl Maker<'_> {
     fn level(&self, size: Size, links: [wgpu::TextureView; 3], right: wgpu::TextureView) -> GpuLevel {
         let [holds, values, room] = [(); 3].map(|()| alike(self.gpu, &right));
         let marks = self.target(size.columns.div_ceil(2), size.rows.div_ceil(2));
-        let uniform = uniform(self.gpu, [size.columns as i32, size.slots as i32, 0, 0]);
-        let draft = self.matrix(&uniform, links.clone(), values.clone());
-        let matrix = self.matrix(&uniform, links, holds);
+        let draft = self.matrix(size, links.clone(), values.clone());
+        let matrix = self.matrix(size, links, holds);
         GpuLevel { matrix, draft, values, right, room, marks }
     }
 
-    fn matrix(
-        &self,
-        uniform: &wgpu::Buffer,
-        links: [wgpu::TextureView; 3],
-        holds: wgpu::TextureView,
-    ) -> Matrix {
+    fn matrix(&self, size: Size, links: [wgpu::TextureView; 3], holds: wgpu::TextureView) -> Matrix {
+        let uniform = uniform(self.gpu, [size.columns as i32, size.slots as i32, 0, 0]);
         let texels = links.iter().chain([&holds]).map(wgpu::BindingResource::TextureView);
         let resources = std::iter::once(uniform.as_entire_binding()).chain(texels);
         let entries: Vec<_> = (0..)
@@ -96,7 +93,13 @@ impl Maker<'_> {
             layout: &self.kernels.level_layout,
             entries: &entries,
         });
-        Matrix { group, links, holds }
+        Matrix {
+            group,
+            #[cfg(not(target_arch = "wasm32"))]
+            size,
+            links,
+            holds,
+        }
     }
 }
 

@@ -10,22 +10,51 @@ pub(super) struct Pass {
     pub(super) pipeline: Pipeline,
     pub(super) operands: wgpu::BindGroup,
     pub(super) level: Option<wgpu::BindGroup>,
-    /// The textures that it reads.
-    pub(super) reads: Vec<wgpu::TextureView>,
     pub(super) target: wgpu::TextureView,
 }
 
 /// Passes in their order.
 #[derive(Debug, Default)]
-pub(crate) struct Tape(pub(super) Vec<Pass>);
+pub(crate) struct Tape {
+    pub(super) passes: Vec<Pass>,
+    /// What they were recorded from, one by one.
+    #[cfg(not(target_arch = "wasm32"))]
+    pub(super) recipes: Vec<Recipe>,
+}
+
+/// What a pass computes of what.
+#[cfg(not(target_arch = "wasm32"))]
+#[derive(Debug)]
+pub(super) struct Recipe {
+    pub(super) kernel: Kernel,
+    pub(super) operands: Vec<wgpu::TextureView>,
+    pub(super) matrix: Option<Matrix>,
+    pub(super) target: wgpu::TextureView,
+}
+
+#[cfg(not(target_arch = "wasm32"))]
+impl Recipe {
+    /// The textures that it reads.
+    pub(super) fn reads(&self) -> impl Iterator<Item = &wgpu::TextureView> {
+        let Self { kernel, operands, matrix, .. } = self;
+        let links = matrix.iter().filter(|_| kernel.reads_links()).flat_map(|matrix| &matrix.links);
+        let holds = matrix.iter().filter(|_| kernel.reads_holds()).map(|matrix| &matrix.holds);
+        operands.iter().chain(links).chain(holds)
+    }
+
+    /// The textures that it reads, and the one that it makes.
+    pub(super) fn views(&self) -> impl Iterator<Item = &wgpu::TextureView> {
+        self.reads().chain([&self.target])
+    }
+}
 
 impl Tape {
     /// Has all passes made.
     pub(crate) fn play(&self, gpu: &Gpu) {
         let mut encoder = gpu.device.create_command_encoder(&Default::default());
         #[cfg(not(target_arch = "wasm32"))]
-        super::computing::run(&self.0, &mut encoder);
-        self.0.iter().for_each(|pass| pass.run(&mut encoder));
+        super::computing::run(&self.passes, &mut encoder);
+        self.passes.iter().for_each(|pass| pass.run(&mut encoder));
         gpu.queue.submit([encoder.finish()]);
     }
 }
@@ -89,8 +118,7 @@ impl<'a> Recorder<'a> {
         operands: &[&wgpu::TextureView],
         target: &wgpu::TextureView,
     ) {
-        let pass = self.ready(kernel, operands, target);
-        self.tape.0.push(pass);
+        self.push(None, kernel, operands, target);
     }
 
     /// A pass of a kernel that reads a level.
@@ -101,21 +129,29 @@ impl<'a> Recorder<'a> {
         operands: &[&wgpu::TextureView],
         target: &wgpu::TextureView,
     ) {
-        let mut pass = self.ready(kernel, operands, target);
-        pass.level = Some(matrix.group.clone());
-        pass.reads.extend(matrix.links.iter().filter(|_| kernel.reads_links()).cloned());
-        pass.reads.extend(kernel.reads_holds().then(|| matrix.holds.clone()));
-        self.tape.0.push(pass);
+        self.push(Some(matrix), kernel, operands, target);
     }
 
-    fn ready(&self, kernel: Kernel, operands: &[&wgpu::TextureView], target: &wgpu::TextureView) -> Pass {
-        Pass {
+    fn push(
+        &mut self,
+        matrix: Option<&Matrix>,
+        kernel: Kernel,
+        operands: &[&wgpu::TextureView],
+        target: &wgpu::TextureView,
+    ) {
+        self.tape.passes.push(Pass {
             pipeline: self.kernels.pipeline(kernel).clone(),
             operands: self.operands(operands, target),
-            level: None,
-            reads: operands.iter().copied().cloned().collect(),
+            level: matrix.map(|matrix| matrix.group.clone()),
             target: target.clone(),
-        }
+        });
+        #[cfg(not(target_arch = "wasm32"))]
+        self.tape.recipes.push(Recipe {
+            kernel,
+            operands: operands.iter().copied().cloned().collect(),
+            matrix: matrix.cloned(),
+            target: target.clone(),
+        });
     }
 
     /// The last operand stands also for those that a kernel does not read.

@@ -9,6 +9,7 @@ use scumble_solve::grid::{
     kernels as twin,
 };
 
+use super::computing::Programs;
 use super::equations::Equations;
 use super::kernels::Kernel;
 use super::levels::{GpuLevel, GpuLevels};
@@ -294,11 +295,26 @@ fn farthest(a: &[Texel], b: &[Texel]) -> f32 {
     a.iter().flatten().zip(b.iter().flatten()).fold(0.0, |most, (a, b)| (a - b).abs().max(most))
 }
 
-/// Solves on both, to a step that changes nothing by more than a tolerance, and compares.
-fn assert_same_picture(gpu: &Gpu, constraints: &Constraints, tolerance: f32) {
+/// Kernels that run pass by pass, and such that run programs of passes, as on cards.
+fn both_ways(gpu: &Gpu) -> [Kernels; 2] {
+    [None, Some(Programs::new(gpu))].map(|programs| {
+        let mut kernels = Kernels::new(gpu);
+        kernels.programs = programs;
+        kernels
+    })
+}
+
+/// Solves on the CPU and in all ways on the GPU, to a step that changes nothing by more than a tolerance, and compares.
+fn assert_same_pictures(gpu: &Gpu, constraints: &Constraints, tolerance: f32) {
+    for kernels in both_ways(gpu) {
+        assert_same_picture(gpu, &kernels, constraints, tolerance);
+    }
+}
+
+fn assert_same_picture(gpu: &Gpu, kernels: &Kernels, constraints: &Constraints, tolerance: f32) {
     let size = [constraints.width_px, constraints.height_px];
     let mut on_cpu = GridSolver::new(constraints);
-    let mut on_gpu = GpuGridSolver::new(gpu, &Kernels::new(gpu), constraints).expect("a solver");
+    let mut on_gpu = GpuGridSolver::new(gpu, kernels, constraints).expect("a solver");
     let pixels = |solver: &GpuGridSolver| pollster::block_on(solver.pixels()).expect("the pixels come back");
     let start = farthest(&pixels(&on_gpu), &on_cpu.pixels());
     assert!(start <= TENTH, "{size:?}: {start} at first");
@@ -317,7 +333,7 @@ fn pictures_are_those_of_the_cpu() {
             let constraints = constraints(width_px, height_px, shades);
             let covers = constraints.covers.as_ref();
             assert_eq!(covers.map_or(0, |covers| 1 + usize::from(covers.parts.is_some())), layers);
-            assert_same_picture(&gpu, &constraints, TENTH);
+            assert_same_pictures(&gpu, &constraints, TENTH);
         }
     }
 }
@@ -334,7 +350,7 @@ fn a_spiral_of_barriers_is_that_of_the_cpu() {
     let ends = [10.0, 500.0].map(|radius| Circle::new((512.0, 512.0), radius).to_path(1e-3));
     let map = map(ends.into_iter().chain([spiral]));
     let colors = boundary(&map, &[[0.2, 0.9], [0.7, 0.4]]);
-    assert_same_picture(
+    assert_same_pictures(
         &gpu,
         &Constraints::new(&map, &colors, &view(192, 192)).expect("solved"),
         0.01 * TENTH,
@@ -366,7 +382,7 @@ fn circle(x: f64, color: f64, width_px: u32) -> Constraints {
 
 #[test]
 fn other_constraints_leave_nothing_of_those_before() {
-    let Some(Bench { gpu, kernels }) = Bench::new() else { return };
+    let Some(gpu) = gpu() else { return };
     let before = constraints(130, 97, SHADES[2]);
     let layered = |shades| constraints(130, 97, shades);
     let others = [
@@ -376,7 +392,7 @@ fn other_constraints_leave_nothing_of_those_before() {
         circle(503.0, 0.3, 64),
         layered(SHADES[1]),
     ];
-    for steps in [3, 4] {
+    for (steps, kernels) in [3, 4].into_iter().zip(both_ways(&gpu)) {
         let mut solver = GpuGridSolver::new(&gpu, &kernels, &before).expect("a solver");
         for other in &others {
             seen(&mut solver, steps);
@@ -408,6 +424,20 @@ fn colors_alone_leave_the_levels_as_they_are() {
     assert!(recolored.pixels > 0 && !recolored.weights, "{recolored:?}");
     let moved = equations.update(&gpu, &kernels, &circle(503.0, 0.7, 130));
     assert!(moved.weights, "{moved:?}");
+}
+
+/// Levels of 32 × 32 cells and smaller, and the last sums, are computed in one dispatch wherever larger ones wait for them.
+#[test]
+fn small_levels_take_few_dispatches() {
+    let Some(gpu) = gpu() else { return };
+    let dispatches = |kernels| {
+        let constraints = constraints(256, 256, &[]);
+        let GpuGridSolver { build, start, steps: [step, _], .. } =
+            GpuGridSolver::new(&gpu, kernels, &constraints).expect("a solver");
+        [build, start, step.tape].map(|tape| tape.passes.len())
+    };
+    let [one_by_one, programs] = both_ways(&gpu).each_ref().map(dispatches);
+    assert_eq!((one_by_one, programs), ([57, 205, 64], [22, 31, 29]));
 }
 
 #[test]
