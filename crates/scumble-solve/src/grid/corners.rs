@@ -81,6 +81,8 @@ fn rays(ground: &Ground<'_>, bends: &Bends, boundary: &Boundary) -> Vec<Ray> {
 
 #[cfg(test)]
 mod tests {
+    use std::f64::consts::PI;
+
     use kurbo::{Affine, BezPath, Point, Rect, Vec2};
     use scumble_core::{Curve, Drawing, Sampling};
 
@@ -90,17 +92,24 @@ mod tests {
 
     const SIZE_PX: u32 = 64;
 
-    /// A line from a place on, one side of which has a colour.
-    fn line(tip_px: Point, tilt: f64, view: &View) -> (PlanarMap, Boundary) {
+    /// A straight line through some places, of which one side has a colour from some of them to the next.
+    fn line(places_px: &[Point], colored: &[usize], view: &View) -> (PlanarMap, Boundary) {
         let du_from_centers = centers_from_du(view).inverse();
+        let places: Vec<_> = places_px.iter().map(|place| du_from_centers * *place).collect();
         let mut path = BezPath::new();
-        path.move_to(du_from_centers * tip_px);
-        path.line_to(du_from_centers * (tip_px + 20.0 * Vec2::from_angle(tilt)));
+        path.move_to(places[0]);
+        places[1..].iter().for_each(|place| path.line_to(*place));
         let curves = vec![Curve { path, line: None }];
         let drawing = Drawing { curves, ..Drawing::new(Rect::new(0.0, 0.0, 1024.0, 1024.0)) };
         let map = PlanarMap::build(&drawing, &Sampling::default()).expect("a map");
+        let arc_du = |place: usize| places[place].distance(places[0]);
         let mut sides = vec![None; map.side_count()];
-        map.steps(0).iter().for_each(|step| sides[step.left.index()] = Some([[0.0; 4]; 3]));
+        for step in map.steps(0) {
+            let middle_du = 0.5 * (step.arc_du[0] + step.arc_du[1]);
+            if colored.iter().any(|&from| (arc_du(from)..arc_du(from + 1)).contains(&middle_du)) {
+                sides[step.left.index()] = Some([[0.0; 4]; 3]);
+            }
+        }
         (map, sides.into())
     }
 
@@ -120,30 +129,56 @@ mod tests {
         links.iter().sum::<f64>() - pulls.iter().map(|pull| own * f64::from(pull.strength)).sum::<f64>()
     }
 
+    /// Checks that the steep function of the corner at a place satisfies the equations around it, but for a part.
+    fn assert_fitted((map, boundary): (PlanarMap, Boundary), tip_px: Point, part: f64, name: &str) {
+        let (map, boundary, view) = (&map, &boundary, &view());
+        let constraints = Constraints::new(map, boundary, view).expect("constraints");
+        let constraints = constraints.fitted(map, &Bends::default(), boundary, view);
+        let ground = Ground { map, closed_gaps: &[], centers_from_du: centers_from_du(view) };
+        let corners = corner::with_stretches(&corners(&ground, &Bends::default(), boundary));
+        let is_there = |c: &&Corner| c.is_singular() && c.tip.distance(tip_px) < 0.1;
+        let corner = corners.iter().find(is_there).expect("a corner");
+        let patch = Patch::around(corner, 5.0, &constraints, &ground);
+        // A pixel on the wall has the value of the wall, whatever it lacks.
+        let is_off_wall =
+            |pixel: &&Pixel| corner.is_between(center(pixel.at), 2.0 * f64::from(LEAST_FRACTION));
+        for pixel in patch.pixels.iter().filter(is_off_wall) {
+            let lack = lack(&constraints, corner, &patch, pixel);
+            assert!(lack.abs() < part, "{name}, {tip_px}: {pixel:?} {lack}");
+        }
+    }
+
+    fn view() -> View {
+        let px_from_du = Affine::scale(f64::from(SIZE_PX) / 1024.0);
+        View { px_from_du, width_px: SIZE_PX, height_px: SIZE_PX }
+    }
+
+    /// Tilts, and places among the pixels.
+    fn tilts_and_places() -> impl Iterator<Item = (f64, Point)> {
+        let first = Point::new(30.013, 31.007);
+        let places = (0..100).map(move |i| first + Vec2::new(f64::from(i % 10), f64::from(i / 10)) / 10.0);
+        [0.0, 0.83, 2.5].into_iter().flat_map(move |tilt| places.clone().map(move |place| (tilt, place)))
+    }
+
     #[test]
     fn what_is_steep_at_a_tip_solves_the_equations_wherever_that_lies_among_the_pixels() {
-        let px_from_du = Affine::scale(f64::from(SIZE_PX) / 1024.0);
-        let view = View { px_from_du, width_px: SIZE_PX, height_px: SIZE_PX };
-        let places = (0..10).flat_map(|x| (0..10).map(move |y| Vec2::new(x.into(), y.into()) / 10.0));
-        for (tilt, place) in
-            [0.0, 0.83, 2.5].into_iter().flat_map(|tilt| places.clone().map(move |p| (tilt, p)))
+        for (tilt, tip_px) in tilts_and_places() {
+            let end_px = tip_px + 20.0 * Vec2::from_angle(tilt);
+            assert_fitted(line(&[tip_px, end_px], &[0], &view()), tip_px, 0.25, &format!("tip, {tilt}"));
+        }
+    }
+
+    /// What flows out of it is π.
+    #[test]
+    fn what_is_steep_around_a_short_stretch_with_a_colour_solves_the_equations_too() {
+        for (half_px, (tilt, middle_px)) in
+            [0.03, 0.1].into_iter().flat_map(|half| tilts_and_places().map(move |at| (half, at)))
         {
-            let tip_px = Point::new(30.0, 31.0) + place + Vec2::new(0.013, 0.007);
-            let (map, boundary) = line(tip_px, tilt, &view);
-            let constraints = Constraints::new(&map, &boundary, &view).expect("constraints");
-            let constraints = constraints.fitted(&map, &Bends::default(), &boundary, &view);
-            let ground = Ground { map: &map, closed_gaps: &[], centers_from_du: centers_from_du(&view) };
-            let corners = corners(&ground, &Bends::default(), &boundary);
-            let corner =
-                corners.iter().find(|c| c.is_singular() && c.tip.distance(tip_px) < 0.1).expect("a corner");
-            let patch = Patch::around(corner, 5.0, &constraints, &ground);
-            // A pixel on the wall has the value of the wall, whatever it lacks.
-            let is_off_wall =
-                |pixel: &&Pixel| corner.is_between(center(pixel.at), 2.0 * f64::from(LEAST_FRACTION));
-            for pixel in patch.pixels.iter().filter(is_off_wall) {
-                let lack = lack(&constraints, corner, &patch, pixel);
-                assert!(lack.abs() < 0.25, "{tilt} {tip_px}: {pixel:?} {lack}");
-            }
+            let along = Vec2::from_angle(tilt);
+            let places = [-12.0, -half_px, half_px, 12.0, 14.0].map(|t| middle_px + t * along);
+            // With another colour, as one alone is that of all pixels however it holds them.
+            let line = line(&places, &[1, 3], &view());
+            assert_fitted(line, middle_px, 0.21 * PI, &format!("{half_px}, {tilt}"));
         }
     }
 }

@@ -1,12 +1,13 @@
 //! A corner between two walls, and what the solution is like there.
 //!
 //! It goes as a power λ of the distance: as `r^λ sin(λθ)`, or as the cosine where no wall gives a colour, θ being counted from a
-//! wall; where the walls give two colours, what goes evenly with θ from one to the other comes on top.
+//! wall; where the walls give two colours, what goes evenly with θ from one to the other comes on top. Around a short stretch
+//! with a colour between walls without one, it goes as the logarithm of the distance.
 
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 use kurbo::{Point, Vec2};
-use scumble_core::{BlendColor, SideId, sort};
+use scumble_core::{BlendColor, SideId, clamped, sort};
 
 use super::super::cut_links::{Cut, WAYS};
 use super::patch::center;
@@ -16,6 +17,12 @@ const REGULAR: f64 = 0.9;
 
 /// A cut belongs to a wall of a corner that is so close by, in px.
 const NEAR_PX: f64 = 0.5;
+
+/// A stretch with a colour up to this long is taken together, in px.
+const SHORT_PX: f64 = 1.0;
+
+/// What is so close to its middle is beside it, in px.
+const BESIDE_PX: f64 = 0.75;
 
 /// A wall at a node, seen from there.
 #[derive(Clone, Copy, Debug)]
@@ -46,8 +53,17 @@ pub(super) struct Corner {
     colors: [Option<BlendColor>; 2],
     /// 1 where angles grow from that wall on as `atan2` has it, else −1.
     pub(super) turn: f64,
-    /// The side of the first wall that faces the other one; `None` for that of a gap.
+    /// The side of the first wall that faces the other one; `None` for that of a gap. Of a stretch at the tip, its own.
     pub(super) side: Option<SideId>,
+    /// What has a colour between two walls that have none.
+    stretch: Option<Stretch>,
+}
+
+/// A short stretch of a wall, whose middle is the tip of a corner.
+#[derive(Clone, Copy, Debug)]
+struct Stretch {
+    half_px: f64,
+    color: BlendColor,
 }
 
 impl Corner {
@@ -59,12 +75,33 @@ impl Corner {
         let is_left_first = left.color.is_some() || right.color.is_none();
         let (along, turn, faces) =
             if is_left_first { (ray.along, 1.0, [left, right]) } else { (next.along, -1.0, [right, left]) };
-        Self { tip, first: along, angle, colors: faces.map(|face| face.color), turn, side: faces[0].side }
+        let colors = faces.map(|face| face.color);
+        Self { tip, first: along, angle, colors, turn, side: faces[0].side, stretch: None }
+    }
+
+    /// What lies around a short stretch with a colour, given what lies at its ends.
+    fn around_stretch([one, other]: [&Self; 2]) -> Option<Self> {
+        let ([Some(color), None], [Some(_), None]) = (one.colors, other.colors) else { return None };
+        let length_px = one.tip.distance(other.tip);
+        let angle = one.angle + other.angle - PI;
+        (length_px > 0.0 && length_px < SHORT_PX && angle > 0.0).then(|| Self {
+            tip: one.tip.midpoint(other.tip),
+            first: one.other_wall(),
+            angle,
+            colors: [None; 2],
+            turn: -one.turn,
+            side: one.side,
+            stretch: Some(Stretch { half_px: 0.5 * length_px, color }),
+        })
+    }
+
+    fn other_wall(&self) -> Vec2 {
+        Vec2::from_angle(self.first.atan2() + self.turn * self.angle)
     }
 
     /// Whether the solution is steep without end.
     pub(super) fn is_singular(&self) -> bool {
-        self.power() < REGULAR
+        self.stretch.is_some() || self.power() < REGULAR
     }
 
     /// From the colour of the first wall to that of the other one; `None` where they are not two.
@@ -75,6 +112,9 @@ impl Corner {
 
     /// The colour of the wall that is nearer to a direction, if it gives one.
     pub(super) fn color_near(&self, angle: f64) -> Option<[f32; 4]> {
+        if let Some(stretch) = &self.stretch {
+            return Some(single(stretch.color));
+        }
         let [first, other] = self.colors;
         let near = if angle < 0.5 * self.angle || other.is_none() { first } else { other };
         near.map(single)
@@ -112,20 +152,65 @@ impl Corner {
 
     /// The steep function at a place at an angle, and its conjugate.
     pub(super) fn steep(&self, p: Point, angle: f64) -> [f64; 2] {
-        let length = p.distance(self.tip).powf(self.power());
+        let half_px = self.stretch.map_or(1.0, |stretch| stretch.half_px);
+        let length = (p.distance(self.tip) / half_px).powf(self.power());
         let (sin, cos) = (self.power() * angle).sin_cos();
+        if self.stretch.is_some() {
+            let [real, imaginary] = arcosh([length * cos, length * sin]);
+            return [real, -imaginary];
+        }
         if self.colors[0].is_some() { [length * sin, length * cos] } else { [length * cos, -length * sin] }
+    }
+
+    /// The conjugate at the wall without colour that cuts a link of a pixel. Beside a stretch with a colour both walls meet: there
+    /// it is that of neither.
+    pub(super) fn conjugate_at_wall(&self, at: [i64; 2], cut: &Cut) -> Option<f64> {
+        if self.stretch.is_none() {
+            return Some(0.0);
+        }
+        let crossed = self.crossed(at, cut);
+        let is_other = crossed.dot(self.other_wall()) > crossed.dot(self.first) / self.first.hypot();
+        (crossed.hypot() > BESIDE_PX).then_some(if is_other { -PI } else { 0.0 })
+    }
+
+    /// The conjugate at a place at an angle, as it is at the nearer wall where the place is not between them.
+    pub(super) fn conjugate(&self, p: Point, angle: f64) -> f64 {
+        let angle = if self.stretch.is_some() { clamped(angle, [0.0, self.angle]) } else { angle };
+        self.steep(p, angle)[1]
+    }
+
+    /// Where a link of a pixel is cut, seen from the tip.
+    fn crossed(&self, at: [i64; 2], cut: &Cut) -> Vec2 {
+        let (_, way) = WAYS[cut.link as usize];
+        center(at) + f64::from(cut.fraction) * center(way).to_vec2() - self.tip
     }
 
     /// Whether one of its walls is what cuts a link of a pixel.
     pub(super) fn is_cut(&self, at: [i64; 2], cut: &Cut) -> bool {
-        let (_, way) = WAYS[cut.link as usize];
-        let crossed = center(at) + f64::from(cut.fraction) * center(way).to_vec2() - self.tip;
-        let other = Vec2::from_angle(self.first.atan2() + self.turn * self.angle);
-        let walls = [self.first / self.first.hypot(), other].into_iter().zip(self.colors);
+        let crossed = self.crossed(at, cut);
+        if let Some(stretch) = self.stretch
+            && crossed.hypot() <= stretch.half_px + NEAR_PX
+        {
+            return true;
+        }
+        let walls = [self.first / self.first.hypot(), self.other_wall()].into_iter().zip(self.colors);
         let mut alike = walls.filter(|(_, color)| color.is_some() == cut.color.is_some());
         alike.any(|(along, _)| along.cross(crossed).abs() < NEAR_PX && along.dot(crossed) > -NEAR_PX)
     }
+}
+
+/// Corners, with those at both ends of a short stretch with a colour taken together.
+pub(super) fn with_stretches(corners: &[Corner]) -> Vec<Corner> {
+    let mut list = corners.to_vec();
+    sort::sort_copies_by_key(&mut list, |corner| corner.side.map_or(u64::MAX, |side| side.index() as u64));
+    let together =
+        list.chunk_by(|a, b| a.side.is_some() && a.side == b.side).flat_map(|beside| match beside {
+            [one, other] => {
+                Corner::around_stretch([one, other]).map_or(beside.to_vec(), |around| vec![around])
+            }
+            _ => beside.to_vec(),
+        });
+    together.collect()
 }
 
 /// Corners, and how far the nearest one at another place is from each, or as far as asked for.
@@ -145,6 +230,18 @@ pub(super) fn apart(corners: impl Iterator<Item = Corner>, most_px: f64) -> Vec<
         }
     }
     list
+}
+
+/// The inverse hyperbolic cosine of a number in the upper half of the complex plane, from 0 to πi.
+fn arcosh([x, y]: [f64; 2]) -> [f64; 2] {
+    // The sum of half the roots of z + 1 and z − 1, both in the first quadrant, has half the logarithm.
+    let root = |x: f64| {
+        let length = x.hypot(y);
+        [(0.5 * (length + x)).max(0.0).sqrt(), (0.5 * (length - x)).max(0.0).sqrt()]
+    };
+    let ([a, b], [c, d]) = (root(x + 1.0), root(x - 1.0));
+    let [real, imaginary] = [0.5_f64.sqrt() * (a + c), 0.5_f64.sqrt() * (b + d)];
+    [2.0 * real.hypot(imaginary).ln(), 2.0 * imaginary.atan2(real)]
 }
 
 fn single(color: BlendColor) -> [f32; 4] {

@@ -38,7 +38,7 @@ struct Fit {
 
 /// Fits constraints to the corners that are steep.
 pub(super) fn fit(constraints: &mut Constraints, corners: &[Corner], ground: &Ground<'_>) {
-    let steep = corners.iter().copied().filter(Corner::is_singular);
+    let steep = corner::with_stretches(corners).into_iter().filter(Corner::is_singular);
     let mut fit = Fit::default();
     for (corner, apart_px) in corner::apart(steep, 2.0 * REACH_PX) {
         // No pixel is near two at different places.
@@ -82,25 +82,23 @@ impl Around<'_> {
         let angle = pixel.angle + self.corner.turned(center(from), middle);
         let across = [from[1] - to[1], to[0] - from[0]];
         let at_end = |[x, y]: [i64; 2]| {
-            let [one, other] = [[from, to], [to, from]].map(|ends| self.meets_wall(ends, [x, y], is_strict));
+            let [one, other] = [[from, to], [to, from]].map(|ends| self.at_wall(ends, [x, y], is_strict));
             let end = middle + 0.5 * Vec2::new(x as f64, y as f64);
-            if one || other {
-                0.0
-            } else {
-                self.corner.steep(end, angle + self.corner.turned(middle, end))[1]
-            }
+            let angle = angle + self.corner.turned(middle, end);
+            one.or(other).unwrap_or_else(|| self.corner.conjugate(end, angle))
         };
         self.corner.turn * (at_end(across.map(|d| -d)) - at_end(across))
     }
 
-    /// Whether the way around an end of the face between two pixels, from the first one on, comes to a wall without colour:
-    /// at once, or anywhere if it is strict.
-    fn meets_wall(&self, [from, to]: [[i64; 2]; 2], way: [i64; 2], is_strict: bool) -> bool {
+    /// The conjugate at the wall without colour that the way around an end of the face between two pixels comes to, from the
+    /// first one on: at once, or anywhere if it is strict.
+    fn at_wall(&self, [from, to]: [[i64; 2]; 2], way: [i64; 2], is_strict: bool) -> Option<f64> {
         let [around, beyond] = [from, to].map(|at| beside(at, way));
         let steps = [[from, around], [around, beyond], [beyond, to]];
         let steps = if is_strict { &steps[..] } else { &steps[..1] };
-        let mut cuts = steps.iter().map(|[a, b]| self.cut(*a, [b[0] - a[0], b[1] - a[1]]));
-        cuts.find_map(|cut| cut).is_some_and(|cut| cut.color.is_none())
+        let mut cuts = steps.iter().map(|[a, b]| (*a, self.cut(*a, [b[0] - a[0], b[1] - a[1]])));
+        let (at, cut) = cuts.find_map(|(at, cut)| Some((at, cut?)))?;
+        cut.color.is_none().then(|| self.corner.conjugate_at_wall(at, cut))?
     }
 
     /// The cut of a pixel's link that leads some way.
