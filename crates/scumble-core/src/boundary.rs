@@ -8,7 +8,7 @@ use crate::color_points::{
     step_paints,
 };
 use crate::engine::Labels;
-use crate::pace::{Pace, Slices, now};
+use crate::pace::{self, Pace, Slices, now};
 use crate::planar_map::{PlanarMap, Step};
 use crate::scribble::Scribble;
 use crate::source::{SoftSource, soft_sources};
@@ -82,6 +82,7 @@ impl KnownBoundary {
     ) -> Slices<'a, ()> {
         Slices::new(async move {
             self.begin(map, sorted(by_hand), blend);
+            pace::pause_after(map.side_count()).await;
             self.color(map, labels, scribbles).await;
             self.boundary.sources = soft_sources(scribbles, blend);
         })

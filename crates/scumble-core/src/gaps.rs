@@ -74,7 +74,9 @@ async fn find(map: &PlanarMap, clearance: &Clearance, ratio: f64) -> Vec<Gap> {
     let mut gaps = Vec::new();
     let lengths_du = line_lengths_du(map);
     pace::pause().await;
-    let passages = passages(mesh, clearance);
+    let mut passages = passages(mesh, clearance);
+    pace::pause().await;
+    sort::sort_copies_by_key(&mut passages, |&(width_du, ..)| !sort::float(width_du));
     pace::pause().await;
     pace::for_each(passages, |(width_du, h, twin)| {
         let [a, b] = [h, twin].map(|h| basins.sets.find(h.triangle() as u32));
@@ -129,15 +131,13 @@ fn line_lengths_du(map: &PlanarMap) -> Vec<f64> {
     lengths_du
 }
 
-/// All passages with their widths, the widest first; once each, by both their half-edges.
+/// All passages with their widths, once each, by both their half-edges.
 fn passages(mesh: &Triangulation, clearance: &Clearance) -> Vec<(f64, HalfEdge, HalfEdge)> {
     let passage = |h: HalfEdge| {
         let twin = mesh.passage(h).filter(|twin| h < *twin)?;
         Some((clearance.widths_du[h.index()], h, twin))
     };
-    let mut passages: Vec<_> = mesh.half_edges().filter_map(passage).collect();
-    sort::sort_copies_by_key(&mut passages, |&(width_du, ..)| !sort::float(width_du));
-    passages
+    mesh.half_edges().filter_map(passage).collect()
 }
 
 /// Basins of a watershed: sets of triangles, each with its widest place.

@@ -94,6 +94,7 @@ impl Ways {
         pace::pause().await;
         let key = |&h: &HalfEdge| Some((sort::pair(pockets::door(map, &room_of, h)?), h.index() as u32));
         let mut doors: Vec<_> = gaps.iter().filter_map(key).collect();
+        pace::pause().await;
         sort::sort(&mut doors);
         pace::pause().await;
         let is_open = mesh.half_edges().map(|h| spread || mesh.gap(h).is_none()).collect();

@@ -25,6 +25,7 @@ pub(super) async fn corner_rank(mesh: &Triangulation, region: &Dofs) -> Vec<u32>
         return order::corner_rank(&region.unknowns);
     }
     let extents = region.triangles.iter().map(|&t| extents(mesh.corners(t as usize))).collect();
+    pace::pause().await;
     let mut dissection = Dissection::new(elements, extents, order::corner_count(&region.unknowns));
     while dissection.go_on(MOST_ELEMENTS) {
         pace::pause().await;
