@@ -1,6 +1,9 @@
 // Shared by the kernels of the grid solver, each a pass that computes every texel of its target from texels of others.
 // Their twins on the CPU have the same names. What a pass reads is first, second and third.
 //
+// Programs compute many texels in one invocation: private variables keep what the last one has left, so kernels set all that
+// they read.
+//
 // Textures hold the bits of floats: whole numbers can be drawn on every device, floats on some alone.
 
 alias Texels = texture_2d<u32>;

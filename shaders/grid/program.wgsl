@@ -96,13 +96,13 @@ fn execute(instruction: Instruction, place: vec2<i32>) {
 @compute @workgroup_size(256)
 fn compute(@builtin(local_invocation_index) thread: u32) {
     for (var i = 0u; i < arrayLength(&instructions); i++) {
-        prepare(instructions[i]);
-        let width = instructions[i].result.width;
-        let count = width * instructions[i].result.height;
-        for (var texel = i32(thread); texel < count; texel += 256) {
-            execute(instructions[i], vec2(texel % width, texel / width));
+        let instruction = instructions[i];
+        prepare(instruction);
+        let width = instruction.result.width;
+        let count = width * instruction.result.height;
+        for (var number = i32(thread); number < count; number += 256) {
+            execute(instruction, vec2(number % width, number / width));
         }
         storageBarrier();
-        workgroupBarrier();
     }
 }

@@ -100,14 +100,15 @@ impl GpuGridSolver {
         Ok(Self { gpu: gpu.clone(), stack, build, is_built: false, start, steps, is_even: true, change })
     }
 
-    /// Makes programs of passes over few texels, where they are computed.
+    /// Makes programs of passes over few texels, where that is faster.
     #[cfg(not(target_arch = "wasm32"))]
     fn fuse(&mut self, kernels: &Kernels) {
-        let Some(programs) = &kernels.programs else { return };
         let Self { gpu, build, start, steps: [even, odd], change, .. } = self;
-        let picture = even.under.clone();
         let mut tapes = [build, start, &mut even.tape, &mut even.measure, &mut odd.tape, &mut odd.measure];
-        computing::fuse(gpu, programs, &mut tapes, &picture, change);
+        if let Some(programs) = &kernels.programs {
+            computing::fuse(gpu, programs, &mut tapes, &even.under, change);
+        }
+        tapes.into_iter().for_each(|tape| tape.recipes.clear());
     }
 
     /// Takes other constraints, with a first picture as [`GpuGridSolver::new`] does. Where there are as many pixels and as many

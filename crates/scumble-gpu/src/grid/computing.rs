@@ -5,6 +5,7 @@ mod program;
 
 use super::kernels::{Pipeline, compiled};
 use super::tape::Pass;
+use crate::gpu::Gpu;
 use crate::wgsl::wgsl;
 pub(super) use fusion::fuse;
 pub(super) use program::Programs;
@@ -17,26 +18,36 @@ const WORKGROUP: u32 = 8;
 /// Texels that programs compute together, as the shader has them.
 const PROGRAM_WORKGROUP: u32 = 256;
 
-/// Bytes of the largest buffer of a program.
+/// Bytes of the largest buffer of a program: the textures of small passes have less than half of them.
 const STORAGE_BYTES: u64 = 1 << 22;
 
 /// Computes all texels.
 pub(crate) const COMPUTE: &str = wgsl!("grid/compute");
 
-/// Limits with what computing takes, where an adapter has that.
+/// Limits with what computing takes, and what programs take, where an adapter has that.
 pub(crate) fn limits(limits: wgpu::Limits, most: &wgpu::Limits) -> wgpu::Limits {
     let computing = wgpu::Limits {
         max_storage_textures_per_shader_stage: 1,
-        max_storage_buffers_per_shader_stage: 2,
-        max_storage_buffer_binding_size: STORAGE_BYTES,
-        max_compute_invocations_per_workgroup: PROGRAM_WORKGROUP,
-        max_compute_workgroup_size_x: PROGRAM_WORKGROUP,
+        max_compute_invocations_per_workgroup: WORKGROUP * WORKGROUP,
+        max_compute_workgroup_size_x: WORKGROUP,
         max_compute_workgroup_size_y: WORKGROUP,
         max_compute_workgroup_size_z: 1,
         max_compute_workgroups_per_dimension: limits.max_texture_dimension_2d.div_ceil(WORKGROUP),
         ..limits.clone()
     };
-    if computing.check_limits(most) { computing } else { limits }
+    let programs = wgpu::Limits {
+        max_storage_buffers_per_shader_stage: 2,
+        max_storage_buffer_binding_size: STORAGE_BYTES,
+        max_compute_invocations_per_workgroup: PROGRAM_WORKGROUP,
+        max_compute_workgroup_size_x: PROGRAM_WORKGROUP,
+        ..computing.clone()
+    };
+    [programs, computing].into_iter().find(|limits| limits.check_limits(most)).unwrap_or(limits)
+}
+
+/// Whether passes over few texels are made programs. On a few cores, one work group would be slower.
+pub(super) fn has_programs(gpu: &Gpu) -> bool {
+    gpu.device.limits().max_compute_invocations_per_workgroup >= PROGRAM_WORKGROUP && !gpu.is_software()
 }
 
 pub(super) fn pipeline(

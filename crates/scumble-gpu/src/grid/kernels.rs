@@ -3,7 +3,7 @@
 use wgpu::VertexFormat::{Float32x2, Uint32, Uint32x4};
 
 #[cfg(not(target_arch = "wasm32"))]
-use super::computing::{COMPUTE, Programs, pipeline as computing_pipeline};
+use super::computing::{COMPUTE, Programs, has_programs, pipeline as computing_pipeline};
 use super::layer;
 use super::texels::{FORMAT, THIN_FORMAT};
 use crate::gpu::Gpu;
@@ -142,7 +142,7 @@ pub struct Kernels {
     pub(super) border: wgpu::RenderPipeline,
     pub(super) operands_layout: wgpu::BindGroupLayout,
     pub(super) level_layout: wgpu::BindGroupLayout,
-    /// Where passes are computed, and not by a few cores: to these, many at once in one work group would be slower.
+    /// Where passes over few texels are made programs.
     #[cfg(not(target_arch = "wasm32"))]
     pub(super) programs: Option<Programs>,
 }
@@ -179,7 +179,7 @@ impl Kernels {
             operands_layout,
             level_layout,
             #[cfg(not(target_arch = "wasm32"))]
-            programs: (gpu.computes() && !gpu.is_software()).then(|| Programs::new(gpu)),
+            programs: has_programs(gpu).then(|| Programs::new(gpu)),
         }
     }
 

@@ -17,7 +17,7 @@ pub(super) struct Pass {
 #[derive(Debug, Default)]
 pub(crate) struct Tape {
     pub(super) passes: Vec<Pass>,
-    /// What they were recorded from, one by one.
+    /// What they were recorded from, one by one; none any more once programs may have been made of them.
     #[cfg(not(target_arch = "wasm32"))]
     pub(super) recipes: Vec<Recipe>,
 }

@@ -24,7 +24,7 @@ pub(in crate::grid) fn fuse(
     if texel_count(picture) > MOST_TEXELS {
         let pool = Pool::new(gpu, programs, tapes, read_by_others);
         pool.take_constants(tapes);
-        tapes.iter_mut().for_each(|tape| pool.fuse(tape));
+        tapes.iter_mut().for_each(|tape| pool.fuse_tape(tape));
     }
 }
 
@@ -75,43 +75,33 @@ impl<'a> Pool<'a> {
     }
 
     /// Makes programs of the runs of passes over few texels of a tape.
-    fn fuse(&self, tape: &mut Tape) {
-        let recipes = std::mem::take(&mut tape.recipes);
+    fn fuse_tape(&self, tape: &mut Tape) {
+        let recipes = &tape.recipes;
         let mut passes = std::mem::take(&mut tape.passes).into_iter();
         let (mut end, mut inlets) = (0, Vec::new());
         for run in recipes.chunk_by(|a, b| is_small(a) == is_small(b)) {
             end += run.len();
             let passes: Vec<_> = passes.by_ref().take(run.len()).collect();
             if is_small(&run[0]) {
-                tape.passes.extend(self.programs(&std::mem::take(&mut inlets), run, &recipes[end..]));
+                let outlet = self.outlet(run, &recipes[end..]);
+                tape.passes.push(self.program(&std::mem::take(&mut inlets), run, outlet));
             } else {
                 tape.passes.extend(passes);
-                inlets
-                    .extend(run.iter().map(|recipe| &recipe.target).filter(|view| self.find(view).is_some()));
+                let made = run.iter().map(|recipe| &recipe.target);
+                inlets.extend(made.filter(|view| self.find(view).is_some()));
             }
         }
-        if !inlets.is_empty() {
-            tape.passes.extend(self.programs(&inlets, &[], &[]));
-        }
+        debug_assert!(inlets.is_empty(), "what others make is read by passes after them");
     }
 
-    /// Programs that take what others have made, do what a run of passes does, and give what others after them read.
-    fn programs(&self, inlets: &[&wgpu::TextureView], run: &[Recipe], after: &[Recipe]) -> Vec<Pass> {
-        let (earlier, inlets) = inlets.split_at(inlets.len().saturating_sub(INLETS));
-        let outlets: Vec<_> = self.outlets(run, after);
-        let mut programs: Vec<_> =
-            earlier.chunks(INLETS).map(|inlets| self.program(inlets, &[], None)).collect();
-        programs.push(self.program(inlets, run, outlets.first().copied()));
-        programs.extend(outlets.iter().skip(1).map(|outlet| self.program(&[], &[], Some(outlet))));
-        programs
-    }
-
+    /// The pass that takes what others have made, does what a run of passes does, and gives what others read.
     fn program(
         &self,
         inlets: &[&wgpu::TextureView],
         run: &[Recipe],
         outlet: Option<&wgpu::TextureView>,
     ) -> Pass {
+        debug_assert!(inlets.len() <= INLETS, "{} inlets", inlets.len());
         let taken = inlets.iter().zip(0..).map(|(view, i)| self.take(view, i));
         let made = run.iter().map(|recipe| self.instruction(recipe));
         let given = outlet.iter().map(|view| self.give(view));
@@ -124,18 +114,17 @@ impl<'a> Pool<'a> {
         }
     }
 
-    /// What a run makes that others read.
-    fn outlets<'r>(&self, run: &'r [Recipe], after: &[Recipe]) -> Vec<&'r wgpu::TextureView> {
-        let mut outlets: Vec<&wgpu::TextureView> = Vec::new();
-        for Recipe { target, .. } in run {
-            let made_again = after.iter().position(|recipe| recipe.target == *target).unwrap_or(after.len());
+    /// What a run makes that others read, after it on the same tape or apart from all tapes.
+    fn outlet<'r>(&self, run: &'r [Recipe], after: &[Recipe]) -> Option<&'r wgpu::TextureView> {
+        let is_outlet = |target: &&wgpu::TextureView| {
+            let made_again = after.iter().position(|recipe| recipe.target == **target).unwrap_or(after.len());
             let mut others = after[..made_again].iter().filter(|recipe| !is_small(recipe));
-            let is_read = others.any(|recipe| recipe.reads().any(|view| view == target));
-            if (is_read || target == self.read_by_others) && !outlets.contains(&target) {
-                outlets.push(target);
-            }
-        }
-        outlets
+            *target == self.read_by_others || others.any(|recipe| recipe.reads().any(|view| view == *target))
+        };
+        let mut outlets = run.iter().map(|recipe| &recipe.target).filter(is_outlet);
+        let outlet = outlets.next();
+        debug_assert!(outlets.all(|other| Some(other) == outlet), "a program has one outlet");
+        outlet
     }
 
     fn find(&self, view: &wgpu::TextureView) -> Option<Texels> {

@@ -5,7 +5,7 @@ use wgpu::util::DeviceExt;
 
 use crate::gpu::Gpu;
 use crate::grid::kernels::{LEVEL, LOAD, SOURCES, Source, TEXELS, bind_group_layout};
-use crate::grid::texels::{FORMAT, single, target};
+use crate::grid::texels::{FORMAT, target};
 use crate::wgsl::wgsl;
 
 /// Textures that a program takes texels from, at most, as the shader has them.
@@ -44,7 +44,7 @@ pub(super) struct Instruction {
 pub(in crate::grid) struct Programs {
     pub(super) pipeline: wgpu::ComputePipeline,
     layout: wgpu::BindGroupLayout,
-    /// Single texels, to be read and written by programs with fewer inlets or no outlet.
+    /// Single texels, for programs with fewer inlets and with no outlet.
     unused: [wgpu::TextureView; 2],
 }
 
@@ -52,10 +52,10 @@ impl Programs {
     pub(in crate::grid) fn new(gpu: &Gpu) -> Self {
         let layout = bind_group_layout(&gpu.device, "program", &entries());
         let pipeline = super::pipeline(&gpu.device, "program", &text(), &[Some(&layout)]);
-        Self { pipeline, layout, unused: [single(gpu, 0.0), target(gpu, [1, 1], FORMAT)] }
+        Self { pipeline, layout, unused: [(); 2].map(|()| target(gpu, [1, 1], FORMAT)) }
     }
 
-    /// A texture of as many texels as work groups run a program.
+    /// A texture so small that one work group is dispatched for it.
     pub(super) fn one(&self) -> &wgpu::TextureView {
         &self.unused[1]
     }

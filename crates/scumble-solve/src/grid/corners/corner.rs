@@ -21,6 +21,9 @@ const NEAR_PX: f64 = 0.5;
 /// A stretch with a colour up to this long is taken together, in px.
 const SHORT_PX: f64 = 1.0;
 
+/// Between walls on both sides of it is so much more or less than π at most, in radians.
+const STRAIGHT: f64 = 0.5;
+
 /// What is so close to its middle is beside it, in px.
 const BESIDE_PX: f64 = 0.75;
 
@@ -79,12 +82,13 @@ impl Corner {
         Self { tip, first: along, angle, colors, turn, side: faces[0].side, stretch: None }
     }
 
-    /// What lies around a short stretch with a colour, given what lies at its ends.
+    /// What lies around a short stretch with a colour, given what lies at its ends, where the walls go on nearly straight.
     fn around_stretch([one, other]: [&Self; 2]) -> Option<Self> {
         let ([Some(color), None], [Some(_), None]) = (one.colors, other.colors) else { return None };
         let length_px = one.tip.distance(other.tip);
         let angle = one.angle + other.angle - PI;
-        (length_px > 0.0 && length_px < SHORT_PX && angle > 0.0).then(|| Self {
+        let is_straight = (angle - PI).abs() < STRAIGHT;
+        (is_straight && length_px > 0.0 && length_px < SHORT_PX).then(|| Self {
             tip: one.tip.midpoint(other.tip),
             first: one.other_wall(),
             angle,
@@ -232,18 +236,31 @@ pub(super) fn apart(corners: impl Iterator<Item = Corner>, most_px: f64) -> Vec<
     list
 }
 
-/// The inverse hyperbolic cosine of a number in the upper half of the complex plane, from 0 to πi.
+/// The inverse hyperbolic cosine of a number z in the upper half of the complex plane, from 0 to πi: 2 ln(√((z + 1) / 2) +
+/// √((z − 1) / 2)); after W. Kahan, *Branch cuts for complex elementary functions* (1987).
 fn arcosh([x, y]: [f64; 2]) -> [f64; 2] {
-    // The sum of half the roots of z + 1 and z − 1, both in the first quadrant, has half the logarithm.
     let root = |x: f64| {
         let length = x.hypot(y);
-        [(0.5 * (length + x)).max(0.0).sqrt(), (0.5 * (length - x)).max(0.0).sqrt()]
+        [length + x, length - x].map(|double| 0.5 * double.max(0.0).sqrt())
     };
     let ([a, b], [c, d]) = (root(x + 1.0), root(x - 1.0));
-    let [real, imaginary] = [0.5_f64.sqrt() * (a + c), 0.5_f64.sqrt() * (b + d)];
-    [2.0 * real.hypot(imaginary).ln(), 2.0 * imaginary.atan2(real)]
+    [2.0 * (a + c).hypot(b + d).ln(), 2.0 * (b + d).atan2(a + c)]
 }
 
 fn single(color: BlendColor) -> [f32; 4] {
     color.map(|c| c as f32)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_inverse_hyperbolic_cosine_is_that_of_numbers_whose_cosine_is_known() {
+        for (real, imaginary) in [(0.0, 0.0), (0.0, 1.0), (0.0, PI), (2.0, 0.0), (2.0, PI), (0.5, 2.0)] {
+            let z = [f64::cosh(real) * f64::cos(imaginary), f64::sinh(real) * f64::sin(imaginary)];
+            let [x, y] = arcosh(z);
+            assert!((x - real).abs() < 1e-7 && (y - imaginary).abs() < 1e-7, "{z:?}: {x} + {y} i");
+        }
+    }
 }

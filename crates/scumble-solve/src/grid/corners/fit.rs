@@ -2,7 +2,7 @@
 //!
 //! What flows through a face, by the difference of the pixels (after the fitted schemes of D. N. de G. Allen, R. V. Southwell,
 //! 1955). What flows is the difference of the conjugate function at the ends of the face. All faces that meet at an end take the
-//! same value of it, which is zero where a wall without colour ends one of them: so what flows into a pixel flows out again,
+//! same value of it, which is that of the wall where one without colour ends one of them: so what flows into a pixel flows out again,
 //! wherever the tip lies among the pixels.
 
 use kurbo::{Point, Vec2};
@@ -74,8 +74,8 @@ impl Around<'_> {
         self.corner.steep(to, from.angle + self.corner.turned(center(from.at), to))
     }
 
-    /// What flows through the face between two pixels: the difference of the conjugate at its ends, which is zero at a wall
-    /// without colour. That is taken to be at all ends that such a wall comes to, around its tip too, if it is strict.
+    /// What flows through the face between two pixels: the difference of the conjugate at its ends, which is that of a wall
+    /// without colour at ends that such a wall comes to, around its tip too, if it is strict.
     fn flow(&self, pixel: &Pixel, to: [i64; 2], is_strict: bool) -> f64 {
         let from = pixel.at;
         let middle = center(from).midpoint(center(to));
@@ -98,7 +98,7 @@ impl Around<'_> {
         let steps = if is_strict { &steps[..] } else { &steps[..1] };
         let mut cuts = steps.iter().map(|[a, b]| (*a, self.cut(*a, [b[0] - a[0], b[1] - a[1]])));
         let (at, cut) = cuts.find_map(|(at, cut)| Some((at, cut?)))?;
-        cut.color.is_none().then(|| self.corner.conjugate_at_wall(at, cut))?
+        if cut.color.is_some() { None } else { self.corner.conjugate_at_wall(at, cut) }
     }
 
     /// The cut of a pixel's link that leads some way.
