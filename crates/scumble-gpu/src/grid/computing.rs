@@ -3,9 +3,8 @@
 mod fusion;
 mod program;
 
-use super::kernels::{Pipeline, compiled};
+use super::kernels::{Pipeline, Source, compiled};
 use super::tape::Pass;
-use crate::gpu::Gpu;
 use crate::wgsl::wgsl;
 pub(super) use fusion::fuse;
 pub(super) use program::Programs;
@@ -45,12 +44,16 @@ pub(crate) fn limits(limits: wgpu::Limits, most: &wgpu::Limits) -> wgpu::Limits 
     [programs, computing].into_iter().find(|limits| limits.check_limits(most)).unwrap_or(limits)
 }
 
-/// Whether passes over few texels are made programs. On a few cores, one work group would be slower.
-pub(super) fn has_programs(gpu: &Gpu) -> bool {
-    gpu.device.limits().max_compute_invocations_per_workgroup >= PROGRAM_WORKGROUP && !gpu.is_software()
+/// What runs a kernel.
+pub(super) fn kernel(
+    device: &wgpu::Device,
+    source: &Source,
+    layouts: &[Option<&wgpu::BindGroupLayout>],
+) -> wgpu::ComputePipeline {
+    pipeline(device, source.name, &source.text(&[COMPUTE]), layouts)
 }
 
-pub(super) fn pipeline(
+fn pipeline(
     device: &wgpu::Device,
     name: &str,
     text: &str,

@@ -3,7 +3,7 @@
 use wgpu::VertexFormat::{Float32x2, Uint32, Uint32x4};
 
 #[cfg(not(target_arch = "wasm32"))]
-use super::computing::{COMPUTE, Programs, has_programs, pipeline as computing_pipeline};
+use super::computing;
 use super::layer;
 use super::texels::{FORMAT, THIN_FORMAT};
 use crate::gpu::Gpu;
@@ -144,7 +144,7 @@ pub struct Kernels {
     pub(super) level_layout: wgpu::BindGroupLayout,
     /// Where passes over few texels are made programs.
     #[cfg(not(target_arch = "wasm32"))]
-    pub(super) programs: Option<Programs>,
+    pub(super) programs: Option<computing::Programs>,
 }
 
 impl Kernels {
@@ -162,12 +162,7 @@ impl Kernels {
             let layouts = if source.has_level { &both[..] } else { &both[..1] };
             #[cfg(not(target_arch = "wasm32"))]
             if gpu.computes() {
-                return Pipeline::Computes(computing_pipeline(
-                    device,
-                    source.name,
-                    &source.text(&[COMPUTE]),
-                    layouts,
-                ));
+                return Pipeline::Computes(computing::kernel(device, source, layouts));
             }
             let drawing = Drawing { format: FORMAT, topology: TRIANGLES, buffers: &[] };
             Pipeline::Draws(pipeline(device, source.name, &source.text(&DRAW), layouts, &drawing))
@@ -179,7 +174,7 @@ impl Kernels {
             operands_layout,
             level_layout,
             #[cfg(not(target_arch = "wasm32"))]
-            programs: has_programs(gpu).then(|| Programs::new(gpu)),
+            programs: computing::Programs::of(gpu),
         }
     }
 
@@ -199,7 +194,7 @@ pub(super) const TEXELS: wgpu::BindingType = wgpu::BindingType::Texture {
     multisampled: false,
 };
 
-const RESULT: wgpu::BindingType = wgpu::BindingType::StorageTexture {
+pub(super) const RESULT: wgpu::BindingType = wgpu::BindingType::StorageTexture {
     access: wgpu::StorageTextureAccess::WriteOnly,
     format: FORMAT,
     view_dimension: wgpu::TextureViewDimension::D2,
@@ -225,6 +220,18 @@ pub(super) fn bind_group_layout(
     entries: &[wgpu::BindGroupLayoutEntry],
 ) -> wgpu::BindGroupLayout {
     device.create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor { label: Some(label), entries })
+}
+
+/// Resources in the order of their bindings.
+pub(super) fn bind_group<'a>(
+    device: &wgpu::Device,
+    label: &str,
+    layout: &wgpu::BindGroupLayout,
+    resources: impl Iterator<Item = wgpu::BindingResource<'a>>,
+) -> wgpu::BindGroup {
+    let entries: Vec<_> =
+        (0..).zip(resources).map(|(binding, resource)| wgpu::BindGroupEntry { binding, resource }).collect();
+    device.create_bind_group(&wgpu::BindGroupDescriptor { label: Some(label), layout, entries: &entries })
 }
 
 const TRIANGLES: wgpu::PrimitiveTopology = wgpu::PrimitiveTopology::TriangleList;

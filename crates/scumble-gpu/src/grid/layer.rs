@@ -4,7 +4,7 @@ use bytemuck::{Pod, Zeroable};
 use kurbo::Affine;
 use scumble_solve::grid::{CurveCells, GridProblem, Texture};
 
-use super::kernels::{TEXELS, UNIFORM, bind_group_layout, entry};
+use super::kernels::{TEXELS, UNIFORM, bind_group, bind_group_layout, entry};
 use super::texels::{uploaded, uploaded_pairs};
 use crate::gpu::Gpu;
 
@@ -64,15 +64,7 @@ impl GridLayer {
     ) -> wgpu::BindGroup {
         let textures = [values, &self.cells, &self.pieces].map(wgpu::BindingResource::TextureView);
         let resources = std::iter::once(self.uniform.as_entire_binding()).chain(textures);
-        let entries: Vec<_> = (0..)
-            .zip(resources)
-            .map(|(binding, resource)| wgpu::BindGroupEntry { binding, resource })
-            .collect();
-        gpu.device.create_bind_group(&wgpu::BindGroupDescriptor {
-            label: Some("solution"),
-            layout,
-            entries: &entries,
-        })
+        bind_group(&gpu.device, "solution", layout, resources)
     }
 
     /// What will be drawn next is seen in pixels that du are taken to.

@@ -3,7 +3,7 @@
 use scumble_solve::grid::{STEPS, Size, WHOLE_STEP};
 
 use super::equations::Equations;
-use super::kernels::{Kernel, Kernels};
+use super::kernels::{Kernel, Kernels, bind_group};
 use super::tape::Recorder;
 use super::texels::{FORMAT, alike, single, single_texel, target};
 use crate::gpu::Gpu;
@@ -84,15 +84,7 @@ impl Maker<'_> {
         let uniform = uniform(self.gpu, [size.columns as i32, size.slots as i32, 0, 0]);
         let texels = links.iter().chain([&holds]).map(wgpu::BindingResource::TextureView);
         let resources = std::iter::once(uniform.as_entire_binding()).chain(texels);
-        let entries: Vec<_> = (0..)
-            .zip(resources)
-            .map(|(binding, resource)| wgpu::BindGroupEntry { binding, resource })
-            .collect();
-        let group = self.gpu.device.create_bind_group(&wgpu::BindGroupDescriptor {
-            label: Some("level"),
-            layout: &self.kernels.level_layout,
-            entries: &entries,
-        });
+        let group = bind_group(&self.gpu.device, "level", &self.kernels.level_layout, resources);
         Matrix {
             group,
             #[cfg(not(target_arch = "wasm32"))]

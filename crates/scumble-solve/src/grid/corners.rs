@@ -2,16 +2,18 @@
 //!
 //! | noun | file |
 //! |---|---|
-//! | a corner between two walls, and what the solution is like there | `corner` |
+//! | a corner between two walls, and what the solution is like there | `corner`, `arcosh` |
 //! | its region | `ground` |
 //! | the pixels around it | `patch` |
 //! | weights of links that the steep function satisfies | `fit` |
 //! | what the jump lacks in the equations | `jump` |
 //!
 //! It is steep between two walls more than a right angle apart of which one gives a colour and one gives none, or more than two
-//! where both do or neither; worst at the tip of a curve with one coloured side. It jumps where both give one, and not the same.
+//! where both do or neither; worst at the tip of a curve with one coloured side; and around a stretch with a colour that is far
+//! shorter than a pixel. It jumps where both give one, and not the same.
 //! What pixels get wrong at the corner is wrong in the whole region.
 
+mod arcosh;
 mod corner;
 mod fit;
 mod ground;
@@ -93,8 +95,8 @@ mod tests {
     const SIZE_PX: u32 = 64;
 
     /// A straight line through some places, of which one side has a colour from some of them to the next.
-    fn line(places_px: &[Point], colored: &[usize], view: &View) -> (PlanarMap, Boundary) {
-        let du_from_centers = centers_from_du(view).inverse();
+    fn line(places_px: &[Point], colored: &[usize]) -> (PlanarMap, Boundary) {
+        let du_from_centers = centers_from_du(&view()).inverse();
         let places: Vec<_> = places_px.iter().map(|place| du_from_centers * *place).collect();
         let mut path = BezPath::new();
         path.move_to(places[0]);
@@ -164,7 +166,7 @@ mod tests {
     fn what_is_steep_at_a_tip_solves_the_equations_wherever_that_lies_among_the_pixels() {
         for (tilt, tip_px) in tilts_and_places() {
             let end_px = tip_px + 20.0 * Vec2::from_angle(tilt);
-            assert_fitted(line(&[tip_px, end_px], &[0], &view()), tip_px, 0.25, &format!("tip, {tilt}"));
+            assert_fitted(line(&[tip_px, end_px], &[0]), tip_px, 0.25, &format!("tip, {tilt}"));
         }
     }
 
@@ -177,7 +179,7 @@ mod tests {
             let along = Vec2::from_angle(tilt);
             let places = [-12.0, -half_px, half_px, 12.0, 14.0].map(|t| middle_px + t * along);
             // With another colour, as one alone is that of all pixels however it holds them.
-            let line = line(&places, &[1, 3], &view());
+            let line = line(&places, &[1, 3]);
             assert_fitted(line, middle_px, 0.21 * PI, &format!("{half_px}, {tilt}"));
         }
     }

@@ -13,7 +13,7 @@ use crate::grid::tape::{Pass, Recipe, Tape};
 const MOST_TEXELS: u32 = 4096;
 
 /// Makes programs of passes of some tapes. Textures that none of these passes makes never change; of those that they make, others
-/// read such as are as large as the picture, and one of few texels.
+/// read one of few texels, and any that are as large as the picture.
 pub(in crate::grid) fn fuse(
     gpu: &Gpu,
     programs: &Programs,

@@ -3,8 +3,9 @@
 use bytemuck::{Pod, Zeroable};
 use wgpu::util::DeviceExt;
 
+use super::PROGRAM_WORKGROUP;
 use crate::gpu::Gpu;
-use crate::grid::kernels::{LEVEL, LOAD, SOURCES, Source, TEXELS, bind_group_layout};
+use crate::grid::kernels::{LEVEL, LOAD, RESULT, SOURCES, Source, TEXELS, bind_group, bind_group_layout};
 use crate::grid::texels::{FORMAT, target};
 use crate::wgsl::wgsl;
 
@@ -49,6 +50,12 @@ pub(in crate::grid) struct Programs {
 }
 
 impl Programs {
+    /// What runs them on a card that can. On a few cores, passes one by one are faster than one work group.
+    pub(in crate::grid) fn of(gpu: &Gpu) -> Option<Self> {
+        let can_run = gpu.device.limits().max_compute_invocations_per_workgroup >= PROGRAM_WORKGROUP;
+        (can_run && !gpu.is_software()).then(|| Self::new(gpu))
+    }
+
     pub(in crate::grid) fn new(gpu: &Gpu) -> Self {
         let layout = bind_group_layout(&gpu.device, "program", &entries());
         let pipeline = super::pipeline(&gpu.device, "program", &text(), &[Some(&layout)]);
@@ -82,26 +89,12 @@ impl Programs {
             pool.as_entire_binding(),
         ];
         let resources = first.into_iter().chain(inlets.map(wgpu::BindingResource::TextureView));
-        let entries: Vec<_> = (0..)
-            .zip(resources)
-            .map(|(binding, resource)| wgpu::BindGroupEntry { binding, resource })
-            .collect();
-        let label = Some("program");
-        device.create_bind_group(&wgpu::BindGroupDescriptor {
-            label,
-            layout: &self.layout,
-            entries: &entries,
-        })
+        bind_group(device, "program", &self.layout, resources)
     }
 }
 
 fn entries() -> Vec<wgpu::BindGroupLayoutEntry> {
-    let outlet = wgpu::BindingType::StorageTexture {
-        access: wgpu::StorageTextureAccess::WriteOnly,
-        format: FORMAT,
-        view_dimension: wgpu::TextureViewDimension::D2,
-    };
-    let types = [outlet, storage(true), storage(false)].into_iter().chain([TEXELS; INLETS]);
+    let types = [RESULT, storage(true), storage(false)].into_iter().chain([TEXELS; INLETS]);
     let visibility = wgpu::ShaderStages::COMPUTE;
     (0..)
         .zip(types)

@@ -10,6 +10,7 @@ use kurbo::{Point, Vec2};
 use scumble_core::{BlendColor, SideId, clamped, sort};
 
 use super::super::cut_links::{Cut, WAYS};
+use super::arcosh::arcosh;
 use super::patch::center;
 
 /// Powers from this on are well enough as they are.
@@ -18,13 +19,13 @@ const REGULAR: f64 = 0.9;
 /// A cut belongs to a wall of a corner that is so close by, in px.
 const NEAR_PX: f64 = 0.5;
 
-/// A stretch with a colour up to this long is taken together, in px.
+/// The corners at the ends of a stretch with a colour that is shorter than this are taken together, in px.
 const SHORT_PX: f64 = 1.0;
 
-/// Between walls on both sides of it is so much more or less than π at most, in radians.
+/// Walls go on straight past a stretch if the angle between them differs from π by less than this, in radians.
 const STRAIGHT: f64 = 0.5;
 
-/// What is so close to its middle is beside it, in px.
+/// Cuts so close to the middle of a stretch are beside it, in px.
 const BESIDE_PX: f64 = 0.75;
 
 /// A wall at a node, seen from there.
@@ -83,7 +84,7 @@ impl Corner {
     }
 
     /// What lies around a short stretch with a colour, given what lies at its ends, where the walls go on nearly straight.
-    fn around_stretch([one, other]: [&Self; 2]) -> Option<Self> {
+    fn around_stretch([one, other]: [Self; 2]) -> Option<Self> {
         let ([Some(color), None], [Some(_), None]) = (one.colors, other.colors) else { return None };
         let length_px = one.tip.distance(other.tip);
         let angle = one.angle + other.angle - PI;
@@ -203,17 +204,14 @@ impl Corner {
     }
 }
 
-/// Corners, with those at both ends of a short stretch with a colour taken together.
+/// Corners, with those at both ends of a short stretch with a colour taken together: a side has a corner at each end.
 pub(super) fn with_stretches(corners: &[Corner]) -> Vec<Corner> {
     let mut list = corners.to_vec();
     sort::sort_copies_by_key(&mut list, |corner| corner.side.map_or(u64::MAX, |side| side.index() as u64));
-    let together =
-        list.chunk_by(|a, b| a.side.is_some() && a.side == b.side).flat_map(|beside| match beside {
-            [one, other] => {
-                Corner::around_stretch([one, other]).map_or(beside.to_vec(), |around| vec![around])
-            }
-            _ => beside.to_vec(),
-        });
+    let together = list.chunk_by(|a, b| a.side.is_some() && a.side == b.side).flat_map(|of_side| {
+        let around = <[_; 2]>::try_from(of_side).ok().and_then(Corner::around_stretch);
+        around.map_or_else(|| of_side.to_vec(), |around| vec![around])
+    });
     together.collect()
 }
 
@@ -236,31 +234,6 @@ pub(super) fn apart(corners: impl Iterator<Item = Corner>, most_px: f64) -> Vec<
     list
 }
 
-/// The inverse hyperbolic cosine of a number z in the upper half of the complex plane, from 0 to πi: 2 ln(√((z + 1) / 2) +
-/// √((z − 1) / 2)); after W. Kahan, *Branch cuts for complex elementary functions* (1987).
-fn arcosh([x, y]: [f64; 2]) -> [f64; 2] {
-    let root = |x: f64| {
-        let length = x.hypot(y);
-        [length + x, length - x].map(|double| 0.5 * double.max(0.0).sqrt())
-    };
-    let ([a, b], [c, d]) = (root(x + 1.0), root(x - 1.0));
-    [2.0 * (a + c).hypot(b + d).ln(), 2.0 * (b + d).atan2(a + c)]
-}
-
 fn single(color: BlendColor) -> [f32; 4] {
     color.map(|c| c as f32)
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn the_inverse_hyperbolic_cosine_is_that_of_numbers_whose_cosine_is_known() {
-        for (real, imaginary) in [(0.0, 0.0), (0.0, 1.0), (0.0, PI), (2.0, 0.0), (2.0, PI), (0.5, 2.0)] {
-            let z = [f64::cosh(real) * f64::cos(imaginary), f64::sinh(real) * f64::sin(imaginary)];
-            let [x, y] = arcosh(z);
-            assert!((x - real).abs() < 1e-7 && (y - imaginary).abs() < 1e-7, "{z:?}: {x} + {y} i");
-        }
-    }
 }

@@ -2,8 +2,8 @@
 //!
 //! What flows through a face, by the difference of the pixels (after the fitted schemes of D. N. de G. Allen, R. V. Southwell,
 //! 1955). What flows is the difference of the conjugate function at the ends of the face. All faces that meet at an end take the
-//! same value of it, which is that of the wall where one without colour ends one of them: so what flows into a pixel flows out again,
-//! wherever the tip lies among the pixels.
+//! same value of it, which is that of the wall where one without colour ends one of them: so what flows into a pixel flows out
+//! again, wherever the tip lies among the pixels.
 
 use kurbo::{Point, Vec2};
 use scumble_core::clamped;
