@@ -1,5 +1,5 @@
-// What holds the unknowns of the coarser level, and to which colours: what is in first, of those that are parts of them and of
-// those beside these that are parts of none, as far as it reaches them.
+// What holds the part of the coarser level that an unknown belongs to, and to which colours: what is in first, of that unknown
+// and of those beside it that are parts of none, as far as it reaches them.
 
 fn weighted(weight: f32, place: vec2<i32>) -> vec4<f32> {
     if weight > 0.0 {
@@ -11,11 +11,7 @@ fn weighted(weight: f32, place: vec2<i32>) -> vec4<f32> {
     return vec4(0.0);
 }
 
-fn share(place: vec2<i32>) -> vec4<f32> {
-    let hold = texel(holds, place);
-    return texel(first, place) * ((hold.y - hold.x) / hold.y) + linked(place);
-}
-
 fn kernel(place: vec2<i32>) -> vec4<f32> {
-    return parts(place);
+    let hold = texel(holds, place);
+    return texel(first, place) * ((hold.y - hold.x) / max(hold.y, 1e-30)) + linked(place);
 }

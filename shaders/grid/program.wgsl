@@ -93,14 +93,14 @@ fn execute(instruction: Instruction, place: vec2<i32>) {
     }
 }
 
-@compute @workgroup_size(256)
+@compute @workgroup_size(512)
 fn compute(@builtin(local_invocation_index) thread: u32) {
     for (var i = 0u; i < arrayLength(&instructions); i++) {
         let instruction = instructions[i];
         prepare(instruction);
         let width = instruction.result.width;
         let count = width * instruction.result.height;
-        for (var number = i32(thread); number < count; number += 256) {
+        for (var number = i32(thread); number < count; number += 512) {
             execute(instruction, vec2(number % width, number / width));
         }
         storageBarrier();

@@ -35,7 +35,7 @@ mod tests {
 
     /// Pieces of the grid solver's kernels that are none themselves.
     const PIECES: [&str; 14] = [
-        "block", "compute", "draw", "given", "level", "links", "load", "matrix", "parent", "parts", "pass",
+        "block", "compute", "draw", "given", "level", "links", "load", "matrix", "merged", "parent", "pass",
         "program", "unknowns", "weighted",
     ];
 

@@ -15,7 +15,7 @@ pub(crate) use program::text as program_text;
 const WORKGROUP: u32 = 8;
 
 /// Texels that programs compute together, as the shader has them.
-const PROGRAM_WORKGROUP: u32 = 256;
+const PROGRAM_WORKGROUP: u32 = 512;
 
 /// Bytes of the largest buffer of a program: the textures of small passes have less than half of them.
 const STORAGE_BYTES: u64 = 1 << 22;

@@ -32,18 +32,19 @@ pub(crate) enum Kernel {
     Attach,
     Join,
     Gather,
+    Collect,
 }
 
 #[cfg(not(target_arch = "wasm32"))]
 impl Kernel {
     /// Whether it reads the links of a level.
     pub(super) fn reads_links(self) -> bool {
-        !matches!(self, Self::Spread | Self::Attach)
+        !matches!(self, Self::Spread | Self::Attach | Self::Collect)
     }
 
     /// Whether it reads how its unknowns are held.
     pub(super) fn reads_holds(self) -> bool {
-        !matches!(self, Self::Diagonal | Self::Attach)
+        !matches!(self, Self::Diagonal | Self::Attach | Self::Collect)
     }
 }
 
@@ -72,8 +73,8 @@ pub(super) const LEVEL: &str = wgsl!("grid/level");
 const LINKS: &str = wgsl!("grid/links");
 pub(super) const LOAD: &str = wgsl!("grid/load");
 const MATRIX: &str = wgsl!("grid/matrix");
+const MERGED: &str = wgsl!("grid/merged");
 const PARENT: &str = wgsl!("grid/parent");
-const PARTS: &str = wgsl!("grid/parts");
 const PASS: &str = wgsl!("grid/pass");
 const UNKNOWNS: &str = wgsl!("grid/unknowns");
 const WEIGHTED: &str = wgsl!("grid/weighted");
@@ -89,17 +90,17 @@ macro_rules! source {
 }
 
 /// In the order of [`Kernel`].
-pub(crate) const SOURCES: [Source; 19] = [
+pub(crate) const SOURCES: [Source; 20] = [
     source!("multiply", true, LINKS, WEIGHTED, MATRIX, GIVEN),
     source!("residual", true, LINKS, WEIGHTED, MATRIX, GIVEN),
     source!("relax", true, LINKS, WEIGHTED, MATRIX, GIVEN),
     source!("start", true, LINKS, WEIGHTED, MATRIX),
-    source!("restrict", true, LINKS, WEIGHTED, PARTS),
+    source!("restrict", true, LINKS, WEIGHTED),
     source!("interpolate", true, LINKS, WEIGHTED, PARENT),
     source!("spread", true, PARENT),
-    source!("dot", false, BLOCK),
-    source!("sum", false, BLOCK),
-    source!("largest", false),
+    source!("dot", false, BLOCK, MERGED),
+    source!("sum", false, BLOCK, MERGED),
+    source!("largest", false, BLOCK),
     source!("ratio", false),
     source!("advance", false),
     source!("retreat", false),
@@ -107,8 +108,9 @@ pub(crate) const SOURCES: [Source; 19] = [
     source!("diagonal", true, LINKS),
     source!("mark", true),
     source!("attach", true),
-    source!("join", true, LINKS, PARTS),
-    source!("gather", true, LINKS, PARTS),
+    source!("join", true, LINKS),
+    source!("gather", true, LINKS),
+    source!("collect", true),
 ];
 
 /// Draws single texels.

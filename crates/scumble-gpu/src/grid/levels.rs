@@ -28,6 +28,8 @@ pub(crate) struct GpuLevel {
     /// At first the given colours.
     pub(super) right: wgpu::TextureView,
     room: wgpu::TextureView,
+    /// What each unknown adds to the one of the next level that it is a part of.
+    shares: wgpu::TextureView,
     /// What each unknown is a part of, by cells of the coarser level; nothing on the coarsest.
     pub(super) marks: wgpu::TextureView,
 }
@@ -73,11 +75,11 @@ impl Maker<'_> {
     }
 
     fn level(&self, size: Size, links: [wgpu::TextureView; 3], right: wgpu::TextureView) -> GpuLevel {
-        let [holds, values, room] = [(); 3].map(|()| alike(self.gpu, &right));
+        let [holds, values, room, shares] = [(); 4].map(|()| alike(self.gpu, &right));
         let marks = self.target(size.columns.div_ceil(2), size.rows.div_ceil(2));
         let draft = self.matrix(size, links.clone(), values.clone());
         let matrix = self.matrix(size, links, holds);
-        GpuLevel { matrix, draft, values, right, room, marks }
+        GpuLevel { matrix, draft, values, right, room, shares, marks }
     }
 
     fn matrix(&self, size: Size, links: [wgpu::TextureView; 3], holds: wgpu::TextureView) -> Matrix {
@@ -104,6 +106,21 @@ fn uniform(gpu: &Gpu, level: LevelUniform) -> wgpu::Buffer {
     });
     gpu.queue.write_buffer(&buffer, 0, bytemuck::cast_slice(&level));
     buffer
+}
+
+impl GpuLevel {
+    /// Records what the unknowns of the next level get from those of this one: what a kernel has each add, added up.
+    fn pass_down(
+        &self,
+        recorder: &mut Recorder<'_>,
+        kernel: Kernel,
+        operand: &wgpu::TextureView,
+        to: &wgpu::TextureView,
+    ) {
+        let Self { matrix, shares, marks, .. } = self;
+        recorder.pass_on(matrix, kernel, &[operand], shares);
+        recorder.pass_on(matrix, Kernel::Collect, &[shares, marks], to);
+    }
 }
 
 impl GpuLevels {
@@ -152,19 +169,17 @@ impl GpuLevels {
 
     /// The links of the next level, and how strongly it is held.
     fn build_coarser(&self, recorder: &mut Recorder<'_>, depth: usize) {
-        let GpuLevel { matrix, marks, .. } = &self.levels[depth];
-        let coarse = &self.levels[depth + 1];
+        let [fine, coarse] = [depth, depth + 1].map(|depth| &self.levels[depth]);
         for (direction, links) in self.directions.iter().zip(&coarse.matrix.links) {
-            recorder.pass_on(matrix, Kernel::Join, &[direction, marks], links);
+            fine.pass_down(recorder, Kernel::Join, direction, links);
         }
-        recorder.pass_on(matrix, Kernel::Gather, &[&matrix.holds, marks], &coarse.room);
+        fine.pass_down(recorder, Kernel::Gather, &fine.matrix.holds, &coarse.room);
     }
 
     /// Records how the given colours of all levels come from those of pixels.
     pub(crate) fn gather(&self, recorder: &mut Recorder<'_>) {
         for pair in self.levels.windows(2) {
-            let GpuLevel { matrix, right, marks, .. } = &pair[0];
-            recorder.pass_on(matrix, Kernel::Gather, &[right, marks], &pair[1].right);
+            pair[0].pass_down(recorder, Kernel::Gather, &pair[0].right, &pair[1].right);
         }
     }
 
@@ -221,9 +236,9 @@ impl GpuLevels {
 
     /// Records how the values of a level are corrected by those of the next.
     fn correct(&mut self, recorder: &mut Recorder<'_>, depth: usize) {
-        let GpuLevel { matrix, right, values, room, marks, .. } = &self.levels[depth];
+        let level @ GpuLevel { matrix, right, values, room, .. } = &self.levels[depth];
         recorder.pass_on(matrix, Kernel::Residual, &[values, right], room);
-        recorder.pass_on(matrix, Kernel::Restrict, &[room, marks], &self.levels[depth + 1].right);
+        level.pass_down(recorder, Kernel::Restrict, room, &self.levels[depth + 1].right);
         self.cycle_from_zero(recorder, depth + 1);
         let (fine, coarse) = self.levels.split_at_mut(depth + 1);
         let GpuLevel { matrix, values, room, .. } = &mut fine[depth];

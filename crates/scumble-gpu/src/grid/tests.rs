@@ -87,7 +87,7 @@ impl Bench {
     /// What a kernel draws.
     fn drawn(&self, level: &GpuLevel, kernel: Kernel, operands: &[&Texture], like: &Level) -> Vec<Texel> {
         let operands: Vec<_> = operands.iter().map(|texture| uploaded(&self.gpu, texture)).collect();
-        let marks = matches!(kernel, Kernel::Restrict).then_some(&level.marks);
+        let marks = matches!(kernel, Kernel::Collect).then_some(&level.marks);
         let operands: Vec<_> = operands.iter().chain(marks).collect();
         let target = target(&self.gpu, [like.holds.width as u32, like.holds.height as u32], FORMAT);
         let mut recorder = Recorder::new(&self.gpu, &self.kernels);
@@ -168,7 +168,8 @@ fn kernels_between_levels_draw_what_their_twins_compute() {
                 bench.assert_twin(&built.levels[depth], (kernel, depth), operands, like, twin);
             };
             let (v, b) = (&values, &below);
-            check(Kernel::Restrict, &[v], coarse, &|x, y| twin::restrict(fine, coarse, v, x, y));
+            check(Kernel::Restrict, &[v], fine, &|x, y| twin::restrict(fine, v, x, y));
+            check(Kernel::Collect, &[v], coarse, &|x, y| twin::collect(fine, coarse, v, x, y));
             check(Kernel::Interpolate, &[v, b], fine, &|x, y| twin::interpolate(fine, v, b, x, y));
             check(Kernel::Spread, &[v, b], fine, &|x, y| twin::spread(fine, v, b, x, y));
         }
@@ -426,7 +427,7 @@ fn colors_alone_leave_the_levels_as_they_are() {
     assert!(moved.weights, "{moved:?}");
 }
 
-/// Levels of 32 × 32 cells and smaller, and the last sums, are computed in one dispatch wherever larger ones wait for them.
+/// Levels of 16 × 16 cells and smaller, and the last sums, are computed in one dispatch wherever larger ones wait for them.
 #[test]
 fn small_levels_take_few_dispatches() {
     let Some(gpu) = gpu() else { return };
@@ -437,7 +438,7 @@ fn small_levels_take_few_dispatches() {
         [build, start, step.tape].map(|tape| tape.passes.len())
     };
     let [one_by_one, programs] = both_ways(&gpu).each_ref().map(dispatches);
-    assert_eq!((one_by_one, programs), ([57, 205, 64], [22, 31, 29]));
+    assert_eq!((one_by_one, programs), ([89, 241, 72], [45, 63, 39]));
 }
 
 #[test]

@@ -21,6 +21,8 @@ pub struct Hierarchy {
     values: Vec<Texture>,
     rights: Vec<Texture>,
     rooms: Vec<Texture>,
+    /// What each unknown adds to the one of the next level that it is a part of.
+    shares: Vec<Texture>,
     /// Given colours, by level.
     pub given: Vec<Texture>,
 }
@@ -34,13 +36,14 @@ impl Hierarchy {
             && level.columns.max(level.rows) > 1
         {
             let coarse = level.coarser();
-            let mut gathered = Texture::new(coarse.holds.width, coarse.holds.height);
-            gathered.draw(|x, y| kernels::gather(level, &coarse, right, x, y));
+            let [mut shares, mut gathered] = [right, &coarse.holds].map(|t| Texture::new(t.width, t.height));
+            shares.draw(|x, y| kernels::gather(level, right, x, y));
+            gathered.draw(|x, y| kernels::collect(level, &coarse, &shares, x, y));
             given.push(gathered);
             levels.push(coarse);
         }
         let room: Vec<_> = given.iter().map(|t| Texture::new(t.width, t.height)).collect();
-        Self { levels, values: room.clone(), rights: room.clone(), rooms: room, given }
+        Self { levels, values: room.clone(), rights: room.clone(), shares: room.clone(), rooms: room, given }
     }
 
     /// The right side of the finest level.
@@ -108,8 +111,9 @@ impl Hierarchy {
         let (level, coarse) = (&self.levels[depth], &self.levels[depth + 1]);
         let (values, right) = (&self.values[depth], &self.rights[depth]);
         self.rooms[depth].draw(|x, y| kernels::residual(level, values, right, x, y));
-        let residual = &self.rooms[depth];
-        self.rights[depth + 1].draw(|x, y| kernels::restrict(level, coarse, residual, x, y));
+        let (residual, shares) = (&self.rooms[depth], &mut self.shares[depth]);
+        shares.draw(|x, y| kernels::restrict(level, residual, x, y));
+        self.rights[depth + 1].draw(|x, y| kernels::collect(level, coarse, shares, x, y));
         self.cycle_from_zero(depth + 1);
         let (level, values, coarse) = (&self.levels[depth], &self.values[depth], &self.values[depth + 1]);
         self.rooms[depth].draw(|x, y| kernels::interpolate(level, values, coarse, x, y));

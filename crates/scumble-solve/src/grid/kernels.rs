@@ -58,18 +58,19 @@ fn damped(level: &Level, residual: &Texture, x: i32, y: i32) -> Texel {
     times(residual.load(x, y), level.holds.load(x, y)[2])
 }
 
-/// The right side of the coarser level: the transpose of [`interpolate`], applied to the residual.
-pub fn restrict(level: &Level, coarse: &Level, residual: &Texture, x: i32, y: i32) -> Texel {
-    let mut sum = [0.0; 4];
-    for (fx, fy) in level.parts(coarse, x, y) {
-        let [_, diagonal, damping, _] = level.holds.load(fx, fy);
-        let mut smooth = times(residual.load(fx, fy), 1.0 - diagonal * damping);
-        level.for_each_link(fx, fy, |weight, nx, ny| {
-            smooth = plus(smooth, times(damped(level, residual, nx, ny), weight));
-        });
-        sum = plus(sum, smooth);
-    }
-    sum
+/// What an unknown adds to the right side of the coarser level: the transpose of [`interpolate`], applied to the residual.
+pub fn restrict(level: &Level, residual: &Texture, x: i32, y: i32) -> Texel {
+    let [_, diagonal, damping, _] = level.holds.load(x, y);
+    let mut smooth = times(residual.load(x, y), 1.0 - diagonal * damping);
+    level.for_each_link(x, y, |weight, nx, ny| {
+        smooth = plus(smooth, times(damped(level, residual, nx, ny), weight));
+    });
+    smooth
+}
+
+/// The sum of what the unknowns add that one of the coarser level is made of.
+pub fn collect(level: &Level, coarse: &Level, shares: &Texture, x: i32, y: i32) -> Texel {
+    level.parts(coarse, x, y).fold([0.0; 4], |sum, (x, y)| plus(sum, shares.load(x, y)))
 }
 
 /// The value of the coarser unknown that an unknown is a part of.
@@ -92,10 +93,17 @@ pub fn interpolate(level: &Level, values: &Texture, coarse: &Texture, x: i32, y:
     plus(values.load(x, y), sum)
 }
 
-/// The given colours of a coarser level, by how strongly they hold it, and what is added.
-pub fn gather(level: &Level, coarse: &Level, right: &Texture, x: i32, y: i32) -> Texel {
-    let mut sum = [0.0; 4];
-    level.for_each_hold(coarse, x, y, |part, fx, fy| sum = plus(sum, times(right.load(fx, fy), part)));
+/// The given colours that an unknown adds to those of the coarser level: its own, and those of the unknowns beside it that are
+/// parts of none, as far as they reach its part.
+pub fn gather(level: &Level, right: &Texture, x: i32, y: i32) -> Texel {
+    let [hold, diagonal, ..] = level.holds.load(x, y);
+    let mut sum = times(right.load(x, y), (diagonal - hold) / diagonal.max(1e-30));
+    level.for_each_link(x, y, |weight, nx, ny| {
+        let [_, diagonal, _, parent] = level.holds.load(nx, ny);
+        if parent == 0.0 {
+            sum = plus(sum, times(right.load(nx, ny), weight / diagonal));
+        }
+    });
     sum
 }
 

@@ -199,21 +199,6 @@ impl Level {
             cells.flat_map(move |(x, y)| (0..self.slots as i32).map(move |s| (self.column(x, s), y)));
         places.filter(move |&(x, y)| self.parent(x, y) == slot + 1)
     }
-
-    /// Visits what holds an unknown of the coarser level: the unknowns that are parts of it, and those beside them that
-    /// are parts of none; with the part of their hold that reaches it.
-    pub(super) fn for_each_hold(&self, coarse: &Self, x: i32, y: i32, mut visit: impl FnMut(f32, i32, i32)) {
-        for (fx, fy) in self.parts(coarse, x, y) {
-            let [hold, diagonal, ..] = self.holds.load(fx, fy);
-            visit((diagonal - hold) / diagonal, fx, fy);
-            self.for_each_link(fx, fy, |weight, nx, ny| {
-                let [_, diagonal, _, parent] = self.holds.load(nx, ny);
-                if parent == 0.0 {
-                    visit(weight / diagonal, nx, ny);
-                }
-            });
-        }
-    }
 }
 
 /// The numbers of an unknown whose links and hold are known.
