@@ -1,4 +1,4 @@
-//! WGSL without comments, indentation and empty lines: every visitor of the page would load them.
+//! WGSL without comments, and with few spaces and lines: every visitor of the page would load them.
 
 /// The text of a file in `shaders/`, as far as devices read it.
 macro_rules! wgsl {
@@ -21,30 +21,60 @@ pub(crate) use wgsl;
 
 /// Writes what is left of a text, as far as there is room; its length.
 pub(crate) const fn squeezed(text: &[u8], room: &mut [u8]) -> usize {
-    let (mut from, mut to) = (0, 0);
+    let (mut from, mut to) = (skip(text, 0), 0);
     while from < text.len() {
-        let is_line_start = to == 0 || from > 0 && text[from - 1] == b'\n';
-        from = skip(text, from, is_line_start);
-        if from < text.len() {
-            if to < room.len() {
-                room[to] = text[from];
-            }
-            (from, to) = (from + 1, to + 1);
+        to = written(text[from], room, to);
+        let next = skip(text, from + 1);
+        let after = if next < text.len() { text[next] } else { b'\n' };
+        if next > from + 1
+            && let Some(gap) = gap(text[from], text[next - 1], after)
+        {
+            to = written(gap, room, to);
         }
+        from = next;
     }
     to
 }
 
+const fn written(byte: u8, room: &mut [u8], to: usize) -> usize {
+    if to < room.len() {
+        room[to] = byte;
+    }
+    to + 1
+}
+
 /// The next place with something that is read.
-const fn skip(text: &[u8], mut from: usize, is_line_start: bool) -> usize {
-    while is_line_start && from < text.len() && (text[from] == b' ' || text[from] == b'\n') {
+const fn skip(text: &[u8], mut from: usize) -> usize {
+    let mut is_comment = false;
+    while from < text.len() {
+        is_comment |= text[from] == b'/' && from + 1 < text.len() && text[from + 1] == b'/';
+        is_comment &= text[from] != b'\n';
+        if !is_comment && text[from] != b' ' && text[from] != b'\n' {
+            break;
+        }
         from += 1;
     }
-    let is_comment = from + 1 < text.len() && text[from] == b'/' && text[from + 1] == b'/';
-    while is_comment && from < text.len() && text[from] != b'\n' {
-        from += 1;
+    from
+}
+
+/// What stays between two bytes with nothing but a gap between them: lines that begin where the text does, and spaces without which
+/// two words, or two signs, would be one.
+const fn gap(before: u8, space: u8, after: u8) -> Option<u8> {
+    if space == b'\n' && after != b'}' {
+        Some(b'\n')
+    } else if is_of_word(before) && is_of_word(after) || is_of_sign(before) && is_of_sign(after) {
+        Some(b' ')
+    } else {
+        None
     }
-    if is_comment && is_line_start { skip(text, from, true) } else { from }
+}
+
+const fn is_of_word(byte: u8) -> bool {
+    byte.is_ascii_alphanumeric() || byte == b'_'
+}
+
+const fn is_of_sign(byte: u8) -> bool {
+    matches!(byte, b'+' | b'-' | b'*' | b'/' | b'<' | b'>' | b'=' | b'&' | b'|' | b'!')
 }
 
 #[cfg(test)]
@@ -61,7 +91,11 @@ mod tests {
     fn what_devices_read_is_left() {
         assert_eq!(
             left("// a\n//\n\nfn f() {\n    let a = 4 / b; // c\n\n    // d\n  }\n"),
-            "fn f() {\nlet a = 4 / b; \n}\n"
+            "fn f(){let a=4/b;}\n"
+        );
+        assert_eq!(
+            left("const A = 1;\nlet b: vec2<f32> = a - -b\n    + c;\n"),
+            "const A=1;\nlet b:vec2<f32> =a- -b+c;\n"
         );
         assert_eq!(left("  // a"), "");
         assert_eq!(left("x"), "x");

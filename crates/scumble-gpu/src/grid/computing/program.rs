@@ -137,7 +137,7 @@ fn renamed(source: &Source) -> String {
 
 /// The name that a line declares outside of functions.
 fn declared(line: &str) -> Option<&str> {
-    let rest = ["fn ", "const ", "var<private> "].iter().find_map(|kind| line.strip_prefix(kind))?;
+    let rest = ["fn ", "const ", "var<private>"].iter().find_map(|kind| line.strip_prefix(kind))?;
     rest.split(|c| !is_of_name(c)).next()
 }
 
