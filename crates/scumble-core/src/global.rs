@@ -132,8 +132,7 @@ impl Global {
     async fn go_on(&mut self, map: &PlanarMap, ways: &Ways, scribbles: &[Scribble], ranks: Vec<u32>) {
         if !self.goes_on(scribbles, &ranks) {
             self.keep_claims(scribbles);
-            self.dry(map);
-            pace::pause().await;
+            self.dry(map).await;
         }
         let mut pace = Pace::default();
         self.claims.resize_with(scribbles.len(), Claim::default);
@@ -142,7 +141,7 @@ impl Global {
             pace.work(scribble.points.len()).await;
         }
         if self.claims.iter().any(Claim::gives_up) {
-            self.dry(map);
+            self.dry(map).await;
         }
         self.let_in(&ranks);
         let Self { flood, at_hand, nearest, .. } = self;
@@ -221,9 +220,11 @@ impl Global {
     }
 
     /// Dries the map.
-    fn dry(&mut self, map: &PlanarMap) {
+    async fn dry(&mut self, map: &PlanarMap) {
         self.flood = Flood::new(map, Cost::MAX);
+        pace::pause_after(map.side_count()).await;
         self.at_hand = Flood::new(map, claim::at_hand_limit());
+        pace::pause_after(map.side_count()).await;
         self.nearest = self.at_hand.clone();
         self.beyond.reset(map);
         self.claims.iter_mut().for_each(Claim::stay_out);

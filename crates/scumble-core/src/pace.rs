@@ -9,8 +9,8 @@ use std::mem;
 use std::pin::Pin;
 use std::task::{Context, Poll, Waker};
 
-/// Items between two pauses. One takes some microseconds at most.
-const SLICE: usize = 2048;
+/// Items between two pauses. One takes some ten microseconds at most.
+const SLICE: usize = 1024;
 
 /// A pause, if it is due. Written out, as it is in all loops: it takes less code than an asynchronous function.
 #[derive(Debug)]

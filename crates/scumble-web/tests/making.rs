@@ -19,7 +19,7 @@ use zigzags::zigzags;
 mod zigzags;
 
 /// Slices of a picture on its way that are made for a frame.
-const SLICES: usize = 40;
+const SLICES: usize = 80;
 
 /// A painter that keeps the field it is given, and how many shapes of ink.
 #[derive(Default)]

@@ -93,8 +93,8 @@ impl Ways {
         let rooms = Rooms::new(map, &gaps, &room_of, room_count, regions).await;
         pace::pause().await;
         let key = |&h: &HalfEdge| Some((sort::pair(pockets::door(map, &room_of, h)?), h.index() as u32));
-        let mut doors: Vec<_> = gaps.iter().filter_map(key).collect();
-        pace::pause().await;
+        let mut doors = Vec::with_capacity(gaps.len());
+        pace::for_each(&gaps, |h| doors.extend(key(h))).await;
         sort::sort(&mut doors);
         pace::pause().await;
         let is_open = mesh.half_edges().map(|h| spread || mesh.gap(h).is_none()).collect();
