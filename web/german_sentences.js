@@ -23,8 +23,8 @@ export const sentences = {
   "the file is compressed (SVGZ); unpack it with gzip, or save it as plain SVG":
     "die Datei ist komprimiert (SVGZ); entpacke sie mit gzip, oder sichere sie als einfaches SVG",
   "the file is in UTF-16; save it in UTF-8": "die Datei ist in UTF-16; sichere sie in UTF-8",
-  "the file is not an SVG drawing: it is no text; choose an SVG file":
-    "die Datei ist keine SVG-Zeichnung: sie ist kein Text; wähle eine SVG-Datei",
+  "the file is not an SVG drawing: it is no text in UTF-8; save it so, or choose an SVG file":
+    "die Datei ist keine SVG-Zeichnung: sie ist kein Text in UTF-8; sichere sie so, oder wähle eine SVG-Datei",
   "the file is not an SVG drawing, or it is damaged: {}; save it again, or choose another file":
     "die Datei ist keine SVG-Zeichnung oder beschädigt: {*}; sichere sie noch einmal, oder wähle eine andere",
   "the diffusion curves are damaged: {}; mend the file there, or save it again":

@@ -1,6 +1,6 @@
-// The terms of a block, made one by merged; each kernel has its own of both. A block is spread over the whole, so that those who
-// compute beside each other read beside each other; by pairs of pairs, so that sums lose less in rounding, and without a loop, in
-// which each read would wait for the last one.
+// The terms of a block, which each kernel has its own, made one by merged. A block is spread over the whole, so that those who
+// compute beside each other read beside each other; it is gone through by pairs of pairs, so that sums lose less in rounding, and
+// without a loop, in which each read would wait for the last one.
 
 fn stride() -> vec2<i32> {
     return (extent(first) + 7) / 8;

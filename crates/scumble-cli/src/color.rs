@@ -49,12 +49,7 @@ struct Milliseconds {
 /// # Errors
 /// When the input is bad or the picture cannot be written; then there is no file.
 pub(crate) fn run(options: &ColorOptions) -> anyhow::Result<()> {
-    for input in [&options.drawing, &options.scribbles] {
-        let is_same = |output: &std::path::Path| files::is_same(input, output);
-        ensure!(!is_same(&options.output), "{} is read; name another file for the picture", input.display());
-        let is_saved_over = options.save.as_deref().is_some_and(is_same);
-        ensure!(!is_saved_over, "{} is read; name another file to save", input.display());
-    }
+    check_files(options)?;
     let mut opened = stages::open(&files::read(&options.drawing)?)?;
     let ReadScribbles { scribbles, notes } =
         read_scribbles(&files::read(&options.scribbles)?, &opened.document.drawing)?;
@@ -75,6 +70,18 @@ pub(crate) fn run(options: &ColorOptions) -> anyhow::Result<()> {
         println!("{}", serde_json::to_string(&timings(&mut opened, &times, paint_ms))?);
     }
     save(&opened, scribbles, options)
+}
+
+/// Checks that what is written is not what is read, and has a folder.
+fn check_files(options: &ColorOptions) -> anyhow::Result<()> {
+    for input in [&options.drawing, &options.scribbles] {
+        let is_same = |output: &std::path::Path| files::is_same(input, output);
+        ensure!(!is_same(&options.output), "{} is read; name another file for the picture", input.display());
+        let is_saved_over = options.save.as_deref().is_some_and(is_same);
+        ensure!(!is_saved_over, "{} is read; name another file to save", input.display());
+    }
+    files::check_folder(&options.output)?;
+    options.save.as_deref().map_or(Ok(()), files::check_folder)
 }
 
 fn write(pixmap: &Pixmap, options: &ColorOptions) -> anyhow::Result<()> {

@@ -25,6 +25,7 @@ pub(crate) fn read(path: &Path) -> anyhow::Result<Vec<u8>> {
 /// # Errors
 /// When the file cannot be written; then nothing is left behind.
 pub(crate) fn write(path: &Path, bytes: &[u8]) -> anyhow::Result<()> {
+    check_folder(path)?;
     let there = fs::metadata(path);
     let is_read_only = there.as_ref().is_ok_and(|data| data.permissions().readonly());
     ensure!(!is_read_only, "{} cannot be written: it is read-only; name another file", path.display());
@@ -35,6 +36,17 @@ pub(crate) fn write(path: &Path, bytes: &[u8]) -> anyhow::Result<()> {
         replace(&fs::canonicalize(path).unwrap_or_else(|_| path.into()), bytes)
     };
     written.with_context(|| format!("{} cannot be written", path.display()))
+}
+
+/// Checks, before long work or another file is written, that there is a folder for a file.
+///
+/// # Errors
+/// When there is none.
+pub(crate) fn check_folder(path: &Path) -> anyhow::Result<()> {
+    let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
+    let (file, folder, is_there) = (path.display(), folder.display(), folder.is_dir());
+    ensure!(is_there, "{file} cannot be written: there is no folder {folder}; make it, or name another file");
+    Ok(())
 }
 
 /// Whether two paths name one file that is there.

@@ -1,4 +1,5 @@
-//! WGSL without comments, and with few spaces and lines: every visitor of the page would load them.
+//! WGSL without comments, and with few spaces and lines: every visitor of the page would load them. Comments are
+//! of one line.
 
 /// The text of a file in `shaders/`, as far as devices read it.
 macro_rules! wgsl {
@@ -27,9 +28,9 @@ pub(crate) const fn squeezed(text: &[u8], room: &mut [u8]) -> usize {
         let next = skip(text, from + 1);
         let after = if next < text.len() { text[next] } else { b'\n' };
         if next > from + 1
-            && let Some(gap) = gap(text[from], text[next - 1], after)
+            && let Some(kept) = gap(text[from], text[next - 1], after)
         {
-            to = written(gap, room, to);
+            to = written(kept, room, to);
         }
         from = next;
     }
@@ -57,8 +58,8 @@ const fn skip(text: &[u8], mut from: usize) -> usize {
     from
 }
 
-/// What stays between two bytes with nothing but a gap between them: lines that begin where the text does, and spaces without which
-/// two words, or two signs, would be one.
+/// What stays between two bytes with nothing but a gap between them: the end of a line before what is not indented, where programs
+/// look for what is declared; and spaces without which two words, or two signs, would be one.
 const fn gap(before: u8, space: u8, after: u8) -> Option<u8> {
     if space == b'\n' && after != b'}' {
         Some(b'\n')
@@ -96,6 +97,10 @@ mod tests {
         assert_eq!(
             left("const A = 1;\nlet b: vec2<f32> = a - -b\n    + c;\n"),
             "const A=1;\nlet b:vec2<f32> =a- -b+c;\n"
+        );
+        assert_eq!(
+            left("fn f() {\n    return // a\n        x < -b;\n}\n\n// c\nfn g() {\n}\n"),
+            "fn f(){return x< -b;}\nfn g(){}\n"
         );
         assert_eq!(left("  // a"), "");
         assert_eq!(left("x"), "x");

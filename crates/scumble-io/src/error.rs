@@ -22,7 +22,7 @@ pub enum ImportError {
     #[error("the file is in UTF-16; save it in UTF-8")]
     Utf16,
     /// Binary data.
-    #[error("the file is not an SVG drawing: it is no text; choose an SVG file")]
+    #[error("the file is not an SVG drawing: it is no text in UTF-8; save it so, or choose an SVG file")]
     NotText,
     /// Text that is no XML.
     #[error("the file is not an SVG drawing, or it is damaged: {0}; save it again, or choose another file")]

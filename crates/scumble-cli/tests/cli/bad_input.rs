@@ -140,8 +140,11 @@ fn calls_that_make_no_sense() {
     refused_call(
         &folder,
         &["color", "d.svg", "--scribbles", "s.json", "-o", "no/o.png"],
-        "no/o.png cannot be written",
+        "no/o.png cannot be written: there is no folder no; make it",
     );
+    let saved = ["color", "d.svg", "--scribbles", "s.json", "-o", "o.png", "--save", "no/s.scumble"];
+    refused_call(&folder, &saved, "no/s.scumble cannot be written");
+    assert!(!folder.names().contains(&"o.png".to_owned()), "no picture without its work");
     refused_call(&folder, &["color", "d.svg", "--scribbles", "s.json", "-o", "."], "cannot be written");
     refused_call(&folder, &["color", "d.svg", "--scribbles", "s.json", "-o", "o.jpg"], "ends in .png");
     refused_call(&folder, &["corpus", ".", "--take", "0"], "above zero");

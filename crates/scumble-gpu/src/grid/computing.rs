@@ -18,7 +18,7 @@ const WORKGROUP: u32 = 8;
 const PROGRAM_WORKGROUP: u32 = 512;
 
 /// Bytes of the largest buffer of a program: the textures of small passes have less than half of them.
-const STORAGE_BYTES: u64 = 1 << 22;
+const STORAGE_BYTES: u64 = 1 << 20;
 
 /// Computes all texels.
 pub(crate) const COMPUTE: &str = wgsl!("grid/compute");

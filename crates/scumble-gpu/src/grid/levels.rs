@@ -28,7 +28,7 @@ pub(crate) struct GpuLevel {
     /// At first the given colours.
     pub(super) right: wgpu::TextureView,
     room: wgpu::TextureView,
-    /// What each unknown adds to the one of the next level that it is a part of.
+    /// What each unknown adds to the one of the next level that it is a part of; nothing on the coarsest.
     shares: wgpu::TextureView,
     /// What each unknown is a part of, by cells of the coarser level; nothing on the coarsest.
     pub(super) marks: wgpu::TextureView,
@@ -144,7 +144,7 @@ impl GpuLevels {
 
     /// Records how the matrices of all levels come from the equations of pixels.
     ///
-    /// Values and rooms are overwritten.
+    /// Values, rooms and shares are overwritten.
     pub(crate) fn build(&self, recorder: &mut Recorder<'_>) {
         for depth in 0..self.levels.len() {
             self.complete(recorder, depth);

@@ -169,6 +169,7 @@ fn kernels_between_levels_draw_what_their_twins_compute() {
             };
             let (v, b) = (&values, &below);
             check(Kernel::Restrict, &[v], fine, &|x, y| twin::restrict(fine, v, x, y));
+            check(Kernel::Gather, &[v], fine, &|x, y| twin::gather(fine, v, x, y));
             check(Kernel::Collect, &[v], coarse, &|x, y| twin::collect(fine, coarse, v, x, y));
             check(Kernel::Interpolate, &[v, b], fine, &|x, y| twin::interpolate(fine, v, b, x, y));
             check(Kernel::Spread, &[v, b], fine, &|x, y| twin::spread(fine, v, b, x, y));

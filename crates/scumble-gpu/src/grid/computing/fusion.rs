@@ -9,8 +9,8 @@ use crate::gpu::Gpu;
 use crate::grid::kernels::{OPERANDS, Pipeline};
 use crate::grid::tape::{Pass, Recipe, Tape};
 
-/// Texels of the largest texture that is in the pool: those of 16 × 16 cells of four slots. One work group takes longer for more
-/// than all of a card take for a dispatch.
+/// Texels of the largest texture that is in the pool: those of 16 × 16 cells of four slots. For more texels one work
+/// group takes longer than all of a card with a dispatch a pass.
 const MOST_TEXELS: u32 = 1024;
 
 /// Makes programs of passes of some tapes. Textures that none of these passes makes never change; of those that they make, others

@@ -135,7 +135,7 @@ fn renamed(source: &Source) -> String {
     text.split_inclusive(|c| !is_of_name(c)).map(rename).collect()
 }
 
-/// The name that a line declares outside of functions.
+/// The name that a line of a text as devices read it declares outside of functions.
 fn declared(line: &str) -> Option<&str> {
     let rest = ["fn ", "const ", "var<private>"].iter().find_map(|kind| line.strip_prefix(kind))?;
     rest.split(|c| !is_of_name(c)).next()
