@@ -101,7 +101,7 @@ const VIEWPORT = { width: 1200, height: 800 };
 /**
  * @typedef {object} Mortal a browser with one page, whose history is in a folder
  * @property {Tab} tab
- * @property {() => Promise<void>} kill ends it as a crash would
+ * @property {() => Promise<void>} kill ends it as a crash would, unless it has ended
  */
 
 /** @typedef {{hasGpu?: boolean}} Graphics whether a browser is to believe that there is a GPU; Firefox always does */
@@ -258,8 +258,7 @@ export async function launchIn(name, folder) {
     tab: puppeteerTab(page),
     kill: async () => {
       const gone = once(process, "exit");
-      process.kill("SIGKILL");
-      await gone;
+      if (process.kill("SIGKILL")) await gone;
       await areBack(folder);
     },
   };

@@ -70,6 +70,7 @@ for (const browser of /** @type {const} */ (["chromium", "firefox"])) {
       let lost = 0;
       for (let kill = 0; kill < kills; kill++) {
         const { tab, kill: end } = await launchIn(browser, folder.path);
+        t.after(end);
         if (kill % EARLY === EARLY - 1) {
           tab.goto(url).catch(() => undefined);
           await pause(LATEST_MS * random());

@@ -126,10 +126,10 @@ pub(crate) fn parse(mut arguments: Arguments) -> anyhow::Result<Command> {
         return Ok(Command::Help);
     }
     match arguments.subcommand().map_err(advise)?.as_deref() {
-        None => rest(arguments, []).map(|[]| Command::Help),
+        None | Some("help") => rest(arguments, []).map(|[]| Command::Help),
         Some("color") => color(arguments).map(Command::Color),
         Some("corpus") => {
-            let take = arguments.opt_value_from_fn("--take", positive).map_err(advise)?;
+            let take = value(&mut arguments, "--take", positive)?;
             let [folder] = rest(arguments, ["DIR"])?;
             Ok(Command::Corpus { folder: folder.into(), take })
         }
@@ -142,7 +142,7 @@ pub(crate) fn parse(mut arguments: Arguments) -> anyhow::Result<Command> {
             Ok(Command::Bench { set: set.into() })
         }
         Some("compare") => {
-            let every = arguments.opt_value_from_fn("--every", positive).map_err(advise)?;
+            let every = value(&mut arguments, "--every", positive)?;
             let options = CompareOptions {
                 half: arguments.contains("--half"),
                 referee: arguments.contains("--referee"),
@@ -165,6 +165,17 @@ pub(crate) fn parse(mut arguments: Arguments) -> anyhow::Result<Command> {
     }
 }
 
+/// What is given for an option, if it is given.
+fn value<T>(
+    arguments: &mut Arguments,
+    name: &'static str,
+    read: impl Fn(&str) -> Result<T, String>,
+) -> anyhow::Result<Option<T>> {
+    let given: Option<String> = arguments.opt_value_from_str(name).map_err(advise)?;
+    let read = |text: String| read(&text).map_err(|advice| anyhow!("{name} {text}: {advice}; see --help"));
+    given.map(read).transpose()
+}
+
 fn path(value: &std::ffi::OsStr) -> Result<PathBuf, std::convert::Infallible> {
     Ok(value.into())
 }
@@ -179,7 +190,7 @@ fn color(mut arguments: Arguments) -> anyhow::Result<ColorOptions> {
     let settings = settings(&mut arguments)?;
     let look = look(&mut arguments)?;
     let timings = arguments.contains("--timings");
-    let solver = arguments.opt_value_from_fn("--solver", solver).map_err(advise)?.unwrap_or_default();
+    let solver = value(&mut arguments, "--solver", solver)?.unwrap_or_default();
     ensure!(!timings || solver == Solver::Mesh, "--timings are those of the mesh solver; leave out --solver");
     ensure!(
         solver != Solver::Jeschke || look.size_px <= MOST_PX,
@@ -254,14 +265,14 @@ fn picture(arguments: &mut Arguments) -> anyhow::Result<PathBuf> {
 }
 
 fn look(arguments: &mut Arguments) -> anyhow::Result<Look> {
-    let size_px = arguments.opt_value_from_fn("--size", size).map_err(advise)?;
+    let size_px = value(arguments, "--size", size)?;
     let lines = arguments.contains("--lines");
     Ok(Look { size_px: size_px.unwrap_or(1024), lines, transparent: arguments.contains("--transparent") })
 }
 
 fn eval(mut arguments: Arguments) -> anyhow::Result<EvalOptions> {
-    let kind = arguments.opt_value_from_fn("--kind", kind).map_err(advise)?;
-    let method = arguments.opt_value_from_fn("--engine", Method::parse).map_err(advise)?;
+    let kind = value(&mut arguments, "--kind", kind)?;
+    let method = value(&mut arguments, "--engine", Method::parse)?;
     let settings = reach(&mut arguments)?;
     let single = arguments.contains("--single");
     let sheet = arguments.opt_value_from_os_str("--sheet", path).map_err(advise)?;
@@ -287,8 +298,8 @@ fn eval(mut arguments: Arguments) -> anyhow::Result<EvalOptions> {
 
 /// How the drawing is to be coloured, where the options say otherwise than the defaults do.
 fn settings(arguments: &mut Arguments) -> anyhow::Result<Settings> {
-    let blend = arguments.opt_value_from_fn("--blend", blend).map_err(advise)?;
-    let engine = arguments.opt_value_from_fn("--engine", engine).map_err(advise)?;
+    let blend = value(arguments, "--blend", blend)?;
+    let engine = value(arguments, "--engine", engine)?;
     let reach = reach(arguments)?;
     let is_global = engine != Some(EngineKind::Progressive);
     ensure!(is_global || !reach.spread, "only --engine global spreads; leave out --spread or --engine");
@@ -298,7 +309,7 @@ fn settings(arguments: &mut Arguments) -> anyhow::Result<Settings> {
 /// How far colours are to go; all else as the defaults say.
 fn reach(arguments: &mut Arguments) -> anyhow::Result<Settings> {
     let default = Settings::default();
-    let gap_closing = arguments.opt_value_from_fn("--gap-closing", unit).map_err(advise)?;
+    let gap_closing = value(arguments, "--gap-closing", unit)?;
     let gap_closing = gap_closing.unwrap_or(default.gap_closing);
     Ok(Settings { gap_closing, spread: arguments.contains("--spread"), ..default })
 }

@@ -104,7 +104,7 @@ fn calls_that_make_no_sense() {
     let folder = Folder::new("bad-calls").with("d.svg", CIRCLE).with("s.json", INSIDE);
     let color = ["color", "d.svg", "--scribbles", "s.json", "-o", "o.png"];
     for (extra, message) in [
-        (&["--size", "0"][..], "1 to 16384"),
+        (&["--size", "0"][..], "--size 0: give a number of pixels from 1 to 16384"),
         (&["--size", "99999"], "1 to 16384"),
         (&["--size", "big"], "1 to 16384"),
         (&["--size"], "--size"),
