@@ -36,10 +36,8 @@ impl Hierarchy {
             && level.columns.max(level.rows) > 1
         {
             let coarse = level.coarser();
-            let [mut shares, mut gathered] = [right, &coarse.holds].map(|t| Texture::new(t.width, t.height));
-            shares.draw(|x, y| kernels::gather(level, right, x, y));
-            gathered.draw(|x, y| kernels::collect(level, &coarse, &shares, x, y));
-            given.push(gathered);
+            let right = gathered(level, &coarse, right);
+            given.push(right);
             levels.push(coarse);
         }
         let room: Vec<_> = given.iter().map(|t| Texture::new(t.width, t.height)).collect();
@@ -119,4 +117,12 @@ impl Hierarchy {
         self.rooms[depth].draw(|x, y| kernels::interpolate(level, values, coarse, x, y));
         std::mem::swap(&mut self.values[depth], &mut self.rooms[depth]);
     }
+}
+
+/// The given colours of a coarser level.
+fn gathered(level: &Level, coarse: &Level, right: &Texture) -> Texture {
+    let [mut shares, mut gathered] = [right, &coarse.holds].map(|t| Texture::new(t.width, t.height));
+    shares.draw(|x, y| kernels::gather(level, right, x, y));
+    gathered.draw(|x, y| kernels::collect(level, coarse, &shares, x, y));
+    gathered
 }

@@ -97,6 +97,7 @@ pub fn interpolate(level: &Level, values: &Texture, coarse: &Texture, x: i32, y:
 /// parts of none, as far as they reach its part.
 pub fn gather(level: &Level, right: &Texture, x: i32, y: i32) -> Texel {
     let [hold, diagonal, ..] = level.holds.load(x, y);
+    // Where there is no unknown, nothing is added.
     let mut sum = times(right.load(x, y), (diagonal - hold) / diagonal.max(1e-30));
     level.for_each_link(x, y, |weight, nx, ny| {
         let [_, diagonal, _, parent] = level.holds.load(nx, ny);
