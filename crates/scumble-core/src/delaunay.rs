@@ -105,18 +105,15 @@ pub(crate) async fn flatten(cdt: &Cdt, pieces: &[Piece]) -> Triangulation {
     let points = cdt.vertices().map(|v| v.position());
     let points = points.map(|p| kurbo::Point::new(p.x - SHIFT_DU, p.y - SHIFT_DU)).collect();
     pace::pause().await;
-    let mut half_edge_of = vec![u32::MAX; cdt.num_directed_edges()];
-    let edges = || cdt.inner_faces().flat_map(|face| face.adjacent_edges());
-    pace::for_each((0..).zip(edges()), |(h, edge)| half_edge_of[edge.fix().index()] = h).await;
-    pace::pause().await;
-    let half_edges = edges().map(|edge| {
+    let half_edges = cdt.inner_faces().flat_map(|face| face.adjacent_edges()).map(|edge| {
         let from = edge.from().fix().index() as u32;
         let kind = match *edge.as_undirected().data().data() {
             EdgeTag::Plain => Edge::Plain,
             EdgeTag::Gap(gap) => Edge::Gap(gap),
             EdgeTag::Piece(i) => Edge::Side(SideId::of(i as usize, pieces[i as usize].nodes[0] != from)),
         };
-        (from, half_edge_of[edge.rev().fix().index()], kind)
+        (from, [edge.fix().index(), edge.fix().rev().index()], kind)
     });
-    Triangulation::from_half_edges(points, 3 * cdt.num_inner_faces(), half_edges).await
+    let name_count = cdt.num_directed_edges();
+    Triangulation::from_half_edges(points, 3 * cdt.num_inner_faces(), name_count, half_edges).await
 }

@@ -21,14 +21,15 @@ impl Scribble {
         for (i, stretch) in dab.into_iter().chain(stretches).enumerate() {
             left.go(i as f64, stretch, taken(stretch, way, reach_du));
         }
-        left.is_cut.then(|| left.parts().map(|part| self.through(&part)).collect())
+        left.drop_crumbs();
+        left.is_cut.then(|| left.parts.iter().map(|part| self.through(part)).collect())
     }
 
     /// One like this, through some of its places.
     fn through(&self, places: &[Place]) -> Self {
         let points = places.iter().map(|place| place.point).collect();
         let along: Vec<_> = places.iter().map(|place| place.along).collect();
-        Self { points, kind: self.kind.through(&along), ..self.clone() }
+        Self { color: self.color, kind: self.kind.through(&along), width_du: self.width_du, points }
     }
 }
 
@@ -75,11 +76,10 @@ impl Left {
         self.is_open = true;
     }
 
-    fn parts(self) -> impl Iterator<Item = Vec<Place>> {
-        let is_whole = |part: &Vec<Place>| {
+    fn drop_crumbs(&mut self) {
+        self.parts.retain(|part| {
             part.windows(2).map(|ends| (ends[1].point - ends[0].point).hypot()).sum::<f64>() >= CRUMB_DU
-        };
-        self.parts.into_iter().filter(is_whole)
+        });
     }
 }
 

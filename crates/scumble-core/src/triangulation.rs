@@ -123,20 +123,24 @@ impl Triangulation {
         mesh
     }
 
-    /// Takes so many half-edges in order, three to a triangle: origin, index of the twin (`u32::MAX` for none), edge.
+    /// Takes so many half-edges in order, three to a triangle: origin, its own name and that of its twin, edge. Names are less
+    /// than their count; where no half-edge has that of a twin, there is none.
     pub(crate) async fn from_half_edges(
         points: Vec<Point>,
         count: usize,
-        half_edges: impl Iterator<Item = (u32, u32, Edge)>,
+        name_count: usize,
+        half_edges: impl Iterator<Item = (u32, [usize; 2], Edge)>,
     ) -> Self {
         let [mut origins, mut twins] = [(); 2].map(|()| Vec::with_capacity(count));
-        let mut edges = Vec::with_capacity(count);
-        pace::for_each(half_edges, |(origin, twin, edge)| {
+        let (mut edges, mut named) = (Vec::with_capacity(count), vec![NONE; name_count]);
+        pace::for_each((0..).zip(half_edges), |(h, (origin, [own, twin], edge))| {
+            named[own] = h;
             origins.push(origin);
-            twins.push(twin);
+            twins.push(twin as u32);
             edges.push(edge);
         })
         .await;
+        pace::for_each(&mut twins, |twin| *twin = named[*twin as usize]).await;
         Self { points, origins, twins, edges }
     }
 

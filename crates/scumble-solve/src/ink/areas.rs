@@ -28,8 +28,9 @@ pub(super) fn shapes(drawing: &Drawing, map: &PlanarMap) -> Vec<Shape> {
         let own = (!are_drawn(fill, &curves)).then(|| own_regions(fill, drawing));
         Shape { triangles: filled(fill, own.as_ref().unwrap_or(&regions)).into(), color: fill.color }
     };
-    let shapes = drawing.fills.iter().map(shape);
-    shapes.filter(|shape| !shape.triangles.is_empty()).collect()
+    let mut shapes: Vec<_> = drawing.fills.iter().map(shape).collect();
+    shapes.retain(|shape| !shape.triangles.is_empty());
+    shapes
 }
 
 /// Whether all outlines of a fill are among curves; whether they are closed matters to neither.
