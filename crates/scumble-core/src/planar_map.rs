@@ -86,20 +86,27 @@ pub enum MapError {
 /// Pieces that a map may have.
 const MAX_PIECES: usize = 1_000_000;
 
-/// Curves as pieces, triangulated within the frame.
+/// Curves as pieces, triangulated within the frame. A copy shares what does not depend on the gaps.
 #[derive(Clone, Debug)]
 pub struct PlanarMap {
+    base: Arc<Base>,
+    triangulation: Triangulation,
+    gaps: Vec<Gap>,
+    is_rough: bool,
+    refined: OnceLock<Arc<Triangulation>>,
+}
+
+/// What is the same whichever gaps there are.
+#[derive(Debug)]
+struct Base {
     frame: Rect,
     cdt: Cdt,
-    triangulation: Triangulation,
     pieces: Vec<Piece>,
     steps: Vec<Vec<Step>>,
-    gaps: Vec<Gap>,
     half_widths_du: Vec<f64>,
     sampling: Sampling,
     half_edges_of_sides: OnceLock<Vec<Option<HalfEdge>>>,
     clearance: OnceLock<Clearance>,
-    refined: OnceLock<Arc<Triangulation>>,
 }
 
 impl PlanarMap {
@@ -135,17 +142,21 @@ impl PlanarMap {
         pace::pause().await;
         let cdt = delaunay::triangulate(&snapped.nodes, &pieces).await?;
         let triangulation = Slices::new(delaunay::flatten(&cdt, &pieces)).await;
-        Ok(Self {
+        let base = Base {
             frame: sample::frame_rect(frame),
             cdt,
-            triangulation,
             pieces,
             steps,
-            gaps: Vec::new(),
             half_widths_du,
             sampling: *sampling,
             half_edges_of_sides: OnceLock::new(),
             clearance: OnceLock::new(),
+        };
+        Ok(Self {
+            base: base.into(),
+            triangulation,
+            gaps: Vec::new(),
+            is_rough: false,
             refined: OnceLock::new(),
         })
     }
@@ -157,27 +168,27 @@ impl PlanarMap {
 
     /// The part of the plane that the map covers, in du: the page.
     pub fn frame(&self) -> Rect {
-        self.frame
+        self.base.frame
     }
 
     /// How finely its curves are sampled.
     pub(crate) fn sampling(&self) -> Sampling {
-        self.sampling
+        self.base.sampling
     }
 
     /// All pieces; piece `i` has the sides `2 i` and `2 i + 1`.
     pub fn pieces(&self) -> &[Piece] {
-        &self.pieces
+        &self.base.pieces
     }
 
     /// Number of sides: twice the number of pieces.
     pub fn side_count(&self) -> usize {
-        2 * self.pieces.len()
+        2 * self.base.pieces.len()
     }
 
     /// The half-edge of the triangulation that a side is.
     pub fn half_edge(&self, side: SideId) -> Option<HalfEdge> {
-        let half_edges = self.half_edges_of_sides.get_or_init(|| {
+        let half_edges = self.base.half_edges_of_sides.get_or_init(|| {
             let mut half_edges = vec![None; self.side_count()];
             for h in self.triangulation.half_edges() {
                 if let Some(side) = self.triangulation.side(h) {
@@ -191,12 +202,12 @@ impl PlanarMap {
 
     /// Number of curves.
     pub fn curve_count(&self) -> usize {
-        self.steps.len()
+        self.base.steps.len()
     }
 
     /// The way of one curve along the map, in its direction; empty where it is a point, off the page or none of the map's.
     pub fn steps(&self, curve: usize) -> &[Step] {
-        self.steps.get(curve).map_or(&[], Vec::as_slice)
+        self.base.steps.get(curve).map_or(&[], Vec::as_slice)
     }
 
     /// The passages that may be closed to colours, in a fixed order.
@@ -207,7 +218,7 @@ impl PlanarMap {
     /// Half the width of the widest line that is drawn through a node, in du; `None` where nothing but the frame
     /// passes through it.
     pub fn half_width_du(&self, node: u32) -> Option<f64> {
-        self.half_widths_du.get(node as usize).copied().filter(|half_width_du| *half_width_du >= 0.0)
+        self.base.half_widths_du.get(node as usize).copied().filter(|half_width_du| *half_width_du >= 0.0)
     }
 
     /// Whether only the frame passes through one of two nodes.
@@ -217,7 +228,7 @@ impl PlanarMap {
 
     /// Whether a curve ends where it starts, without a gap where it leaves the page.
     pub fn is_closed(&self, curve: usize) -> bool {
-        let steps = &self.steps[curve];
+        let steps = &self.base.steps[curve];
         let gapless = steps.windows(2).all(|pair| pair[0].arc_du[1] == pair[1].arc_du[0]);
         match (steps.first(), steps.last()) {
             (Some(first), Some(last)) => gapless && self.ends(first.left)[0] == self.ends(last.left)[1],
@@ -227,7 +238,7 @@ impl PlanarMap {
 
     /// The nodes at the start and the end of a side, in the direction that has it on the left.
     pub fn ends(&self, side: SideId) -> [u32; 2] {
-        let [a, b] = self.pieces[side.piece()].nodes;
+        let [a, b] = self.base.pieces[side.piece()].nodes;
         if side.is_right() { [b, a] } else { [a, b] }
     }
 
@@ -251,13 +262,13 @@ impl PlanarMap {
 
     /// How wide all passages are, whichever gaps there are. Worked out at the first call.
     pub(crate) fn clearance(&self) -> &Clearance {
-        self.clearance.get_or_init(|| now(Slices::new(Clearance::measuring(self))))
+        self.base.clearance.get_or_init(|| now(Slices::new(Clearance::measuring(self))))
     }
 
     /// Works [`PlanarMap::clearance`] out, in slices.
     pub(crate) async fn measuring(&self) {
-        if self.clearance.get().is_none() {
-            let _ = self.clearance.set(Slices::new(Clearance::measuring(self)).await);
+        if self.base.clearance.get().is_none() {
+            let _ = self.base.clearance.set(Slices::new(Clearance::measuring(self)).await);
         }
     }
 
@@ -277,12 +288,26 @@ impl PlanarMap {
         })
     }
 
+    /// Whether [`PlanarMap::refined`] is the triangulation as it is: at once, and rough.
+    pub fn is_rough(&self) -> bool {
+        self.is_rough
+    }
+
+    /// Makes it so, or not.
+    pub fn set_rough(&mut self, is_rough: bool) {
+        self.is_rough = is_rough;
+        self.refined = OnceLock::new();
+    }
+
     async fn finer(&self) -> Triangulation {
-        let mut cdt = self.cdt.clone();
+        if self.is_rough {
+            return self.triangulation.clone();
+        }
+        let mut cdt = self.base.cdt.clone();
         pace::pause().await;
-        delaunay::keep_gaps(&mut cdt, &self.triangulation, &self.sampling).await;
-        refinement::refine(&mut cdt, self.frame, self.sampling.spacing_du).await;
-        Slices::new(delaunay::flatten(&cdt, &self.pieces)).await
+        delaunay::keep_gaps(&mut cdt, &self.triangulation, &self.base.sampling).await;
+        refinement::refine(&mut cdt, self.base.frame, self.base.sampling.spacing_du).await;
+        Slices::new(delaunay::flatten(&cdt, &self.base.pieces)).await
     }
 }
 

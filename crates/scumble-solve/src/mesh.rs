@@ -80,26 +80,32 @@ pub struct MeshSolver {
 impl MeshSolver {
     /// Numbers the unknowns of a mesh, all gaps being open, and finds an order of elimination and its pattern.
     pub fn new(mesh: impl Into<Arc<Triangulation>>) -> Self {
-        now(Self::meshing(mesh.into()))
+        now(Self::meshing(mesh.into(), None))
     }
 
-    /// The same in slices.
-    pub fn meshing(mesh: Arc<Triangulation>) -> Slices<'static, Self> {
-        Slices::new(Self::meshed(mesh))
+    /// The same in slices; if `only` for one boundary, in less time. With another it is of no use.
+    pub fn meshing(mesh: Arc<Triangulation>, only: Option<&Boundary>) -> Slices<'_, Self> {
+        Slices::new(Self::meshed(mesh, only))
     }
 
-    async fn meshed(mesh: Arc<Triangulation>) -> Self {
-        let mut regions = numbering::regions(Barriers { mesh: &mesh, closed_gaps: &[] }).await;
-        let numbering = Numbering::new(&mesh, &mut regions).await;
+    async fn meshed(mesh: Arc<Triangulation>, only: Option<&Boundary>) -> Self {
+        let closed_gaps = only.map(|boundary| boundary.closed_gaps.clone()).unwrap_or_default();
+        let mut regions = numbering::regions(Barriers { mesh: &mesh, closed_gaps: &closed_gaps }).await;
+        let numbering = Numbering::new(&mesh, &mut regions, only.map(|boundary| &boundary.sides)).await;
         Self {
             mesh,
             numbering,
-            closed_gaps: Vec::new(),
+            closed_gaps,
             regions: regions.into_iter().map(Region::new).collect(),
             memory: Vec::new(),
             field: Field::default(),
             emitted: Vec::new(),
         }
+    }
+
+    /// The colour field of the last solve. It is of no use any more afterwards.
+    pub(crate) fn take_field(&mut self) -> Field {
+        mem::take(&mut self.field)
     }
 
     /// Number of triangles of the mesh.
@@ -328,6 +334,25 @@ mod tests {
             let kept =
                 |i: &usize| before[expected[*i].side_edges as usize] == now[expected[*i].side_edges as usize];
             (0..moved.len()).filter(kept).for_each(|i| assert_eq!(moved[i], expected[i], "{i}"));
+        }
+    }
+
+    #[test]
+    fn a_solver_for_one_boundary_alone_gives_the_same_field() {
+        let map = map();
+        let mut sides: Vec<_> = (0..map.side_count()).map(|i| Some([[i as f64; 4]; 3])).collect();
+        map.steps(1).iter().for_each(|step| sides[step.left.index()] = None);
+        let boundary = Boundary { closed_gaps: vec![true], ..sides.into() };
+        let fields = [None, Some(&boundary)].map(|only| {
+            let mut solver = now(MeshSolver::meshing(map.refined().clone(), only));
+            solver.solve(&boundary, Blend::Oklab).expect("a field").triangles.clone()
+        });
+        assert!(!fields[0].is_empty() && fields[0].len() < map.refined().triangle_count());
+        assert_eq!(fields[0].len(), fields[1].len());
+        for (all, only) in fields[0].iter().zip(&fields[1]) {
+            assert_eq!((all.corners, all.side_edges), (only.corners, only.side_edges));
+            let pairs = all.colors.as_flattened().iter().zip(only.colors.as_flattened());
+            pairs.for_each(|(a, b)| assert!((a - b).abs() < 1e-3, "{a} {b}"));
         }
     }
 

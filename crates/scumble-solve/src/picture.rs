@@ -59,6 +59,34 @@ impl Picture {
         Self::of(self.map.clone(), self.settings)
     }
 
+    /// Makes the picture rough: from the triangles between the lines as they are. That takes a third of the time, but long thin
+    /// triangles give a few sides another label. Nothing but the map is known then.
+    pub fn roughen(&mut self) {
+        self.set_rough(true);
+    }
+
+    /// Makes the picture from a fine mesh again, and gives the rough one. Nothing but the map is known then.
+    pub fn refine(&mut self) -> Field {
+        let rough = self.solver.as_mut().map(MeshSolver::take_field);
+        self.set_rough(false);
+        rough.unwrap_or_default()
+    }
+
+    /// Whether it is rough.
+    pub fn is_rough(&self) -> bool {
+        self.map.is_rough()
+    }
+
+    fn set_rough(&mut self, is_rough: bool) {
+        self.map.set_rough(is_rough);
+        self.engine = self.settings.engine();
+        self.forget_colors();
+    }
+
+    fn forget_colors(&mut self) {
+        (self.boundary, self.solver) = (KnownBoundary::default(), None);
+    }
+
     fn of(map: PlanarMap, settings: Settings) -> Self {
         Self { map, engine: settings.engine(), settings, boundary: KnownBoundary::default(), solver: None }
     }
@@ -116,7 +144,7 @@ impl Picture {
         let is_other_map =
             before.gap_closing != settings.gap_closing && self.map.closing_gaps(settings.gap_closing).await;
         if is_other_map {
-            (self.boundary, self.solver) = (KnownBoundary::default(), None);
+            self.forget_colors();
         }
         if is_other_map || !before.share_engine(&settings) {
             self.engine = settings.engine();
@@ -175,11 +203,12 @@ impl Picture {
     }
 
     async fn ready(&mut self) -> (&mut MeshSolver, &Boundary) {
-        let solver = match self.solver.take() {
+        let only = self.is_rough().then(|| self.boundary.get());
+        let solver = match self.solver.take().filter(|_| only.is_none()) {
             Some(solver) => solver,
             None => {
                 self.map.refining().await;
-                MeshSolver::meshing(self.map.refined().clone()).await
+                MeshSolver::meshing(self.map.refined().clone(), only).await
             }
         };
         (self.solver.insert(solver), self.boundary.get())
@@ -233,10 +262,12 @@ impl Picture {
 mod tests {
     use super::*;
     use kurbo::{Circle, Point, Shape};
-    use scumble_core::{Curve, ScribbleKind, Srgb8};
+    use scumble_core::{Curve, ScribbleKind, Shading, Srgb8};
 
-    #[test]
-    fn what_is_seen_from_close_by_is_finer_and_from_afar_it_is_the_same() {
+    use crate::field::FieldTriangle;
+
+    /// A disc with a scribble in it.
+    fn disc() -> Document {
         let path = Circle::new((500.0, 500.0), 30.0).to_path(1e-6);
         let drawing = Drawing {
             curves: vec![Curve { path, line: None }],
@@ -245,7 +276,40 @@ mod tests {
         let points = vec![Point::new(490.0, 500.0), Point::new(510.0, 500.0)];
         let color = Srgb8([9; 3]).into();
         let scribble = Scribble { color, kind: ScribbleKind::Fill, width_du: 10.0, points };
-        let document = Document { scribbles: vec![scribble], ..Document::new(drawing) };
+        Document { scribbles: vec![scribble], ..Document::new(drawing) }
+    }
+
+    #[test]
+    fn a_rough_picture_has_the_same_colour_on_fewer_triangles_and_leaves_nothing_behind() {
+        let document = disc();
+        let [mut rough, mut fine] = [(); 2].map(|()| Picture::new(&document.drawing).expect("a map"));
+        rough.roughen();
+        rough.update(&document).expect("a field");
+        assert!(rough.is_rough());
+        let field = rough.refine();
+        let expected = fine.update(&document).expect("a field");
+        assert!((1..expected.triangles.len()).contains(&field.triangles.len()));
+        assert!(field.triangles.iter().all(|triangle| triangle.colors == expected.triangles[0].colors));
+        assert_eq!(rough.update(&document).expect("a field"), expected);
+    }
+
+    #[test]
+    fn a_rough_picture_has_shades_also_where_nothing_has_a_colour() {
+        let mut document = disc();
+        let kind = ScribbleKind::Shade(Shading { crosses: true, ..Shading::default() });
+        let points = vec![Point::new(480.0, 500.0), Point::new(700.0, 520.0)];
+        document.scribbles.push(Scribble { kind, points, ..document.scribbles[0].clone() });
+        let mut picture = Picture::new(&document.drawing).expect("a map");
+        picture.roughen();
+        picture.update(&document).expect("a field");
+        let is_beyond = |triangle: &FieldTriangle| triangle.corners.iter().all(|corner| corner[0] > 600.0);
+        let mut beyond = picture.refine().triangles.into_iter().filter(is_beyond);
+        assert!(beyond.any(|triangle| triangle.colors.iter().any(|color| color[3] > 0.1)));
+    }
+
+    #[test]
+    fn what_is_seen_from_close_by_is_finer_and_from_afar_it_is_the_same() {
+        let document = disc();
         let mut picture = Picture::new(&document.drawing).expect("a map");
         let drawing = &document.drawing;
         assert_eq!(picture.close_up(drawing, drawing.frame(), 16.0), None, "nothing is solved");

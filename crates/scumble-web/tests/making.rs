@@ -287,6 +287,24 @@ fn the_lines_of_a_large_drawing_are_there_at_once_and_the_pen_with_them() {
 }
 
 #[test]
+fn a_rough_picture_of_a_large_drawing_is_there_before_the_right_one_and_stays_while_somebody_scribbles() {
+    let mut page = Page::open();
+    page.lay(large());
+    page.frame();
+    assert!(page.screen.0.triangles.is_empty());
+    while page.screen.0.triangles.is_empty() {
+        assert!(page.frame());
+    }
+    let rough = page.screen.0.clone();
+    page.stroke([(100.0, 97.0), (200.0, 97.0)]);
+    assert!(page.frame());
+    assert!(page.screen.0 == rough);
+    page.rest();
+    assert!(page.screen.0.triangles.len() > rough.triangles.len());
+    page.assert_right();
+}
+
+#[test]
 fn a_large_drawing_is_left_for_the_one_before_and_can_be_come_back_to() {
     for leave in [Command::StopMaking, Command::Undo] {
         for is_worked_on in [false, true] {

@@ -14,9 +14,10 @@ const SIZE_PX: u32 = 1024;
 const TURNS: usize = 12;
 
 /// What is timed, in the order of [`PictureTimes::rows`].
-pub(super) const ROWS: [&str; 8] = [
+pub(super) const ROWS: [&str; 9] = [
     "drawing to picture, one scribble",
     "  … the longest slice of it",
+    "drawing to rough picture, all scribbles",
     "one more scribble (color to solve)",
     "  … of which color",
     "  … of which analyse",
@@ -46,6 +47,7 @@ impl PictureTimes {
         let mut picture = opened?;
         times.rows[0].push(open_ms);
         times.rows[1].push(longest_slice_ms(drawing, first)?);
+        times.rows[2].push(rough_ms(drawing, scribbles)?);
         let mut scribbles = scribbles.to_vec();
         for _ in 0..scribbles.len().min(TURNS) {
             scribbles.rotate_left(1);
@@ -73,9 +75,21 @@ impl PictureTimes {
             recolored.total_ms(),
             recolored.solve_ms,
         ];
-        self.rows[2..].iter_mut().zip(times_ms).for_each(|(row, ms)| row.push(ms));
+        self.rows[3..].iter_mut().zip(times_ms).for_each(|(row, ms)| row.push(ms));
         Ok(())
     }
+}
+
+/// How long the rough picture takes, painted.
+fn rough_ms(drawing: &Drawing, scribbles: &[Scribble]) -> anyhow::Result<f64> {
+    let document = Document { scribbles: scribbles.to_vec(), ..Document::new(drawing.clone()) };
+    let view = stages::page_view(drawing, SIZE_PX);
+    let (painted, rough_ms) = timed(|| {
+        let mut picture = Picture::new(&document.drawing)?;
+        picture.roughen();
+        Ok::<_, anyhow::Error>(stages::paint_page(picture.update(&document)?, &[], &view, Some(PAPER)))
+    });
+    painted.map(|_| rough_ms)
 }
 
 /// How long a page that makes the picture in slices does not answer at most.

@@ -8,7 +8,7 @@ use std::sync::Arc;
 
 use kurbo::Vec2;
 use scumble_core::pace;
-use scumble_core::{HalfEdge, SideId, Triangulation, sort};
+use scumble_core::{HalfEdge, SideColors, SideId, Triangulation, sort};
 
 use super::order::{corner_rank, elimination_rank};
 use super::pattern::Pattern;
@@ -78,6 +78,11 @@ impl Dofs {
         let corners = corners(barriers.mesh, &walls, unknowns.count).await;
         pace::pause_after(triangles.len()).await;
         Self { triangles, unknowns, sides, corners, gaps }
+    }
+
+    /// Whether any of its sides has a colour.
+    pub(super) fn has_colors(&self, colors: &SideColors) -> bool {
+        self.sides.iter().any(|side| colors.get(side.id.index()).is_some_and(Option::is_some))
     }
 
     /// Renumbers the unknowns, of which those at corners come first, in the order of elimination that the corners are in.

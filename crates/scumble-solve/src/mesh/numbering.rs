@@ -8,7 +8,7 @@ use std::mem;
 use std::sync::Arc;
 
 use scumble_core::pace::{self, Pace};
-use scumble_core::{HalfEdge, Triangulation};
+use scumble_core::{HalfEdge, SideColors, Triangulation};
 
 use super::dissection;
 use super::dofs::{Dofs, NONE, Unknowns, half_edges};
@@ -46,12 +46,16 @@ pub(super) struct Numbering {
 }
 
 impl Numbering {
-    /// Puts the unknowns of the regions of a mesh in order, all gaps being open.
-    pub(super) async fn new(mesh: &Triangulation, regions: &mut [Dofs]) -> Self {
+    /// Puts the unknowns of the regions of a mesh in order, all gaps being open; or, as gaps are, those of the regions alone that
+    /// have colours, where others will never have any.
+    pub(super) async fn new(mesh: &Triangulation, regions: &mut [Dofs], only: Option<&SideColors>) -> Self {
         let mut of_triangle = vec![[NONE; 6]; mesh.triangle_count()];
         let (mut firsts, mut patterns) = (Vec::new(), Vec::new());
         let (mut first, mut pace) = (0, Pace::default());
         for region in regions {
+            if only.is_some_and(|colors| !region.has_colors(colors)) {
+                continue;
+            }
             let ends = region.order(&dissection::corner_rank(mesh, region).await);
             pace.work(region.triangles.len()).await;
             region.unknowns.pattern = pattern(&region.unknowns, &ends).await.into();
@@ -305,7 +309,7 @@ mod tests {
         let mesh = map.refined();
         let triangles: Vec<_> = (0..mesh.triangle_count() as u32).collect();
         let mut open = now(Slices::new(regions(Barriers { mesh, closed_gaps: &[] })));
-        let numbering = now(Slices::new(Numbering::new(mesh, &mut open)));
+        let numbering = now(Slices::new(Numbering::new(mesh, &mut open, None)));
         for closed_gaps in [&[false], &[true]] {
             let barriers = Barriers { mesh, closed_gaps };
             let ours = now(Slices::new(numbering.regions(barriers, &triangles)));
@@ -336,7 +340,7 @@ mod tests {
         let mesh = map.refined();
         let triangles: Vec<_> = (0..mesh.triangle_count() as u32).collect();
         let mut open = now(Slices::new(regions(Barriers { mesh, closed_gaps: &[] })));
-        let numbering = now(Slices::new(Numbering::new(mesh, &mut open)));
+        let numbering = now(Slices::new(Numbering::new(mesh, &mut open, None)));
         let mut region_counts = Vec::new();
         for closed in 0..1 << gap_count {
             let closed_gaps: Vec<_> = (0..gap_count).map(|gap| closed >> gap & 1 == 1).collect();
@@ -360,7 +364,7 @@ mod tests {
         let map = map();
         let mesh = map.refined();
         let mut open = now(Slices::new(regions(Barriers { mesh, closed_gaps: &[] })));
-        let numbering = now(Slices::new(Numbering::new(mesh, &mut open)));
+        let numbering = now(Slices::new(Numbering::new(mesh, &mut open, None)));
         let numbers = |closed_gaps: &[bool], triangles: &[u32]| {
             now(Slices::new(numbering.regions(Barriers { mesh, closed_gaps }, triangles)))
         };

@@ -88,10 +88,10 @@ impl Session {
         }
     }
 
-    /// The picture of the mesh solver.
+    /// The picture of the mesh solver; where it has never been made, what is shown meanwhile stays.
     pub(super) fn refresh_field(&mut self) {
         self.refresh_boundary();
-        if take(&mut self.stale.field) {
+        if self.sheet.is_made() && take(&mut self.stale.field) {
             self.solve();
         }
     }

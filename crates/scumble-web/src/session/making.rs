@@ -10,6 +10,9 @@ use super::sheet::Sheet;
 use crate::effect::{Effect, Wanted};
 use crate::solver::{Moment, PIECES_IN_HAND, Source};
 
+/// The picture of a drawing with more pieces takes so long that a rough one is shown before it.
+const MANY_PIECES: usize = 30_000;
+
 /// Makes all that the first picture of a document takes, from a map: its boundary, and where it comes from a mesh, its field,
 /// which it gives. What fails is told of when the picture is shown, with the lines.
 pub(super) async fn make<'a>(
@@ -35,12 +38,17 @@ impl Making {
     /// From a picture of the same lines, if there is one.
     fn new(sheet: &Sheet, known: Option<Picture>, is_meshed: impl Fn(&Picture) -> bool + 'static) -> Self {
         let document = sheet.editor.document().clone();
+        let has_colors = !(document.scribbles.is_empty() && document.color_points.is_empty());
+        let is_first = known.is_none() && !sheet.is_made() && has_colors;
         let picture = Slices::new(async move {
             let mut picture = match known {
                 Some(picture) => picture,
                 None => Picture::mapping(&document.drawing).await?,
             };
-            let is_meshed = is_meshed(&picture);
+            if is_first && picture.map().pieces().len() > MANY_PIECES {
+                picture.roughen();
+            }
+            let is_meshed = picture.is_rough() || is_meshed(&picture);
             make(&mut picture, &document, is_meshed).await;
             Ok(picture)
         });
@@ -100,7 +108,11 @@ impl Session {
         let is_wanted = self.wanted() != Wanted::Nothing;
         let lines = self.sheet.editor.lines_revision();
         match self.making.take().filter(|making| is_wanted && making.lines == lines) {
-            None => self.making = is_wanted.then(|| self.begin_making()),
+            None if is_wanted => {
+                let known = (!self.sheet.has_stale_map()).then(|| self.sheet.picture.again());
+                self.make_from(known);
+            }
+            None => {}
             Some(Making { revision, picture, .. }) => match picture.go_on() {
                 Err(picture) => self.making = Some(Making { lines, revision, picture }),
                 Ok(picture) => self.end_making(picture, revision),
@@ -109,22 +121,23 @@ impl Session {
         self.making.is_some()
     }
 
+    /// Begins with a picture of the same lines, if there is one.
+    fn make_from(&mut self, known: Option<Picture>) {
+        let is_meshed = self.is_meshed(!self.sheet.has_stale_map());
+        self.making = Some(Making::new(&self.sheet, known, is_meshed));
+    }
+
     fn end_making(&mut self, picture: Result<Picture, MapError>, revision: u32) {
         match picture {
-            // What was done meanwhile may take as long.
-            Ok(picture) if revision != self.sheet.editor.revision() => {
-                let is_meshed = self.is_meshed(self.sheet.is_made());
-                self.making = Some(Making::new(&self.sheet, Some(picture), is_meshed));
+            Ok(mut picture) if picture.is_rough() => {
+                self.show_field(picture.refine());
+                self.make_from(Some(picture));
             }
+            // What was done meanwhile may take as long.
+            Ok(picture) if revision != self.sheet.editor.revision() => self.make_from(Some(picture)),
             Ok(picture) => self.show_made(picture),
             Err(error) => self.take_back(&error),
         }
-    }
-
-    fn begin_making(&self) -> Making {
-        let known = (!self.sheet.has_stale_map()).then(|| self.sheet.picture.again());
-        let is_meshed = self.is_meshed(known.is_some());
-        Making::new(&self.sheet, known, is_meshed)
     }
 
     /// Whether a picture comes from the mesh solver, as of now: the first one of a drawing, or another after it.

@@ -4,7 +4,7 @@ use std::mem::{replace, take};
 
 use scumble_core::work::Item;
 use scumble_core::{Document, Drawing, Editor, MapError, PlanarMap, Work};
-use scumble_solve::Picture;
+use scumble_solve::{Field, Picture};
 
 use super::{Session, Stale};
 use crate::effect::{Effect, SheetState};
@@ -170,6 +170,9 @@ impl Session {
         if self.lacks_map() {
             let settings = *self.sheet.picture.settings();
             self.sheet.picture.color(&[], &[], &settings);
+        }
+        if !self.sheet.is_made() {
+            self.show_field(Field::default());
         }
         before
     }
