@@ -274,7 +274,8 @@ impl PlanarMap {
 
     /// The same pieces with further nodes between them, so that angles are at least 20° where the pieces allow it, and 29°
     /// in larger triangles, and no triangle is larger than the sampling asks for: the mesh of the solver. Pieces are never
-    /// split; gaps are chains of edges. Worked out at the first call, and anew with other gaps.
+    /// split; gaps are chains of edges. Worked out at the first call, and anew with other gaps. Of a rough map it is the
+    /// triangulation as it is.
     pub fn refined(&self) -> &Arc<Triangulation> {
         self.refined.get_or_init(|| Arc::new(now(Slices::new(self.finer()))))
     }
@@ -293,7 +294,7 @@ impl PlanarMap {
         self.is_rough
     }
 
-    /// Makes it so, or not.
+    /// Has [`PlanarMap::refined`] be the triangulation as it is, or be worked out.
     pub fn set_rough(&mut self, is_rough: bool) {
         self.is_rough = is_rough;
         self.refined = OnceLock::new();

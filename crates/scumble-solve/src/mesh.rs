@@ -84,7 +84,7 @@ impl MeshSolver {
     }
 
     /// The same in slices; if `only` for one boundary, in less time. With another it is of no use.
-    pub fn meshing(mesh: Arc<Triangulation>, only: Option<&Boundary>) -> Slices<'_, Self> {
+    pub(crate) fn meshing(mesh: Arc<Triangulation>, only: Option<&Boundary>) -> Slices<'_, Self> {
         Slices::new(Self::meshed(mesh, only))
     }
 

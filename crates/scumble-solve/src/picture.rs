@@ -65,7 +65,7 @@ impl Picture {
         self.set_rough(true);
     }
 
-    /// Makes the picture from a fine mesh again, and gives the rough one. Nothing but the map is known then.
+    /// Makes a rough picture from a fine mesh again, and gives the rough field. Nothing but the map is known then.
     pub fn refine(&mut self) -> Field {
         let rough = self.solver.as_mut().map(MeshSolver::take_field);
         self.set_rough(false);
@@ -107,7 +107,7 @@ impl Picture {
         &self.map
     }
 
-    /// The solver on the refined map; meshes at the first call.
+    /// The solver on the refined map; meshes at the first call, or if the picture is rough at each.
     pub fn mesh(&mut self) -> &mut MeshSolver {
         self.mesh_and_boundary().0
     }

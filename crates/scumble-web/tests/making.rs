@@ -21,9 +21,9 @@ mod zigzags;
 /// Slices of a picture on its way that are made for a frame.
 const SLICES: usize = 80;
 
-/// A painter that keeps the field it is given, and how many shapes of ink.
+/// A painter that keeps the field it is given, how many shapes of ink, and whether the picture is one on pixels.
 #[derive(Default)]
-struct Screen(Field, usize);
+struct Screen(Field, usize, bool);
 
 impl Painter for Screen {
     fn paint(&mut self, painting: &Painting<'_>, changed: Changed) -> bool {
@@ -31,6 +31,7 @@ impl Painter for Screen {
             self.0.clone_from(painting.field);
         }
         self.1 = painting.layers.ink().len();
+        self.2 = painting.problem.is_some();
         true
     }
 }
@@ -101,6 +102,16 @@ impl Page {
     /// Frames until there is nothing more to show; how many.
     fn rest(&mut self) -> usize {
         (1..1000).find(|_| !self.frame()).expect("it comes to rest")
+    }
+
+    /// Frames until a drawing that has just been opened, or come back to, has its first colours.
+    fn first_colors(&mut self) -> Field {
+        self.frame();
+        assert!(self.screen.0.triangles.is_empty());
+        while self.screen.0.triangles.is_empty() {
+            assert!(self.frame());
+        }
+        self.screen.0.clone()
     }
 
     /// Whether the page was told last that a picture is on its way, if it was told anything of that.
@@ -290,18 +301,44 @@ fn the_lines_of_a_large_drawing_are_there_at_once_and_the_pen_with_them() {
 fn a_rough_picture_of_a_large_drawing_is_there_before_the_right_one_and_stays_while_somebody_scribbles() {
     let mut page = Page::open();
     page.lay(large());
-    page.frame();
-    assert!(page.screen.0.triangles.is_empty());
-    while page.screen.0.triangles.is_empty() {
-        assert!(page.frame());
-    }
-    let rough = page.screen.0.clone();
+    let rough = page.first_colors();
     page.stroke([(100.0, 97.0), (200.0, 97.0)]);
     assert!(page.frame());
     assert!(page.screen.0 == rough);
     page.rest();
     assert!(page.screen.0.triangles.len() > rough.triangles.len());
     page.assert_right();
+}
+
+#[test]
+fn a_drawing_can_be_left_while_its_rough_picture_is_shown() {
+    for leave in [Command::StopMaking, Command::Undo] {
+        let mut page = Page::of(Page::open().session.work());
+        let picture = page.screen.0.clone();
+        page.lay(large());
+        page.first_colors();
+        page.session.command(leave);
+        page.rest();
+        assert!(page.screen.0 == picture);
+        page.session.command(Command::Redo);
+        page.first_colors();
+        page.rest();
+        page.assert_right();
+    }
+}
+
+#[test]
+fn a_rough_picture_comes_before_one_on_pixels_too() {
+    let mut page = Page::open();
+    page.session.set_grids(Grids::Fast);
+    page.session.command(Command::Solver(Solver::Gpu));
+    page.rest();
+    assert!(page.screen.2);
+    page.lay(large());
+    page.first_colors();
+    assert!(!page.screen.2);
+    page.rest();
+    assert!(page.screen.2);
 }
 
 #[test]

@@ -14,9 +14,10 @@ const SIZE_PX: u32 = 1024;
 const TURNS: usize = 12;
 
 /// What is timed, in the order of [`PictureTimes::rows`].
-pub(super) const ROWS: [&str; 9] = [
+pub(super) const ROWS: [&str; 10] = [
     "drawing to picture, one scribble",
     "  … the longest slice of it",
+    "drawing to picture, all scribbles",
     "drawing to rough picture, all scribbles",
     "one more scribble (color to solve)",
     "  … of which color",
@@ -47,7 +48,8 @@ impl PictureTimes {
         let mut picture = opened?;
         times.rows[0].push(open_ms);
         times.rows[1].push(longest_slice_ms(drawing, first)?);
-        times.rows[2].push(rough_ms(drawing, scribbles)?);
+        times.rows[2].push(picture_ms(drawing, scribbles, false)?);
+        times.rows[3].push(picture_ms(drawing, scribbles, true)?);
         let mut scribbles = scribbles.to_vec();
         for _ in 0..scribbles.len().min(TURNS) {
             scribbles.rotate_left(1);
@@ -75,21 +77,23 @@ impl PictureTimes {
             recolored.total_ms(),
             recolored.solve_ms,
         ];
-        self.rows[3..].iter_mut().zip(times_ms).for_each(|(row, ms)| row.push(ms));
+        self.rows[4..].iter_mut().zip(times_ms).for_each(|(row, ms)| row.push(ms));
         Ok(())
     }
 }
 
-/// How long the rough picture takes, painted.
-fn rough_ms(drawing: &Drawing, scribbles: &[Scribble]) -> anyhow::Result<f64> {
+/// How long a picture takes, painted.
+fn picture_ms(drawing: &Drawing, scribbles: &[Scribble], is_rough: bool) -> anyhow::Result<f64> {
     let document = Document { scribbles: scribbles.to_vec(), ..Document::new(drawing.clone()) };
     let view = stages::page_view(drawing, SIZE_PX);
-    let (painted, rough_ms) = timed(|| {
+    let (painted, picture_ms) = timed(|| {
         let mut picture = Picture::new(&document.drawing)?;
-        picture.roughen();
+        if is_rough {
+            picture.roughen();
+        }
         Ok::<_, anyhow::Error>(stages::paint_page(picture.update(&document)?, &[], &view, Some(PAPER)))
     });
-    painted.map(|_| rough_ms)
+    painted.map(|_| picture_ms)
 }
 
 /// How long a page that makes the picture in slices does not answer at most.

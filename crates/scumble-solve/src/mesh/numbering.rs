@@ -46,8 +46,8 @@ pub(super) struct Numbering {
 }
 
 impl Numbering {
-    /// Puts the unknowns of the regions of a mesh in order, all gaps being open; or, as gaps are, those of the regions alone that
-    /// have colours, where others will never have any.
+    /// Puts the unknowns of the regions of a mesh in order, all gaps being open. If `only` for these colours, those of the regions
+    /// alone that have any, as gaps are: gaps and colours must stay so.
     pub(super) async fn new(mesh: &Triangulation, regions: &mut [Dofs], only: Option<&SideColors>) -> Self {
         let mut of_triangle = vec![[NONE; 6]; mesh.triangle_count()];
         let (mut firsts, mut patterns) = (Vec::new(), Vec::new());

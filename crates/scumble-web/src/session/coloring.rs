@@ -3,6 +3,7 @@
 use std::mem::take;
 
 use scumble_core::Document;
+use scumble_solve::Field;
 use scumble_solve::grid::GridProblem;
 
 use super::Session;
@@ -62,8 +63,11 @@ impl Session {
         }
     }
 
-    /// Where the picture is to come from. One on pixels stays until the mesh is made.
+    /// Where the picture is to come from: a rough one, and one on pixels that stays until the mesh is made, from where it does.
     pub(super) fn choice(&self) -> Source {
+        if !self.sheet.is_made() {
+            return Source::Mesh;
+        }
         let stays = self.source == Source::Grid && self.grids != Grids::No && self.lacks_mesh();
         if stays { Source::Grid } else { self.solver.source(&self.moment()) }
     }
@@ -94,6 +98,14 @@ impl Session {
         if self.sheet.is_made() && take(&mut self.stale.field) {
             self.solve();
         }
+    }
+
+    /// Shows a field as it is.
+    pub(super) fn show_field(&mut self, field: Field) {
+        (self.field, self.stale.field) = (field, false);
+        self.changed.field = true;
+        self.changed.add_everywhere();
+        self.stale.view = true;
     }
 
     fn solve(&mut self) {

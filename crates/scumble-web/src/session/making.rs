@@ -11,7 +11,7 @@ use crate::effect::{Effect, Wanted};
 use crate::solver::{Moment, PIECES_IN_HAND, Source};
 
 /// The picture of a drawing with more pieces takes so long that a rough one is shown before it.
-const MANY_PIECES: usize = 30_000;
+const ROUGH_FIRST_PIECES: usize = 30_000;
 
 /// Makes all that the first picture of a document takes, from a map: its boundary, and where it comes from a mesh, its field,
 /// which it gives. What fails is told of when the picture is shown, with the lines.
@@ -23,6 +23,10 @@ pub(super) async fn make<'a>(
     let Document { scribbles, color_points, settings, .. } = document;
     picture.coloring(scribbles, color_points, settings).await;
     if is_meshed { picture.solving().await.ok() } else { None }
+}
+
+fn has_colors(document: &Document) -> bool {
+    !(document.scribbles.is_empty() && document.color_points.is_empty())
 }
 
 /// A picture on its way.
@@ -38,14 +42,13 @@ impl Making {
     /// From a picture of the same lines, if there is one.
     fn new(sheet: &Sheet, known: Option<Picture>, is_meshed: impl Fn(&Picture) -> bool + 'static) -> Self {
         let document = sheet.editor.document().clone();
-        let has_colors = !(document.scribbles.is_empty() && document.color_points.is_empty());
-        let is_first = known.is_none() && !sheet.is_made() && has_colors;
+        let is_first = known.is_none() && !sheet.is_made() && has_colors(&document);
         let picture = Slices::new(async move {
             let mut picture = match known {
                 Some(picture) => picture,
                 None => Picture::mapping(&document.drawing).await?,
             };
-            if is_first && picture.map().pieces().len() > MANY_PIECES {
+            if is_first && picture.map().pieces().len() > ROUGH_FIRST_PIECES {
                 picture.roughen();
             }
             let is_meshed = picture.is_rough() || is_meshed(&picture);
@@ -130,7 +133,10 @@ impl Session {
     fn end_making(&mut self, picture: Result<Picture, MapError>, revision: u32) {
         match picture {
             Ok(mut picture) if picture.is_rough() => {
-                self.show_field(picture.refine());
+                let rough = picture.refine();
+                if has_colors(self.document()) {
+                    self.show_field(rough);
+                }
                 self.make_from(Some(picture));
             }
             // What was done meanwhile may take as long.
@@ -187,6 +193,8 @@ impl Session {
     fn show_made(&mut self, picture: Picture) {
         let lines = self.sheet.editor.lines_revision();
         self.sheet.take_picture(picture, lines);
+        // A rough one goes, also where the right one cannot be solved.
+        self.show_field(Field::default());
         self.scribbles_changed();
         self.stale.lines = true;
     }

@@ -118,12 +118,4 @@ impl Session {
             self.show_field(field);
         }
     }
-
-    /// Shows a field that was made elsewhere.
-    pub(super) fn show_field(&mut self, field: Field) {
-        (self.field, self.stale.field) = (field, false);
-        self.changed.field = true;
-        self.changed.add_everywhere();
-        self.stale.view = true;
-    }
 }

@@ -165,14 +165,12 @@ impl Session {
         (self.held, self.making) = (None, None);
         self.select(Selection::default());
         self.viewport.show_page(sheet.editor.document().drawing.frame());
+        self.show_field(Field::default());
         self.stale = Stale::ALL;
         let before = replace(&mut self.sheet, sheet);
         if self.lacks_map() {
             let settings = *self.sheet.picture.settings();
             self.sheet.picture.color(&[], &[], &settings);
-        }
-        if !self.sheet.is_made() {
-            self.show_field(Field::default());
         }
         before
     }
