@@ -103,7 +103,7 @@ impl MeshSolver {
         }
     }
 
-    /// The colour field of the last solve. It is of no use any more afterwards.
+    /// The colour field of the last solve. The solver is of no use any more afterwards.
     pub(crate) fn take_field(&mut self) -> Field {
         mem::take(&mut self.field)
     }

@@ -21,17 +21,22 @@ mod zigzags;
 /// Slices of a picture on its way that are made for a frame.
 const SLICES: usize = 80;
 
-/// A painter that keeps the field it is given, how many shapes of ink, and whether the picture is one on pixels.
+/// A painter that keeps the field it is given.
 #[derive(Default)]
-struct Screen(Field, usize, bool);
+struct Screen {
+    field: Field,
+    /// How many shapes of ink there are.
+    ink: usize,
+    is_on_pixels: bool,
+}
 
 impl Painter for Screen {
     fn paint(&mut self, painting: &Painting<'_>, changed: Changed) -> bool {
         if changed.field {
-            self.0.clone_from(painting.field);
+            self.field.clone_from(painting.field);
         }
-        self.1 = painting.layers.ink().len();
-        self.2 = painting.problem.is_some();
+        self.ink = painting.layers.ink().len();
+        self.is_on_pixels = painting.problem.is_some();
         true
     }
 }
@@ -107,11 +112,11 @@ impl Page {
     /// Frames until a drawing that has just been opened, or come back to, has its first colours.
     fn first_colors(&mut self) -> Field {
         self.frame();
-        assert!(self.screen.0.triangles.is_empty());
-        while self.screen.0.triangles.is_empty() {
+        assert!(self.screen.field.triangles.is_empty());
+        while self.screen.field.triangles.is_empty() {
             assert!(self.frame());
         }
-        self.screen.0.clone()
+        self.screen.field.clone()
     }
 
     /// Whether the page was told last that a picture is on its way, if it was told anything of that.
@@ -128,7 +133,7 @@ impl Page {
     /// The picture shown is that of the work when it is opened anew.
     fn assert_right(&mut self) {
         let fresh = Self::of(self.session.work());
-        assert!(self.screen.0 == fresh.screen.0);
+        assert!(self.screen.field == fresh.screen.field);
     }
 }
 
@@ -144,14 +149,14 @@ fn other_settings_are_seen_some_frames_later_and_colours_follow_meanwhile() {
     for (setting, x) in each.into_iter().zip([100.0, 300.0, 500.0, 700.0]) {
         page.told();
         page.session.command(Command::Set(setting));
-        let before = page.screen.0.clone();
+        let before = page.screen.field.clone();
         assert!(page.frame() && page.frame());
         assert_eq!(page.told(), Some(true));
-        assert!(page.screen.0 == before);
+        assert!(page.screen.field == before);
         page.session.command(Command::Color(Srgb8([1, 90, 200]).into()));
         page.stroke([(x, 97.0), (x + 100.0, 97.0)]);
         page.frame();
-        assert!(page.screen.0 != before, "what is scribbled close to lines shows at once");
+        assert!(page.screen.field != before, "what is scribbled close to lines shows at once");
         assert!(page.rest() < 20);
         assert_eq!(page.told(), Some(false));
         page.assert_right();
@@ -174,12 +179,12 @@ fn a_slider_that_is_dragged_on_shows_what_was_begun_and_ends_where_it_stops() {
 fn moved_lines_are_seen_some_frames_later() {
     let mut page = Page::open();
     page.move_line();
-    let before = page.screen.0.clone();
+    let before = page.screen.field.clone();
     assert_eq!(page.told(), Some(true));
     assert!(page.frame());
     page.stroke([(100.0, 500.0), (900.0, 500.0)]);
     assert!(page.frame());
-    assert!(page.screen.0 == before);
+    assert!(page.screen.field == before);
     page.rest();
     assert_eq!(page.told(), Some(false));
     page.assert_right();
@@ -189,7 +194,7 @@ fn moved_lines_are_seen_some_frames_later() {
 fn what_asked_for_a_picture_is_taken_back_and_the_one_before_is_still_there() {
     for change in [Page::move_line as fn(&mut Page), |page| page.set_spread(true)] {
         let mut page = Page::open();
-        let (work, picture) = (page.session.work(), page.screen.0.clone());
+        let (work, picture) = (page.session.work(), page.screen.field.clone());
         change(&mut page);
         assert!(page.frame() && page.frame());
         page.told();
@@ -199,10 +204,10 @@ fn what_asked_for_a_picture_is_taken_back_and_the_one_before_is_still_there() {
             effects.contains(&Effect::Making(Wanted::Nothing)) && effects.contains(&Effect::MakingStopped)
         );
         assert_eq!(page.rest(), 1, "nothing is made anew");
-        assert!(page.session.work() == work && page.screen.0 == picture);
+        assert!(page.session.work() == work && page.screen.field == picture);
         page.session.command(Command::Redo);
         page.rest();
-        assert!(page.screen.0 != picture);
+        assert!(page.screen.field != picture);
         page.assert_right();
     }
 }
@@ -220,10 +225,10 @@ fn lines_that_come_back_are_seen_some_frames_later_and_can_be_done_without() {
     assert_eq!(page.session.document().drawing.curves.len(), 0);
     page.told();
     page.session.command(Command::Undo);
-    let before = page.screen.0.clone();
+    let before = page.screen.field.clone();
     page.session.frame(&mut page.screen);
     assert_eq!(page.told(), Some(true));
-    assert!(page.screen.0 == before);
+    assert!(page.screen.field == before);
     page.session.command(Command::StopMaking);
     assert_eq!(page.session.document().drawing.curves.len(), 0, "the picture is the one without them");
     page.session.command(Command::Undo);
@@ -246,7 +251,7 @@ fn undo_ends_what_is_on_its_way() {
 #[test]
 fn another_drawing_is_not_given_the_picture_of_the_one_before() {
     let mut page = Page::open();
-    let picture = page.screen.0.clone();
+    let picture = page.screen.field.clone();
     let other = Page::open().session.work();
     page.lay(other);
     page.set_spread(true);
@@ -254,7 +259,7 @@ fn another_drawing_is_not_given_the_picture_of_the_one_before() {
     page.session.command(Command::Undo);
     page.session.command(Command::Undo);
     page.rest();
-    assert!(page.screen.0 == picture);
+    assert!(page.screen.field == picture);
     page.assert_right();
 }
 
@@ -266,7 +271,7 @@ fn a_picture_for_a_file_is_that_of_the_document() {
     let exported = page.session.export(64.0, false).field;
     assert_eq!(page.told(), Some(false));
     page.rest();
-    assert!(page.screen.0 == exported);
+    assert!(page.screen.field == exported);
     page.assert_right();
 }
 
@@ -280,21 +285,21 @@ fn large() -> Vec<u8> {
 #[test]
 fn the_lines_of_a_large_drawing_are_there_at_once_and_the_pen_with_them() {
     let mut page = Page::open();
-    let ink = page.screen.1;
+    let ink = page.screen.ink;
     page.lay(large());
     assert!(page.frame() && page.frame());
     assert_eq!(page.told(), Some(true));
-    assert!(page.screen.1 > ink + 90, "lines and all");
-    let blank = page.screen.0.clone();
+    assert!(page.screen.ink > ink + 90, "lines and all");
+    let blank = page.screen.field.clone();
     page.stroke([(100.0, 97.0), (200.0, 97.0)]);
     assert!(page.frame());
-    assert!(page.screen.0 == blank);
+    assert!(page.screen.field == blank);
     page.rest();
     assert_eq!(page.told(), Some(false));
     let document = page.session.document();
     assert_eq!(document.scribbles.len(), 2);
     let mut picture = Picture::new(&document.drawing).expect("a map");
-    assert!(page.screen.0 == *picture.update(document).expect("a field"));
+    assert!(page.screen.field == *picture.update(document).expect("a field"));
 }
 
 #[test]
@@ -304,9 +309,9 @@ fn a_rough_picture_of_a_large_drawing_is_there_before_the_right_one_and_stays_wh
     let rough = page.first_colors();
     page.stroke([(100.0, 97.0), (200.0, 97.0)]);
     assert!(page.frame());
-    assert!(page.screen.0 == rough);
+    assert!(page.screen.field == rough);
     page.rest();
-    assert!(page.screen.0.triangles.len() > rough.triangles.len());
+    assert!(page.screen.field.triangles.len() > rough.triangles.len());
     page.assert_right();
 }
 
@@ -314,12 +319,12 @@ fn a_rough_picture_of_a_large_drawing_is_there_before_the_right_one_and_stays_wh
 fn a_drawing_can_be_left_while_its_rough_picture_is_shown() {
     for leave in [Command::StopMaking, Command::Undo] {
         let mut page = Page::of(Page::open().session.work());
-        let picture = page.screen.0.clone();
+        let picture = page.screen.field.clone();
         page.lay(large());
         page.first_colors();
         page.session.command(leave);
         page.rest();
-        assert!(page.screen.0 == picture);
+        assert!(page.screen.field == picture);
         page.session.command(Command::Redo);
         page.first_colors();
         page.rest();
@@ -333,12 +338,12 @@ fn a_rough_picture_comes_before_one_on_pixels_too() {
     page.session.set_grids(Grids::Fast);
     page.session.command(Command::Solver(Solver::Gpu));
     page.rest();
-    assert!(page.screen.2);
+    assert!(page.screen.is_on_pixels);
     page.lay(large());
     page.first_colors();
-    assert!(!page.screen.2);
+    assert!(!page.screen.is_on_pixels);
     page.rest();
-    assert!(page.screen.2);
+    assert!(page.screen.is_on_pixels);
 }
 
 #[test]
@@ -350,13 +355,13 @@ fn a_large_drawing_is_left_for_the_one_before_and_can_be_come_back_to() {
                 page.stroke([(100.0, 97.0), (200.0, 97.0)]);
                 page.rest();
             }
-            let (before, picture) = (page.session.work(), page.screen.0.clone());
+            let (before, picture) = (page.session.work(), page.screen.field.clone());
             page.lay(large());
             assert!(page.frame() && page.frame());
             page.session.command(leave.clone());
             page.rest();
             assert_eq!(page.told(), Some(false));
-            assert!(page.session.work() == before && page.screen.0 == picture);
+            assert!(page.session.work() == before && page.screen.field == picture);
             page.session.command(Command::Redo);
             page.rest();
             assert!(page.session.work() == large());
@@ -381,14 +386,14 @@ fn endless() -> Drawing {
 #[test]
 fn a_drawing_of_too_many_pieces_is_closed_once_that_is_known() {
     let mut page = Page::open();
-    let (before, picture) = (page.session.work(), page.screen.0.clone());
+    let (before, picture) = (page.session.work(), page.screen.field.clone());
     page.lay(exact::write(&Work::new(Document::new(endless()))));
     page.rest();
     let effects = page.session.take_effects();
     assert!(
         effects.iter().any(|effect| matches!(effect, Effect::Unopened(_, why) if why.contains("pieces")))
     );
-    assert!(page.session.work() == before && page.screen.0 == picture);
+    assert!(page.session.work() == before && page.screen.field == picture);
     page.session.command(Command::Redo);
     assert!(page.session.work() == before, "it does not come back");
 }
@@ -433,7 +438,7 @@ fn what_is_done_while_a_large_drawing_is_made_is_made_in_slices_too() {
     assert_eq!(document.scribbles.len(), 2);
     page.session.frame(&mut page.screen);
     let mut picture = Picture::new(&document.drawing).expect("a map");
-    assert!(page.screen.0 == *picture.update(&document).expect("a field"));
+    assert!(page.screen.field == *picture.update(&document).expect("a field"));
 }
 
 #[test]
@@ -463,12 +468,12 @@ fn the_mesh_of_a_picture_on_pixels_is_made_in_slices() {
     page.lay(Page::open().session.work());
     page.rest();
     page.session.take_effects();
-    let on_pixels = page.screen.0.clone();
+    let on_pixels = page.screen.field.clone();
     page.session.command(Command::Solver(Solver::Mesh));
     assert!(page.session.frame(&mut page.screen));
     let wanted = Effect::Making(Wanted::Mesh);
     assert!(page.session.take_effects().contains(&wanted));
-    assert!(page.screen.0 == on_pixels);
+    assert!(page.screen.field == on_pixels);
     page.rest();
     assert_eq!(page.told(), Some(false));
     page.assert_right();

@@ -63,7 +63,7 @@ impl Session {
         }
     }
 
-    /// Where the picture is to come from: a rough one, and one on pixels that stays until the mesh is made, from where it does.
+    /// Where the picture is to come from. A rough one comes from a mesh; one on pixels stays until the mesh is made.
     pub(super) fn choice(&self) -> Source {
         if !self.sheet.is_made() {
             return Source::Mesh;

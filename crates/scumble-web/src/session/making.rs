@@ -39,7 +39,7 @@ pub(super) struct Making {
 }
 
 impl Making {
-    /// From a picture of the same lines, if there is one.
+    /// From a picture of the same lines, if there is one; the first one of very many pieces is to be rough.
     fn new(sheet: &Sheet, known: Option<Picture>, is_meshed: impl Fn(&Picture) -> bool + 'static) -> Self {
         let document = sheet.editor.document().clone();
         let is_first = known.is_none() && !sheet.is_made() && has_colors(&document);
