@@ -10,7 +10,7 @@ const FILTER_SUB = 1;
 const SRGB_PERCEPTUAL = 0;
 
 /** Pictures are painted and packed in at least so many strips, of at most so many pixels. */
-const STRIPS = 4;
+const STRIPS = 16;
 const STRIP_PIXELS = 1 << 20;
 
 /**

@@ -1,15 +1,11 @@
 //! Things to draw, on the GPU: field triangles and corners of shapes, in buffers that grow and are kept.
 
-use bytemuck::{Pod, Zeroable};
-use scumble_solve::{Field, Shape};
+use std::ops::Range;
 
-/// A field triangle as the vertex shader reads it.
-#[derive(Clone, Copy, Debug, Pod, Zeroable)]
-#[repr(C)]
-pub(crate) struct FieldItem {
-    corners: [[f32; 2]; 3],
-    colors: [[f32; 4]; 6],
-}
+use bytemuck::{Pod, Zeroable};
+use scumble_solve::{FieldTriangle, Shape};
+
+use crate::gpu::Gpu;
 
 /// Three corners of a shape.
 #[derive(Clone, Copy, Debug, Pod, Zeroable)]
@@ -30,9 +26,9 @@ const DEPTHS: f32 = (1 << 24) as f32;
 /// What one of these buffers holds at most; a power of two well below any device's limit.
 const BUFFER_BYTES: usize = 1 << 26;
 
-/// How the vertex shader of the field reads its buffer: one item an instance.
+/// How the vertex shader of the field reads its buffer: one triangle, as it is, an instance.
 pub(crate) const FIELD_LAYOUT: wgpu::VertexBufferLayout<'static> = wgpu::VertexBufferLayout {
-    array_stride: size_of::<FieldItem>() as u64,
+    array_stride: size_of::<FieldTriangle>() as u64,
     step_mode: wgpu::VertexStepMode::Instance,
     attributes: &wgpu::vertex_attr_array![
         0 => Float32x2, 1 => Float32x2, 2 => Float32x2, 3 => Float32x4, 4 => Float32x4,
@@ -46,11 +42,6 @@ pub(crate) const SHAPE_LAYOUT: wgpu::VertexBufferLayout<'static> = wgpu::VertexB
     step_mode: wgpu::VertexStepMode::Vertex,
     attributes: &wgpu::vertex_attr_array![0 => Float32x2, 1 => Unorm8x4, 2 => Float32],
 };
-
-/// The triangles of a field.
-pub(crate) fn field_items(field: &Field) -> Vec<FieldItem> {
-    field.triangles.iter().map(|t| FieldItem { corners: t.corners, colors: t.colors }).collect()
-}
 
 /// The triangles of shapes, those of each shape at one depth, the depths rising above `depth_below`.
 ///
@@ -76,19 +67,30 @@ struct Part {
 }
 
 impl Items {
-    /// Replaces the items.
-    pub(crate) fn write<T: Pod>(&mut self, device: &wgpu::Device, queue: &wgpu::Queue, items: &[T]) {
-        let chunks = items.chunks(BUFFER_BYTES / size_of::<T>());
+    /// Takes other items: those at some places are others than before.
+    pub(crate) fn write<T: Pod>(&mut self, gpu: &Gpu, items: &[T], places: &Range<usize>) {
+        let [start, end] = [places.start, places.end].map(|place| place.min(items.len()) * size_of::<T>());
+        self.write_bytes(gpu, bytemuck::cast_slice(items), start..end, size_of::<T>());
+    }
+
+    /// The same with items of any kind, of so many bytes each.
+    fn write_bytes(&mut self, gpu: &Gpu, bytes: &[u8], changed: Range<usize>, each: usize) {
+        let most = BUFFER_BYTES / each * each;
+        let chunks = bytes.chunks(most);
         self.0.truncate(chunks.len().max(1));
         self.0.iter_mut().for_each(|part| part.count = 0);
         for (i, chunk) in chunks.enumerate() {
-            let bytes: &[u8] = bytemuck::cast_slice(chunk);
-            if self.0.get(i).is_none_or(|part| part.buffer.size() < bytes.len() as u64) {
+            let within = |place: usize| place.saturating_sub(i * most).min(chunk.len());
+            let mut changed = within(changed.start)..within(changed.end);
+            if self.0.get(i).is_none_or(|part| part.buffer.size() < chunk.len() as u64) {
                 self.0.truncate(i);
-                self.0.push(Part::new(device, bytes.len()));
+                self.0.push(Part::new(&gpu.device, chunk.len()));
+                changed = 0..chunk.len();
             }
-            queue.write_buffer(&self.0[i].buffer, 0, bytes);
-            self.0[i].count = chunk.len() as u32;
+            if !changed.is_empty() {
+                gpu.queue.write_buffer(&self.0[i].buffer, changed.start as u64, &chunk[changed]);
+            }
+            self.0[i].count = (chunk.len() / each) as u32;
         }
     }
 

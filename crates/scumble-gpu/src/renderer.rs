@@ -4,7 +4,7 @@ use bytemuck::{Pod, Zeroable};
 use kurbo::{Affine, Point};
 use scumble_core::{Blend, Srgb8};
 use scumble_solve::grid::GridProblem;
-use scumble_solve::{Field, Pixmap, Shape, View};
+use scumble_solve::{Field, FieldChange, Pixmap, Shape, View};
 
 use crate::error::GpuError;
 use crate::gpu::Gpu;
@@ -145,9 +145,14 @@ impl Renderer {
 
     /// Replaces the field, and draws it again if it was not drawn.
     pub fn set_field(&mut self, field: &Field) {
+        self.update_field(field, &FieldChange::ALL);
+    }
+
+    /// The same with a field that is as the one before but for some changes.
+    pub fn update_field(&mut self, field: &Field, change: &FieldChange) {
         self.solution = None;
         self.blend = field.blend;
-        self.field.write(&self.gpu.device, &self.gpu.queue, &items::field_items(field));
+        self.field.write(&self.gpu, &field.triangles, &change.places);
     }
 
     /// Replaces the shapes of a layer; later ones lie over earlier ones.
@@ -156,7 +161,8 @@ impl Renderer {
             Layer::Scribbles => (&mut self.scribbles, 0.0),
             Layer::Ink => (&mut self.ink, 0.5),
         };
-        layer.write(&self.gpu.device, &self.gpu.queue, &items::shape_items(shapes, depth_below));
+        let items = items::shape_items(shapes, depth_below);
+        layer.write(&self.gpu, &items, &(0..items.len()));
     }
 
     /// Draws what a view shows into a target of the view's size, and hands the commands to the device.

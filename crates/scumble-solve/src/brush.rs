@@ -5,7 +5,7 @@
 //! same way change nothing.
 
 use kurbo::{Point, Rect};
-use scumble_core::SoftSource;
+use scumble_core::{SoftSource, bounds};
 
 use segment::END;
 pub(crate) use segment::Segment;
@@ -57,11 +57,11 @@ impl Brush {
         let last = source.points.len().saturating_sub(1);
         let ends = (0..last.max(1)).map(|i| [i, last.min(i + 1)]);
         let segments: Vec<_> = ends.map(|ends| Segment::new(source, ends)).filter(Segment::shows).collect();
-        let boxes: Vec<_> = segments.chunks(CHUNK).map(bounds).collect();
+        let boxes: Vec<_> = segments.chunks(CHUNK).map(bounds_of).collect();
         let radii_du = segments.iter().flat_map(|segment| [0.0, 1.0].map(|t| segment.radius_du(t)));
         Self {
             boxes,
-            bounds: bounds(&segments),
+            bounds: bounds_of(&segments),
             radii_du: radii_du.fold([f64::INFINITY, 0.0], |[least, most], r| [r.min(least), r.max(most)]),
             weight: source.weight,
             is_even: source.parts.is_empty(),
@@ -159,9 +159,8 @@ pub(crate) fn around(corners: [Point; 3]) -> (Point, f64) {
     (middle, corners.map(|corner| corner.distance(middle)).into_iter().fold(0.0, f64::max))
 }
 
-fn bounds(segments: &[Segment]) -> Rect {
-    let boxes = segments.iter().map(|segment| Rect::from_points(segment.start, segment.end()));
-    boxes.reduce(|a, b| a.union(b)).unwrap_or_default()
+fn bounds_of(segments: &[Segment]) -> Rect {
+    bounds(segments.iter().flat_map(|segment| [segment.start, segment.end()])).unwrap_or_default()
 }
 
 fn distance_sq_to_rect(p: Point, rect: Rect) -> f64 {

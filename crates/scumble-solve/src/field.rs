@@ -1,9 +1,12 @@
 //! A colour field: triangles with a quadratic of colour on each. It is the picture, at every zoom.
 
-use kurbo::Rect;
-use scumble_core::Blend;
+use std::ops::Range;
 
-use crate::scene::bounds;
+use bytemuck::{Pod, Zeroable};
+use kurbo::Rect;
+use scumble_core::{Blend, union};
+
+use crate::scene::point;
 
 /// The colours of the coloured regions of a drawing. Where there is no triangle, the paper shows.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -14,44 +17,85 @@ pub struct Field {
     pub triangles: Vec<FieldTriangle>,
 }
 
-/// What a triangle takes as bytes: corners, colours and edges, four for each number.
-const TRIANGLE_BYTES: usize = 4 * 31;
-
 impl Field {
-    /// What all triangles lie within, in du, that are not the same in another field at their places in the list; `None`
-    /// where there are none.
-    pub fn changed_within(&self, other: &Self) -> Option<Rect> {
-        if self.blend != other.blend || self.triangles.len() != other.triangles.len() {
-            return bounds(self.triangles.iter().chain(&other.triangles).map(|triangle| &triangle.corners));
-        }
-        let pairs = self.triangles.iter().zip(&other.triangles).filter(|(a, b)| a != b);
-        bounds(pairs.flat_map(|(a, b)| [&a.corners, &b.corners]))
-    }
-
     /// The same as bytes, for another module of the page.
     pub fn to_bytes(&self) -> Vec<u8> {
-        let mut bytes = Vec::with_capacity(1 + TRIANGLE_BYTES * self.triangles.len());
-        bytes.push(u8::from(self.blend == Blend::Oklab));
-        for FieldTriangle { corners, colors, side_edges } in &self.triangles {
-            for number in corners.as_flattened().iter().chain(colors.as_flattened()) {
-                bytes.extend(number.to_le_bytes());
-            }
-            bytes.extend(side_edges.to_le_bytes());
-        }
-        bytes
+        let is_oklab = u8::from(self.blend == Blend::Oklab);
+        [&[is_oklab], bytemuck::cast_slice(&self.triangles)].concat()
     }
 
     /// What [`Field::to_bytes`] made; `None` for other bytes.
     pub fn from_bytes(bytes: &[u8]) -> Option<Self> {
         let (&is_oklab, bytes) = bytes.split_first()?;
-        let (triangles, []) = bytes.as_chunks::<TRIANGLE_BYTES>() else { return None };
         let blend = if is_oklab == 1 { Blend::Oklab } else { Blend::Srgb };
-        Some(Self { blend, triangles: triangles.iter().map(FieldTriangle::from_bytes).collect() })
+        let is_whole = bytes.len().is_multiple_of(size_of::<FieldTriangle>());
+        is_whole.then(|| Self { blend, triangles: bytemuck::pod_collect_to_vec(bytes) })
+    }
+}
+
+/// What of a field is not what it was.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct FieldChange {
+    /// Places in the list of its triangles, and maybe beyond.
+    pub places: Range<usize>,
+    /// All that looks another lies within, in du.
+    pub within_du: Option<Rect>,
+}
+
+impl FieldChange {
+    /// That of a field that has nothing to do with what was there before.
+    pub const ALL: Self = Self { places: 0..usize::MAX, within_du: Some(Rect::new(-1e9, -1e9, 1e9, 1e9)) };
+
+    /// Whether there is any.
+    pub fn is_any(&self) -> bool {
+        !self.places.is_empty()
+    }
+
+    /// Adds what has changed, too.
+    pub fn add(&mut self, places: Range<usize>, within_du: Option<Rect>) {
+        if !self.is_any() {
+            self.places = places;
+        } else if !places.is_empty() {
+            self.places = self.places.start.min(places.start)..self.places.end.max(places.end);
+        }
+        self.within_du = union(self.within_du, within_du);
+    }
+}
+
+/// Triangles that become others while they are written from the first to the last: a change that takes no time to add to.
+pub(crate) struct Others {
+    places: Range<usize>,
+    /// Of all their corners, as they were and as they are.
+    least: [f32; 2],
+    most: [f32; 2],
+}
+
+impl Others {
+    pub(crate) fn none() -> Self {
+        Self { places: 0..0, least: [f32::INFINITY; 2], most: [f32::NEG_INFINITY; 2] }
+    }
+
+    pub(crate) fn add(&mut self, place: usize, corners: &[[f32; 2]; 3]) {
+        if self.places.is_empty() {
+            self.places.start = place;
+        }
+        self.places.end = place + 1;
+        for (i, &c) in corners.iter().flat_map(|corner| (0..).zip(corner)) {
+            self.least[i] = if c < self.least[i] { c } else { self.least[i] };
+            self.most[i] = if c > self.most[i] { c } else { self.most[i] };
+        }
+    }
+
+    pub(crate) fn add_to(self, change: &mut FieldChange) {
+        if !self.places.is_empty() {
+            let within_du = Rect::from_points(point(self.least), point(self.most));
+            change.add(self.places, Some(within_du));
+        }
     }
 }
 
 /// A triangle with a colour at each corner and in the middle of each edge, blended quadratically between.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Pod, Zeroable)]
 #[repr(C)]
 pub struct FieldTriangle {
     /// Corners in du, turning left.
@@ -62,18 +106,6 @@ pub struct FieldTriangle {
     /// Bit `i` is set where the edge from corner `i` to corner `i + 1` is a side of a curve: the picture may jump
     /// there, so painters anti-alias these edges and no others.
     pub side_edges: u32,
-}
-
-impl FieldTriangle {
-    fn from_bytes(bytes: &[u8; TRIANGLE_BYTES]) -> Self {
-        let (words, _) = bytes.as_chunks::<4>();
-        let number = |i: usize| f32::from_le_bytes(words[i]);
-        Self {
-            corners: std::array::from_fn(|i| std::array::from_fn(|c| number(2 * i + c))),
-            colors: std::array::from_fn(|i| std::array::from_fn(|c| number(6 + 4 * i + c))),
-            side_edges: u32::from_le_bytes(words[30]),
-        }
-    }
 }
 
 #[cfg(test)]

@@ -35,14 +35,14 @@ use std::mem;
 use std::sync::Arc;
 
 use scumble_core::pace::{self, Pace, Slices, now};
-use scumble_core::{Blend, Boundary, SoftSource, Triangulation, sort};
+use scumble_core::{Blend, Boundary, SoftSource, Triangulation, bounds, sort};
 use thiserror::Error;
 
 use crate::barriers::Barriers;
-use crate::field::{Field, FieldTriangle};
+use crate::field::{Field, FieldChange, FieldTriangle, Others};
 use crate::reach::{Reach, Regions};
 use numbering::Numbering;
-use region::Region;
+use region::{Place, Region};
 use substitution::TileColumn;
 
 /// Why a drawing has no colour field.
@@ -72,7 +72,10 @@ pub struct MeshSolver {
     regions: Vec<Region>,
     /// Of the largest factor that was of no use any more.
     memory: Vec<TileColumn>,
-    field: Field,
+    /// Whoever has a copy of it keeps it as it was.
+    field: Arc<Field>,
+    /// What of it is not what it was when somebody last asked.
+    change: FieldChange,
     /// How many triangles of the field are those of each region; none are where the regions are others.
     emitted: Vec<usize>,
 }
@@ -98,14 +101,25 @@ impl MeshSolver {
             closed_gaps,
             regions: regions.into_iter().map(Region::new).collect(),
             memory: Vec::new(),
-            field: Field::default(),
+            field: Arc::default(),
+            change: FieldChange::default(),
             emitted: Vec::new(),
         }
     }
 
     /// The colour field of the last solve. The solver is of no use any more afterwards.
-    pub(crate) fn take_field(&mut self) -> Field {
+    pub(crate) fn take_field(&mut self) -> Arc<Field> {
         mem::take(&mut self.field)
+    }
+
+    /// The colour field of the last solve; an empty one where there was none.
+    pub(crate) fn field(&self) -> &Arc<Field> {
+        &self.field
+    }
+
+    /// What of it is not what it was at the last call.
+    pub(crate) fn take_change(&mut self) -> FieldChange {
+        mem::take(&mut self.change)
     }
 
     /// Number of triangles of the mesh.
@@ -218,7 +232,10 @@ impl MeshSolver {
         if is_changed.contains(&true) {
             self.emit(&is_changed).await;
         }
-        self.field.blend = blend;
+        if self.field.blend != blend {
+            Arc::make_mut(&mut self.field).blend = blend;
+            self.change = FieldChange::ALL;
+        }
         Ok(&self.field)
     }
 
@@ -251,20 +268,30 @@ impl MeshSolver {
     async fn emit(&mut self, is_changed: &[bool]) {
         let counts: Vec<_> = self.regions.iter().map(Region::emitted_count).collect();
         let mut before = mem::replace(&mut self.emitted, counts);
+        let are_same_regions = !before.is_empty();
         before.resize(self.emitted.len(), 0);
-        move_parts(&mut self.field.triangles, &before, &self.emitted).await;
-        pace::pause_after(self.field.triangles.len()).await;
-        let mut pace = Pace::default();
-        let mut rest = &mut self.field.triangles[..];
+        let total: usize = self.emitted.iter().sum();
+        let all = &mut Arc::make_mut(&mut self.field).triangles;
+        let mut gone = Others::none();
+        all.iter().enumerate().skip(total).for_each(|(i, triangle)| gone.add(i, &triangle.corners));
+        gone.add_to(&mut self.change);
+        move_parts(all, &before, &self.emitted).await;
+        pace::pause_after(all.len()).await;
+        let (mut pace, mut end) = (Pace::default(), 0);
         let barriers = Barriers { mesh: &self.mesh, closed_gaps: &self.closed_gaps };
         for (i, region) in self.regions.iter_mut().enumerate() {
-            let (own, others) = rest.split_at_mut(self.emitted[i]);
-            let is_new = before[i] != own.len();
-            if is_changed[i] || is_new {
-                region.emit(barriers, is_new, own).await;
+            let places = end..end + self.emitted[i];
+            end = places.end;
+            let is_new = before[i] != places.len();
+            if is_new && are_same_regions {
+                let corners = region.triangles().iter().flat_map(|&t| self.mesh.corners(t as usize));
+                self.change.add(places.start..usize::MAX, bounds(corners));
             }
-            pace.work(own.len()).await;
-            rest = others;
+            if is_changed[i] || is_new {
+                let (first, triangles) = (places.start, &mut all[places.clone()]);
+                region.emit(barriers, is_new, Place { first, triangles, change: &mut self.change }).await;
+            }
+            pace.work(places.len()).await;
         }
     }
 }

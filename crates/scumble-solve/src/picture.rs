@@ -1,6 +1,8 @@
 //! All that is derived from a document: map, labels, colour points, field. Kept, and redone where the source
 //! changed.
 
+use std::sync::Arc;
+
 use kurbo::Rect;
 use scumble_core::pace::{Slices, now};
 use scumble_core::{
@@ -8,7 +10,7 @@ use scumble_core::{
     Sampling, Scribble, Settings,
 };
 
-use crate::field::Field;
+use crate::field::{Field, FieldChange};
 use crate::mesh::{MeshSolver, SolveError};
 
 /// Up to here nobody sees that pieces of a curve are chords of it.
@@ -66,7 +68,7 @@ impl Picture {
     }
 
     /// Makes a rough picture from a fine mesh again, and gives the rough field. Nothing but the map is known then.
-    pub fn refine(&mut self) -> Field {
+    pub fn refine(&mut self) -> Arc<Field> {
         let rough = self.solver.as_mut().map(MeshSolver::take_field);
         self.set_rough(false);
         rough.unwrap_or_default()
@@ -115,6 +117,16 @@ impl Picture {
     /// Whether [`Picture::mesh`] has been called since the map is what it is.
     pub fn has_mesh(&self) -> bool {
         self.solver.is_some()
+    }
+
+    /// The colour field of the last solve, if there was one since the map is what it is.
+    pub fn field(&self) -> Option<&Arc<Field>> {
+        self.solver.as_ref().map(MeshSolver::field)
+    }
+
+    /// What of it is not what it was at the last call.
+    pub fn take_change(&mut self) -> FieldChange {
+        self.solver.as_mut().map(MeshSolver::take_change).unwrap_or_default()
     }
 
     /// What comes near a part of the page of the field of the last solve, as it is seen at a scale: from close by, its edges
@@ -303,7 +315,8 @@ mod tests {
         picture.roughen();
         picture.update(&document).expect("a field");
         let is_beyond = |triangle: &FieldTriangle| triangle.corners.iter().all(|corner| corner[0] > 600.0);
-        let mut beyond = picture.refine().triangles.into_iter().filter(is_beyond);
+        let field = picture.refine();
+        let mut beyond = field.triangles.iter().filter(|triangle| is_beyond(triangle));
         assert!(beyond.any(|triangle| triangle.colors.iter().any(|color| color[3] > 0.1)));
     }
 

@@ -1,11 +1,10 @@
 //! What a painter paints, on the CPU or on the GPU: paper, a colour field, flat shapes over it.
 
-use std::array;
 use std::ops::Range;
 use std::sync::Arc;
 
 use kurbo::{Affine, Point, Rect, Vec2};
-use scumble_core::{Rgba8, Srgb8};
+use scumble_core::{Rgba8, Srgb8, bounds};
 
 use crate::field::Field;
 
@@ -39,9 +38,7 @@ impl Shape {
         for Self { triangles, color } in shapes {
             bytes.extend(color.0);
             bytes.extend((triangles.len() as u32).to_le_bytes());
-            bytes.extend(
-                triangles.as_flattened().as_flattened().iter().flat_map(|number| number.to_le_bytes()),
-            );
+            bytes.extend_from_slice(bytemuck::cast_slice(triangles));
         }
         bytes
     }
@@ -53,8 +50,8 @@ impl Shape {
             let (&count, rest) = rest.split_first_chunk()?;
             let count = u32::from_le_bytes(count) as usize;
             let (triangles, rest) = rest.split_at_checked(count.checked_mul(TRIANGLE_BYTES)?)?;
-            let triangles = triangles.as_chunks().0.iter().map(triangle_from_bytes).collect();
-            shapes.push(Self { triangles, color: Rgba8(color) });
+            let triangles: Vec<_> = bytemuck::pod_collect_to_vec(triangles);
+            shapes.push(Self { triangles: triangles.into(), color: Rgba8(color) });
             bytes = rest;
         }
         bytes.is_empty().then_some(shapes)
@@ -62,19 +59,12 @@ impl Shape {
 
     /// What it lies within, in du; `None` where there is nothing of it.
     pub fn bounds(&self) -> Option<Rect> {
-        bounds(&*self.triangles)
+        bounds(self.triangles.as_flattened().iter().copied().map(point))
     }
 }
 
-fn triangle_from_bytes(bytes: &[u8; TRIANGLE_BYTES]) -> [[f32; 2]; 3] {
-    let (numbers, _) = bytes.as_chunks();
-    array::from_fn(|i| array::from_fn(|c| f32::from_le_bytes(numbers[2 * i + c])))
-}
-
-/// What triangles lie within.
-pub(crate) fn bounds<'a>(triangles: impl IntoIterator<Item = &'a [[f32; 2]; 3]>) -> Option<Rect> {
-    let corners = triangles.into_iter().flatten().map(|&[x, y]| Point::new(x.into(), y.into()));
-    corners.map(|corner| Rect::from_points(corner, corner)).reduce(|a, b| a.union(b))
+pub(crate) fn point([x, y]: [f32; 2]) -> Point {
+    Point::new(x.into(), y.into())
 }
 
 /// Which part of the plane a picture shows, at which size.

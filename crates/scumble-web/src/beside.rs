@@ -66,7 +66,7 @@ mod asked {
         /// Has it paint what has changed.
         pub(crate) fn show(&self, painting: &Painting<'_>, changed: Changed) {
             let Painting { field, layers, view, paper, .. } = painting;
-            let field = changed.field.then(|| field.to_bytes());
+            let field = changed.field.is_any().then(|| field.to_bytes());
             let scribbles = changed.scribbles.then(|| Shape::all_to_bytes(layers.scribbles()));
             let ink = changed.ink.then(|| Shape::all_to_bytes(layers.ink()));
             let [field, scribbles, ink] = [&field, &scribbles, &ink].map(Option::as_deref);
@@ -94,7 +94,7 @@ mod asking {
 
     use js_sys::Function;
     use scumble_gpu::{GpuError, Layer};
-    use scumble_solve::{Field, Shape};
+    use scumble_solve::{Field, FieldChange, Shape};
     use wasm_bindgen::prelude::wasm_bindgen;
     use wasm_bindgen::{JsError, JsValue};
     use web_sys::{HtmlCanvasElement, console};
@@ -136,7 +136,8 @@ mod asking {
             view: &[f64],
         ) -> Result<(), JsError> {
             if let Some(field) = field {
-                self.0.set_field(&Field::from_bytes(&field).ok_or_else(wrong)?);
+                let field = Field::from_bytes(&field).ok_or_else(wrong)?;
+                self.0.set_field(&field, &FieldChange::ALL);
             }
             for (layer, shapes) in [(Layer::Scribbles, scribbles), (Layer::Ink, ink)] {
                 if let Some(shapes) = shapes {

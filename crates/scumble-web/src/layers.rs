@@ -1,7 +1,7 @@
 //! What lies over the colour field, back to front: scribbles, the ink of the drawing, the desk around the page.
 
 use kurbo::Rect;
-use scumble_core::{Drawing, Paint, PlanarMap, Rgba8, Scribble, Srgb8};
+use scumble_core::{Drawing, Paint, PlanarMap, Rgba8, Scribble, Srgb8, union};
 use scumble_solve::{Shape, fill_shapes, line_shapes, scribble_shape};
 
 use crate::regions::MapKey;
@@ -31,11 +31,11 @@ const EACH: usize = 2;
 /// Of which map the ink is, and which lines there are.
 pub(crate) type InkKey = (MapKey, u32);
 
-/// Ink that has been drawn: lines for one scale, fills for all, as they take the longest.
+/// Ink that has been drawn: lines for one scale, fills, which are cut by the map, for all, as they take the longest.
 #[derive(Debug, Default)]
 pub(crate) struct KnownInk {
     fills: Known<InkKey>,
-    lines: Known<(InkKey, f64)>,
+    lines: Known<([u32; 2], f64)>,
 }
 
 /// Shapes that stay as long as what they are drawn of.
@@ -135,7 +135,8 @@ impl Layers {
         let draw = || map.map_or_else(Vec::new, |map| fill_shapes(drawing, map));
         self.shapes.extend_from_slice(fills.follow(key, draw));
         let draw = || line_shapes(drawing, None, self.tolerance_du);
-        self.shapes.extend_from_slice(lines.follow((key, self.tolerance_du), draw));
+        let ((number, ..), revision) = key;
+        self.shapes.extend_from_slice(lines.follow(([number, revision], self.tolerance_du), draw));
     }
 
     /// Covers everything but the page.
@@ -154,7 +155,7 @@ impl Layers {
 }
 
 fn bounds(shapes: &[Shape]) -> Option<Rect> {
-    shapes.iter().filter_map(Shape::bounds).reduce(|a, b| a.union(b))
+    shapes.iter().fold(None, |all, shape| union(all, shape.bounds()))
 }
 
 /// How wide a scribble is drawn, in du.

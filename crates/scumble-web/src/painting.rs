@@ -1,9 +1,11 @@
 //! What there is to paint, and what paints it.
 
+use std::sync::Arc;
+
 use kurbo::Rect;
-use scumble_core::Srgb8;
+use scumble_core::{Srgb8, union};
 use scumble_solve::grid::GridProblem;
-use scumble_solve::{Field, Part, Pixmap, Scene, View, paint};
+use scumble_solve::{Field, FieldChange, Part, Pixmap, Scene, View, paint};
 
 use crate::layers::Layers;
 
@@ -35,10 +37,10 @@ impl Painting<'_> {
 }
 
 /// What of a painting is not what it was in the frame before.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct Changed {
     /// The colour field.
-    pub field: bool,
+    pub field: FieldChange,
     /// What is to be solved in place of it.
     pub problem: bool,
     /// The part of it.
@@ -47,43 +49,39 @@ pub struct Changed {
     pub scribbles: bool,
     /// The layer of ink.
     pub ink: bool,
-    /// All that has changed lies within, in du.
+    /// All that has changed beside the field lies within, in du.
     pub within_du: Option<Rect>,
 }
-
-/// Beyond all that can be drawn, in du.
-const EVERYWHERE: Rect = Rect::new(-1e9, -1e9, 1e9, 1e9);
 
 impl Changed {
     /// Everything, as for a painter that has painted nothing yet.
     pub const ALL: Self = Self {
-        field: true,
+        field: FieldChange::ALL,
         problem: true,
         part: true,
         scribbles: true,
         ink: true,
-        within_du: Some(EVERYWHERE),
+        within_du: FieldChange::ALL.within_du,
     };
 
     /// Adds what has changed within a part of the plane, in du.
     pub(crate) fn add_within(&mut self, part_du: Option<Rect>) {
-        self.within_du = [self.within_du, part_du].into_iter().flatten().reduce(|a, b| a.union(b));
+        self.within_du = union(self.within_du, part_du);
     }
 
     /// Adds what may have changed anywhere.
     pub(crate) fn add_everywhere(&mut self) {
-        self.within_du = Some(EVERYWHERE);
+        self.within_du = FieldChange::ALL.within_du;
     }
 
     /// The whole picture under the shapes.
     pub(crate) fn add_colors(&mut self) {
-        (self.field, self.problem) = (true, true);
-        self.add_everywhere();
+        (self.field, self.problem) = (FieldChange::ALL, true);
     }
 
     /// The pixels of a view that show it, and one more on each side.
     pub(crate) fn part(&self, view: &View) -> Option<Part> {
-        part_px(self.within_du?, view)
+        part_px(union(self.within_du, self.field.within_du)?, view)
     }
 }
 
@@ -108,7 +106,7 @@ pub trait Painter {
 #[derive(Debug)]
 pub struct Export {
     /// The coloured regions.
-    pub field: Field,
+    pub field: Arc<Field>,
     pub(crate) layers: Layers,
     /// The whole page.
     pub view: View,

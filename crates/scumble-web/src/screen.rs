@@ -10,7 +10,7 @@ use scumble_gpu::{
     Gpu, GpuError, GpuGridSolver, GridKernels, Layer, Renderer, instance, probe, surface_format,
 };
 use scumble_solve::grid::{GridProblem, PAGE_STEPS};
-use scumble_solve::{Field, Pixmap, Shape, View};
+use scumble_solve::{Field, FieldChange, Pixmap, Shape, View};
 use thiserror::Error;
 use wasm_bindgen::{Clamped, JsCast};
 use web_sys::{CanvasRenderingContext2d, HtmlCanvasElement, ImageData};
@@ -204,9 +204,9 @@ impl GpuScreen {
         }
     }
 
-    pub(crate) fn set_field(&mut self, field: &Field) {
+    pub(crate) fn set_field(&mut self, field: &Field, change: &FieldChange) {
         (self.solving, self.part) = (None, None);
-        self.renderer.set_field(field);
+        self.renderer.update_field(field, change);
     }
 
     pub(crate) fn set_shapes(&mut self, layer: Layer, shapes: &[Shape]) {
@@ -255,7 +255,7 @@ impl GpuScreen {
             Some(problem) if changed.problem || changed.part => {
                 self.begin(problem, painting.part, changed.problem);
             }
-            None if changed.field => self.set_field(painting.field),
+            None if changed.field.is_any() => self.set_field(painting.field, &changed.field),
             _ => {}
         }
         if changed.scribbles {

@@ -4,6 +4,7 @@
 //! Calls only note what has become stale; the work is done once a frame, however many pointer events came between.
 
 use std::mem::take;
+use std::sync::Arc;
 
 use kurbo::{Affine, Rect};
 use scumble_core::drawing::LONGER_SIDE_DU;
@@ -59,8 +60,9 @@ pub struct Session {
     making: Option<Making>,
     /// How many drawings have been opened.
     opened: u32,
-    field: Field,
-    /// The same from close by, as far as it is seen.
+    /// What is shown until the picture has been made.
+    rough: Arc<Field>,
+    /// The picture from close by, as far as it is seen.
     close_up: Option<CloseUp>,
     /// What the grid solver is given, once it is to make the picture.
     problem: Option<GridProblem>,
@@ -135,7 +137,7 @@ impl Session {
             coming: None,
             making: None,
             opened: 0,
-            field: Field::default(),
+            rough: Arc::default(),
             close_up: None,
             problem: None,
             sharp: None,
@@ -306,7 +308,8 @@ impl Session {
             layers.add_lines(drawing, self.sheet.ink_map());
         }
         let close_up = self.sheet.picture.close_up(drawing, drawing.frame(), px_per_du);
-        let field = close_up.unwrap_or_else(|| self.field.clone());
+        let field =
+            close_up.map(Arc::new).or_else(|| self.sheet.picture.field().cloned()).unwrap_or_default();
         Export { layers, field, view: self.page(px_per_du) }
     }
 

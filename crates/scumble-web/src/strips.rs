@@ -84,7 +84,7 @@ impl StripPainter {
 
     /// A view that changes with each frame would never be seen if each began anew. But a field may be of what is in view alone.
     fn may_turn(&self, look: Look, changed: &Changed) -> bool {
-        self.hidden.is_none() || changed.field || look.strip_count == 1
+        self.hidden.is_none() || changed.field.is_any() || look.strip_count == 1
     }
 
     fn turn_to(&mut self, look: Look) {
@@ -180,7 +180,7 @@ fn hull(a: &Part, b: &Part) -> Part {
 mod tests {
     use kurbo::{Affine, Circle, Point, Rect, Shape, Stroke};
     use scumble_core::{Curve, Drawing, Line, Rgba8, Scribble, ScribbleKind};
-    use scumble_solve::{Field, paint};
+    use scumble_solve::{Field, FieldChange, paint};
 
     use super::*;
     use crate::layers::Layers;
@@ -232,8 +232,14 @@ mod tests {
         paint(&painting.scene(), &painting.view)
     }
 
-    const NOTHING: Changed =
-        Changed { field: false, problem: false, part: false, scribbles: false, ink: false, within_du: None };
+    const NOTHING: Changed = Changed {
+        field: FieldChange { places: 0..0, within_du: None },
+        problem: false,
+        part: false,
+        scribbles: false,
+        ink: false,
+        within_du: None,
+    };
 
     #[test]
     fn a_large_drawing_is_painted_in_strips_and_shown_whole() {
@@ -274,7 +280,7 @@ mod tests {
         let (field, layers, mut canvas) = (Field::default(), rings(), Canvas::default());
         canvas.frame(&painting(&field, &layers, 0.3), &NOTHING);
         let close = painting(&field, &layers, 4.0);
-        let mut is_all = canvas.frame(&close, &Changed { field: true, ..NOTHING });
+        let mut is_all = canvas.frame(&close, &Changed { field: FieldChange::ALL, ..NOTHING });
         while !is_all {
             assert!(canvas.shown.is_none());
             is_all = canvas.frame(&close, &NOTHING);

@@ -1,5 +1,6 @@
 //! Many edits in a row, one on top of the other: the picture is that of the work, whatever led to it.
 
+mod followed;
 mod page;
 
 use kurbo::Vec2;
@@ -9,6 +10,7 @@ use scumble_web::brush::ModeChange;
 use scumble_web::command::{Arranging, Command, Phase, Selecting, Setting, Tool};
 use scumble_web::painting::{Changed, PAPER, Painter, Painting};
 
+use followed::follow;
 use page::Page;
 
 /// Two rooms, one with a gap in its wall and a pillar, a wave across, and an arc of solid ink.
@@ -53,8 +55,8 @@ struct Shown(Field);
 
 impl Painter for Shown {
     fn paint(&mut self, painting: &Painting<'_>, changed: Changed) -> bool {
-        if changed.field {
-            self.0.clone_from(painting.field);
+        if changed.field.is_any() {
+            follow(&mut self.0, painting.field, &changed.field);
         }
         true
     }

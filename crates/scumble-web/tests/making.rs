@@ -14,8 +14,10 @@ use scumble_web::painting::{Changed, Painter, Painting};
 use scumble_web::session::Session;
 use scumble_web::solver::{Grids, Solver};
 
+use followed::follow;
 use zigzags::zigzags;
 
+mod followed;
 mod zigzags;
 
 /// Slices of a picture on its way that are made for a frame.
@@ -32,8 +34,8 @@ struct Screen {
 
 impl Painter for Screen {
     fn paint(&mut self, painting: &Painting<'_>, changed: Changed) -> bool {
-        if changed.field {
-            self.field.clone_from(painting.field);
+        if changed.field.is_any() {
+            follow(&mut self.field, painting.field, &changed.field);
         }
         self.ink = painting.layers.ink().len();
         self.is_on_pixels = painting.problem.is_some();
@@ -271,7 +273,7 @@ fn a_picture_for_a_file_is_that_of_the_document() {
     let exported = page.session.export(64.0, false).field;
     assert_eq!(page.told(), Some(false));
     page.rest();
-    assert!(page.screen.field == exported);
+    assert!(page.screen.field == *exported);
     page.assert_right();
 }
 

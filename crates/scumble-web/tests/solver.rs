@@ -32,7 +32,7 @@ impl Painter for Screen {
         self.part = painting.part.cloned();
         self.parts += usize::from(changed.part);
         let Some(problem) = painting.problem else {
-            self.frames.push((0, changed.field));
+            self.frames.push((0, changed.field.is_any()));
             return true;
         };
         let is_other = changed.problem && self.constraints.as_ref() != Some(&problem.constraints);

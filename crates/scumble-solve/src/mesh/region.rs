@@ -14,7 +14,7 @@ use super::limit;
 use super::refine::Shape;
 use super::substitution::TileColumn;
 use crate::barriers::Barriers;
-use crate::field::FieldTriangle;
+use crate::field::{FieldChange, FieldTriangle, Others};
 use crate::quadratic;
 
 /// A region and what is known about it so far.
@@ -171,32 +171,36 @@ impl Region {
         (self.triangles()[parent] as usize, weights)
     }
 
-    /// Writes its triangles, as many as there are, or their colours alone where the rest is there since the last time.
-    pub(super) async fn emit(
-        &mut self,
-        barriers: Barriers<'_>,
-        is_new: bool,
-        triangles: &mut [FieldTriangle],
-    ) {
-        if is_new || !self.is_shaped {
-            self.emit_shapes(barriers, triangles).await;
-            self.is_shaped = true;
-        }
-        match &self.layer {
-            None => {
-                pace::for_each((0..).zip(triangles), |(i, triangle)| triangle.colors = self.colors(i)).await;
+    /// Writes its triangles, as many as there are, or their colours alone where the rest is there since the last time; and notes
+    /// those that become others.
+    pub(super) async fn emit(&mut self, barriers: Barriers<'_>, is_new: bool, to: Place<'_>) {
+        let has_shapes = mem::replace(&mut self.is_shaped, true) && !is_new;
+        let range = self.layer.as_ref().map(|layer| self.range_under(layer));
+        let Place { first, triangles, change } = to;
+        let mut others = Others::none();
+        pace::for_each((first..).zip(triangles), |(place, triangle)| {
+            let i = place - first;
+            if !has_shapes {
+                let (corners, side_edges) = self.shape(barriers, i);
+                let corners = corners.map(|p| [p.x as f32, p.y as f32]);
+                if (corners, side_edges) != (triangle.corners, triangle.side_edges) {
+                    others.add(place, &triangle.corners);
+                    others.add(place, &corners);
+                    (triangle.corners, triangle.side_edges) = (corners, side_edges);
+                }
             }
-            Some(layer) => self.emit_shaded(layer, triangles).await,
-        }
-    }
-
-    async fn emit_shapes(&self, barriers: Barriers<'_>, triangles: &mut [FieldTriangle]) {
-        let single = |p: Point| [p.x as f32, p.y as f32];
-        pace::for_each((0..).zip(triangles), |(i, triangle)| {
-            let (corners, side_edges) = self.shape(barriers, i);
-            (triangle.corners, triangle.side_edges) = (corners.map(single), side_edges);
+            let colors = match (&self.layer, range) {
+                (Some(layer), Some(range)) => self.shaded(layer, i, range),
+                _ => self.colors(i),
+            };
+            // As bytes they are compared at once.
+            if are_others(&triangle.colors, &colors) {
+                triangle.colors = colors;
+                others.add(place, &triangle.corners);
+            }
         })
         .await;
+        others.add_to(change);
     }
 
     /// The corners of one of its triangles in the field, and which of its edges bound the region.
@@ -209,15 +213,15 @@ impl Region {
         (barriers.mesh.corners(t), side_edges(barriers, t))
     }
 
-    /// Lays the layer over the colours.
-    async fn emit_shaded(&self, layer: &Layer, triangles: &mut [FieldTriangle]) {
+    /// What colours lie within, with a layer over them.
+    fn range_under(&self, layer: &Layer) -> [BlendColor; 2] {
         let paper = (self.coloring == Coloring::Paper).then_some([0.0; 4]);
-        let range = range(self.given_colors().chain(layer.colors()).chain(paper));
-        pace::for_each((0..).zip(triangles), |(i, triangle)| {
-            let under = self.colors_of_part(&layer.shapes()[i]);
-            triangle.colors = covered(under, &layer.covers(i), range);
-        })
-        .await;
+        range(self.given_colors().chain(layer.colors()).chain(paper))
+    }
+
+    /// The colours of one of its triangles, with the layer over them.
+    fn shaded(&self, layer: &Layer, i: usize, range: [BlendColor; 2]) -> [[f32; 4]; 6] {
+        covered(self.colors_of_part(&layer.shapes()[i]), &layer.covers(i), range)
     }
 
     /// The colours of one of its triangles, without what lies over them.
@@ -255,6 +259,19 @@ impl Region {
     fn conditions(&self) -> impl Iterator<Item = ([u32; 3], &[BlendColor; 3])> {
         self.given.iter().map(|(i, colors)| (self.base.dofs.sides[*i].dofs, colors))
     }
+}
+
+/// Where the triangles of a region are in the list of the field, and what has changed of that.
+pub(super) struct Place<'a> {
+    pub(super) first: usize,
+    pub(super) triangles: &'a mut [FieldTriangle],
+    pub(super) change: &'a mut FieldChange,
+}
+
+/// Whether any number is another.
+fn are_others(a: &[[f32; 4]; 6], b: &[[f32; 4]; 6]) -> bool {
+    let pairs = a.as_flattened().iter().zip(b.as_flattened());
+    pairs.fold(0, |others, (a, b)| others | (a.to_bits() ^ b.to_bits())) != 0
 }
 
 /// Colours of an element under a layer, within a range. Edges at the rim of the layer stay as they are in the element beyond.

@@ -26,14 +26,24 @@ struct Prepared {
 /// Paints a field over a canvas of bare paper.
 pub(super) fn paint_field(canvas: &mut Canvas, field: &Field, px_from_du: Affine, paper: Option<Srgb8>) {
     let encoder = Encoder::new(field.blend);
-    let mut rim = RimPixels::new(canvas, field, px_from_du);
-    for triangle in &field.triangles {
+    let height = canvas.height();
+    let is_in = |triangle: &&FieldTriangle| is_in_rows(&triangle.corners, px_from_du, height);
+    let triangles: Vec<_> = field.triangles.iter().filter(is_in).collect();
+    let mut rim = RimPixels::new(canvas, &triangles, px_from_du);
+    for triangle in triangles {
         let corners = px_corners(&triangle.corners, px_from_du);
         let Some(scan) = ScanTriangle::new(corners, canvas.width(), canvas.height()) else { continue };
         let prepared = Prepared { scan, shade: Shade::new(triangle, &corners, &encoder) };
         prepared.paint(canvas, &mut rim, &encoder);
     }
     rim.resolve(canvas, paper);
+}
+
+/// Whether a triangle touches the rows of a picture of that height, as few do where it is one strip of many.
+pub(super) fn is_in_rows(corners: &[[f32; 2]; 3], px_from_du: Affine, height: i32) -> bool {
+    let [_, b, _, d, _, f] = px_from_du.as_coeffs();
+    let [p, q, r] = corners.map(|[x, y]| b * f64::from(x) + d * f64::from(y) + f);
+    p.min(q).min(r) < f64::from(height) && p.max(q).max(r) > 0.0
 }
 
 /// Corners in px. Equal corners stay equal to the last bit.
@@ -124,8 +134,8 @@ pub(super) fn add(sum: &mut [u32; 4], [r, g, b]: [u8; 3], alpha: u32) {
 }
 
 impl RimPixels {
-    fn new(canvas: &Canvas, field: &Field, px_from_du: Affine) -> Self {
-        let sides = field.triangles.iter().flat_map(|triangle| side_edges(triangle, px_from_du));
+    fn new(canvas: &Canvas, triangles: &[&FieldTriangle], px_from_du: Affine) -> Self {
+        let sides = triangles.iter().flat_map(|triangle| side_edges(triangle, px_from_du));
         let set = PixelSet::touched_by(sides, canvas.width() as u32, canvas.height() as u32);
         let sums = vec![[0; 4]; set.len()];
         Self { set, sums }

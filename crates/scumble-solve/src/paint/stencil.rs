@@ -4,7 +4,7 @@ use std::ops::Range;
 use std::sync::Arc;
 
 use super::canvas::{Canvas, over};
-use super::field_painter::px_corners;
+use super::field_painter::{is_in_rows, px_corners};
 use super::raster::{SAMPLES, SampleSpans, ScanTriangle};
 use crate::scene::{Part, Shape, View};
 
@@ -111,7 +111,8 @@ impl Coverage {
     #[inline(never)]
     fn stencil(&mut self, shape: &Shape) -> Stencil {
         let View { px_from_du, width_px, height_px } = self.view;
-        for triangle in &*shape.triangles {
+        let is_in = |triangle: &&_| is_in_rows(triangle, px_from_du, height_px as i32);
+        for triangle in shape.triangles.iter().filter(is_in) {
             let corners = px_corners(triangle, px_from_du);
             if let Some(scan) = ScanTriangle::new(corners, width_px as i32, height_px as i32) {
                 self.add(&scan);

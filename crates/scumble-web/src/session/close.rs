@@ -1,7 +1,7 @@
 //! The picture from close by, where the pieces of curves would be seen as chords.
 
 use kurbo::Rect;
-use scumble_solve::Field;
+use scumble_solve::{Field, FieldChange};
 
 use super::Session;
 use crate::solver::Source;
@@ -23,7 +23,8 @@ pub(super) struct CloseUp {
 impl Session {
     /// The colours as they are seen at the scale of the canvas.
     pub(super) fn field_shown(&self) -> &Field {
-        self.close_up.as_ref().map_or(&self.field, |close_up| &close_up.field)
+        let close_up = self.close_up.as_ref().map(|close_up| &close_up.field);
+        close_up.unwrap_or_else(|| self.sheet.picture.field().unwrap_or(&self.rough))
     }
 
     /// Follows the colours and the view. The part stays as long as it serves, so that what is seen does not change under a
@@ -33,7 +34,7 @@ impl Session {
         let serves = |it: &CloseUp| it.px_per_du == px_per_du && holds(it.part_du, seen_du);
         let part_du = self.close_up.as_ref().filter(|it| serves(it)).map(|it| it.part_du);
         let is_wanted = self.source == Source::Mesh && !self.sheet.has_stale_map();
-        if is_wanted && part_du.is_some() && !self.changed.field {
+        if is_wanted && part_du.is_some() && !self.changed.field.is_any() {
             return;
         }
         let ahead_du = ahead(seen_du, AHEAD);
@@ -41,10 +42,9 @@ impl Session {
             is_wanted.then(|| self.made_close_up(part_du.unwrap_or(ahead_du), px_per_du)).flatten();
         let is_same_part = close_up.is_some() && part_du.is_some();
         if close_up.is_some() || self.close_up.is_some() {
-            (self.changed.field, self.stale.view) = (true, true);
-            if !is_same_part {
-                self.changed.add_everywhere();
-            }
+            let within_du = if is_same_part { None } else { FieldChange::ALL.within_du };
+            self.changed.field.add(FieldChange::ALL.places, within_du);
+            self.stale.view = true;
         }
         self.close_up = close_up;
     }

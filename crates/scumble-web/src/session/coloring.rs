@@ -1,10 +1,11 @@
 //! The colours of the picture: those of the sides, and what a solver makes of them.
 
 use std::mem::take;
+use std::sync::Arc;
 
 use scumble_core::Document;
-use scumble_solve::Field;
 use scumble_solve::grid::GridProblem;
+use scumble_solve::{Field, FieldChange};
 
 use super::Session;
 use super::close::CHORDS_OFF_DU;
@@ -100,25 +101,21 @@ impl Session {
         }
     }
 
-    /// Shows a field as it is.
-    pub(super) fn show_field(&mut self, field: Field) {
-        (self.field, self.stale.field) = (field, false);
-        self.changed.field = true;
-        self.changed.add_everywhere();
+    /// Another picture is shown; a rough one until the right one has been made.
+    pub(super) fn show_other(&mut self, rough: Arc<Field>) {
+        self.rough = rough;
+        self.changed.field = FieldChange::ALL;
         self.stale.view = true;
     }
 
     fn solve(&mut self) {
-        match self.sheet.picture.solve() {
-            Ok(field) => {
-                let within_du = self.field.changed_within(field);
-                let within_du = within_du.map(|rect| rect.inflate(CHORDS_OFF_DU, CHORDS_OFF_DU));
-                self.changed.add_within(within_du);
-                self.field.clone_from(field);
-            }
-            Err(error) => self.effects.push(Effect::Failed(error.to_string())),
+        let picture = &mut self.sheet.picture;
+        if let Err(error) = picture.solve() {
+            self.effects.push(Effect::Failed(error.to_string()));
         }
-        self.changed.field = true;
+        let FieldChange { places, within_du } = picture.take_change();
+        let within_du = within_du.map(|rect| rect.inflate(CHORDS_OFF_DU, CHORDS_OFF_DU));
+        self.changed.field.add(places, within_du);
         self.stale.view = true;
     }
 

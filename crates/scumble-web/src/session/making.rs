@@ -1,9 +1,11 @@
 //! Another picture of the drawing in work, for other lines, another map or another engine. Where that takes long it is made in
 //! slices, beside the one that is shown: the page goes on, and can go back to what was.
 
+use std::sync::Arc;
+
 use scumble_core::pace::Slices;
 use scumble_core::{Document, MapError, Settings};
-use scumble_solve::{Field, Picture};
+use scumble_solve::Picture;
 
 use super::Session;
 use super::sheet::Sheet;
@@ -13,16 +15,14 @@ use crate::solver::{Moment, PIECES_IN_HAND, Source};
 /// The picture of a drawing with more pieces takes so long that a rough one is shown before it.
 const ROUGH_FIRST_PIECES: usize = 30_000;
 
-/// Makes all that the first picture of a document takes, from a map: its boundary, and where it comes from a mesh, its field,
-/// which it gives. What fails is told of when the picture is shown, with the lines.
-pub(super) async fn make<'a>(
-    picture: &'a mut Picture,
-    document: &Document,
-    is_meshed: bool,
-) -> Option<&'a Field> {
+/// Makes all that the first picture of a document takes, from a map: its boundary, and where it comes from a mesh, its field.
+/// What fails is told of when the picture is shown, with the lines.
+pub(super) async fn make(picture: &mut Picture, document: &Document, is_meshed: bool) {
     let Document { scribbles, color_points, settings, .. } = document;
     picture.coloring(scribbles, color_points, settings).await;
-    if is_meshed { picture.solving().await.ok() } else { None }
+    if is_meshed {
+        let _ = picture.solving().await;
+    }
 }
 
 fn has_colors(document: &Document) -> bool {
@@ -135,7 +135,7 @@ impl Session {
             Ok(mut picture) if picture.is_rough() => {
                 let rough = picture.refine();
                 if has_colors(self.document()) {
-                    self.show_field(rough);
+                    self.show_other(rough);
                 }
                 self.make_from(Some(picture));
             }
@@ -190,12 +190,15 @@ impl Session {
         }
     }
 
-    fn show_made(&mut self, picture: Picture) {
+    fn show_made(&mut self, mut picture: Picture) {
         let lines = self.sheet.editor.lines_revision();
+        let is_solved = picture.take_change().is_any();
         self.sheet.take_picture(picture, lines);
         // A rough one goes, also where the right one cannot be solved.
-        self.show_field(Field::default());
+        self.show_other(Arc::default());
         self.scribbles_changed();
-        self.stale.lines = true;
+        (self.stale.boundary, self.stale.field) = (false, !is_solved);
+        // Solid ink is drawn by the map.
+        self.stale.lines |= !self.document().drawing.fills.is_empty();
     }
 }

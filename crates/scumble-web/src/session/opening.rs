@@ -3,7 +3,7 @@
 
 use scumble_core::pace::{Slices, pause};
 use scumble_core::{Drawing, MapError, Work, exact};
-use scumble_solve::{Field, Picture};
+use scumble_solve::Picture;
 
 use super::Session;
 use super::making;
@@ -26,34 +26,25 @@ pub(super) struct Coming {
 /// How far it is.
 #[derive(Debug)]
 enum Step {
-    OnItsWay(Slices<'static, Result<Box<Ready>, MapError>>),
+    OnItsWay(Slices<'static, Result<Box<Sheet>, MapError>>),
     /// What it is, or why it is none.
-    Ready(Result<Box<Ready>, MapError>),
+    Ready(Result<Box<Sheet>, MapError>),
 }
 
-/// A sheet, and what is shown of it first where that takes no time.
-#[derive(Debug)]
-struct Ready {
-    sheet: Sheet,
-    field: Option<Field>,
-}
-
-impl Ready {
-    async fn making(
-        number: u32,
-        mut work: Work,
-        is_meshed: impl Fn(&Picture) -> bool,
-    ) -> Result<Box<Self>, MapError> {
-        work.document = work.document.kept();
-        pause().await;
-        if is_large(&work.document.drawing) {
-            return Ok(Box::new(Self { sheet: Sheet::unmade(number, work)?, field: None }));
-        }
-        let mut picture = Picture::mapping(&work.document.drawing).await?;
-        let is_meshed = is_meshed(&picture);
-        let field = making::make(&mut picture, &work.document, is_meshed).await.cloned();
-        Ok(Box::new(Self { sheet: Sheet::new(number, work, picture), field }))
+async fn making(
+    number: u32,
+    mut work: Work,
+    is_meshed: impl Fn(&Picture) -> bool,
+) -> Result<Box<Sheet>, MapError> {
+    work.document = work.document.kept();
+    pause().await;
+    if is_large(&work.document.drawing) {
+        return Ok(Box::new(Sheet::unmade(number, work)?));
     }
+    let mut picture = Picture::mapping(&work.document.drawing).await?;
+    let is_meshed = is_meshed(&picture);
+    making::make(&mut picture, &work.document, is_meshed).await;
+    Ok(Box::new(Sheet::new(number, work, picture)))
 }
 
 /// Whether it takes longer to make the picture of a drawing than people wait for the lines.
@@ -65,7 +56,7 @@ impl Session {
     /// Begins to make work ready to be opened, by its exact bytes, in the place of other work that is on its way.
     pub fn prepare(&mut self, work: &[u8]) {
         self.coming = exact::read(work).map(|read| {
-            let slices = Slices::new(Ready::making(self.opened + 1, read, self.is_meshed(false)));
+            let slices = Slices::new(making(self.opened + 1, read, self.is_meshed(false)));
             Coming { work: work.to_vec(), step: Step::OnItsWay(slices) }
         });
     }
@@ -95,27 +86,16 @@ impl Session {
         }
         while self.prepare_on() {}
         match self.coming.take().map(|coming| coming.step) {
-            Some(Step::Ready(Ok(ready))) => {
+            Some(Step::Ready(Ok(sheet))) => {
                 // What the pen has done so far is not lost with the drawing that goes.
                 self.end(&[]);
-                let Ready { sheet, field } = *ready;
-                self.lay_over(sheet);
-                self.show_ready(field);
+                self.lay_over(*sheet);
+                self.stale.boundary = !self.sheet.is_made();
                 self.opened += 1;
                 self.tell(Effect::Opened { notes });
             }
             Some(Step::Ready(Err(error))) => self.tell(Effect::Failed(error.to_string())),
             _ => self.tell(Effect::Failed(DAMAGED.into())),
-        }
-    }
-
-    /// Shows what was made of the drawing that was just laid over.
-    fn show_ready(&mut self, field: Option<Field>) {
-        if self.sheet.is_made() {
-            self.stale.boundary = false;
-        }
-        if let Some(field) = field {
-            self.show_field(field);
         }
     }
 }

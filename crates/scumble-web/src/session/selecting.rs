@@ -5,7 +5,7 @@ use std::mem::replace;
 
 use kurbo::common::solve_quadratic;
 use kurbo::{Affine, BezPath, CubicBez, ParamCurve as _, Point, Rect, Vec2};
-use scumble_core::{Curve, Deed, Document};
+use scumble_core::{Curve, Deed, Document, bounds, union};
 
 use super::Session;
 use super::gestures::{CLICK_CSS, Held};
@@ -214,9 +214,9 @@ impl Session {
     pub(super) fn selected_bounds(&self, from_du: Affine) -> Option<Rect> {
         let Document { drawing, scribbles, .. } = self.document();
         let points = self.selected_scribbles().into_iter().flat_map(|i| &scribbles[i].points);
-        let dabs = points.map(|p| Rect::from_points(from_du * *p, from_du * *p));
-        let paths = self.selected_curves().into_iter().map(|i| &drawing.curves[i].path);
-        dabs.chain(paths.map(|path| bounds(path, from_du))).reduce(|a, b| a.union(b))
+        let curves = self.selected_curves().into_iter().map(|i| &drawing.curves[i].path);
+        let all = bounds(points.map(|&point| from_du * point));
+        curves.fold(all, |all, path| union(all, bounds_of(path, from_du)))
     }
 
     /// The frame around what is selected as it is drawn, in turned du.
@@ -305,7 +305,7 @@ impl Session {
         let drawing = &self.document().drawing;
         let outlines = outlines(drawing);
         let is_in = |curve: &Curve| {
-            let bounds = bounds(&curve.path, turned_from_du);
+            let bounds = bounds_of(&curve.path, turned_from_du).unwrap_or_default();
             marquee.union(bounds) == marquee && is_line(curve, &outlines)
         };
         let curves = drawing.curves.iter().zip(self.sheet.editor.curve_ids());
@@ -315,13 +315,12 @@ impl Session {
 }
 
 /// The bounds of a path in du, taken to elsewhere. Those of `kurbo` sort extrema by a routine that is 2 KB to load.
-fn bounds(path: &BezPath, from_du: Affine) -> Rect {
+fn bounds_of(path: &BezPath, from_du: Affine) -> Option<Rect> {
     let path = from_du * path;
-    let all = path.segments().map(|segment| bounds_of(segment.to_cubic()));
-    all.reduce(|a, b| a.union(b)).unwrap_or_default()
+    path.segments().fold(None, |all, segment| union(all, Some(bounds_of_cubic(segment.to_cubic()))))
 }
 
-fn bounds_of(c: CubicBez) -> Rect {
+fn bounds_of_cubic(c: CubicBez) -> Rect {
     let [a, b, d] = [c.p1 - c.p0, c.p2 - c.p1, c.p3 - c.p2];
     let mut bounds = Rect::from_points(c.p0, c.p3);
     for [a, b, d] in [[a.x, b.x, d.x], [a.y, b.y, d.y]] {
@@ -346,7 +345,8 @@ mod tests {
         ] {
             let path = BezPath::from_svg(svg).expect("a path");
             for from_du in [Affine::IDENTITY, Affine::FLIP_X] {
-                let (found, expected) = (bounds(&path, from_du), from_du.transform_rect_bbox(expected));
+                let (found, expected) =
+                    (bounds_of(&path, from_du).expect("a path"), from_du.transform_rect_bbox(expected));
                 let off = [
                     found.x0 - expected.x0,
                     found.y0 - expected.y0,

@@ -1,10 +1,11 @@
 //! The drawing in work, and those that it was opened over.
 
 use std::mem::{replace, take};
+use std::sync::Arc;
 
 use scumble_core::work::Item;
 use scumble_core::{Document, Drawing, Editor, MapError, PlanarMap, Work};
-use scumble_solve::{Field, Picture};
+use scumble_solve::Picture;
 
 use super::{Session, Stale};
 use crate::effect::{Effect, SheetState};
@@ -165,7 +166,7 @@ impl Session {
         (self.held, self.making) = (None, None);
         self.select(Selection::default());
         self.viewport.show_page(sheet.editor.document().drawing.frame());
-        self.show_field(Field::default());
+        self.show_other(Arc::default());
         self.stale = Stale::ALL;
         let before = replace(&mut self.sheet, sheet);
         if self.lacks_map() {
@@ -185,7 +186,10 @@ impl Session {
         }
         let Sheet { editor, .. } = &self.sheet;
         match Picture::new(&editor.document().drawing) {
-            Ok(picture) => self.sheet.take_picture(picture, editor.lines_revision()),
+            Ok(picture) => {
+                self.sheet.take_picture(picture, editor.lines_revision());
+                self.show_other(Arc::default());
+            }
             Err(error) => self.take_back(&error),
         }
         self.scribbles_changed();

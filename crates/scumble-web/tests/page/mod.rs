@@ -26,8 +26,8 @@ pub(crate) struct Canvas {
 
 impl Painter for Canvas {
     fn paint(&mut self, painting: &Painting<'_>, changed: Changed) -> bool {
-        self.frames.push(changed);
         let frame = self.painter.paint(painting, &changed, || true);
+        self.frames.push(changed);
         self.show(&frame);
         let whole = paint(&painting.scene(), &painting.view);
         assert_eq!(self.shown.as_ref(), Some(&whole), "what has changed, painted alone");
