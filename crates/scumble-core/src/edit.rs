@@ -169,6 +169,11 @@ impl Editor {
         matches!(self.in_hand, Some(Gesture::Scribble))
     }
 
+    /// Whether a gesture of any kind is in hand.
+    pub fn is_in_hand(&self) -> bool {
+        self.in_hand.is_some()
+    }
+
     /// Begins a gesture of any changes, as of a slider that is dragged; one that is still in hand is committed first.
     pub fn begin(&mut self, deed: Deed) {
         self.commit();

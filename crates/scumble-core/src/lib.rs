@@ -41,7 +41,7 @@
 mod angle;
 pub mod bends;
 pub mod boundary;
-mod bounds;
+pub mod bounds;
 pub mod clamp;
 mod clearance;
 pub mod color;
@@ -84,7 +84,6 @@ pub mod work;
 pub use angle::{angle_part, unit_vector};
 pub use bends::Bends;
 pub use boundary::{Boundary, KnownBoundary, SideColors, boundary};
-pub use bounds::{bounds, union};
 pub use clamp::{clamped, nearest_in};
 pub use color::{Blend, BlendColor, ColorError, Paint, Rgba8, Srgb8};
 pub use color_model::ColorModel;

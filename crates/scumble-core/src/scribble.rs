@@ -2,7 +2,7 @@
 
 use kurbo::{Line, ParamCurveNearest, Point, Rect, Shape};
 
-use crate::bounds::bounds;
+use crate::bounds;
 use crate::color::Paint;
 
 /// A stroke of colour. A single point is a dab.
@@ -116,7 +116,7 @@ impl Scribble {
 
     /// The bounds of the pen's way, in du; none where it has no points.
     pub fn bounds_du(&self) -> Option<Rect> {
-        bounds(self.points.iter().copied())
+        bounds::of(self.points.iter().copied())
     }
 
     /// Whether a straight way touches the stroke as it is drawn, or comes within a distance of it, in du.

@@ -67,20 +67,20 @@ struct Part {
 }
 
 impl Items {
-    /// Takes other items: those at some places are others than before.
+    /// Follows a list of items, which outside some places are as in the last call.
     pub(crate) fn write<T: Pod>(&mut self, gpu: &Gpu, items: &[T], places: &Range<usize>) {
         let [start, end] = [places.start, places.end].map(|place| place.min(items.len()) * size_of::<T>());
         self.write_bytes(gpu, bytemuck::cast_slice(items), start..end, size_of::<T>());
     }
 
     /// The same with items of any kind, of so many bytes each.
-    fn write_bytes(&mut self, gpu: &Gpu, bytes: &[u8], changed: Range<usize>, each: usize) {
-        let most = BUFFER_BYTES / each * each;
-        let chunks = bytes.chunks(most);
+    fn write_bytes(&mut self, gpu: &Gpu, bytes: &[u8], changed: Range<usize>, item_bytes: usize) {
+        let chunk_bytes = BUFFER_BYTES / item_bytes * item_bytes;
+        let chunks = bytes.chunks(chunk_bytes);
         self.0.truncate(chunks.len().max(1));
         self.0.iter_mut().for_each(|part| part.count = 0);
         for (i, chunk) in chunks.enumerate() {
-            let within = |place: usize| place.saturating_sub(i * most).min(chunk.len());
+            let within = |place: usize| place.saturating_sub(i * chunk_bytes).min(chunk.len());
             let mut changed = within(changed.start)..within(changed.end);
             if self.0.get(i).is_none_or(|part| part.buffer.size() < chunk.len() as u64) {
                 self.0.truncate(i);
@@ -90,7 +90,7 @@ impl Items {
             if !changed.is_empty() {
                 gpu.queue.write_buffer(&self.0[i].buffer, changed.start as u64, &chunk[changed]);
             }
-            self.0[i].count = (chunk.len() / each) as u32;
+            self.0[i].count = (chunk.len() / item_bytes) as u32;
         }
     }
 

@@ -5,7 +5,7 @@
 
 use kurbo::Affine;
 use scumble_core::{Blend, Rgba8, Srgb8};
-use scumble_solve::{Field, FieldTriangle, Pixmap, Scene, Shape, View, paint};
+use scumble_solve::{Field, FieldChange, FieldTriangle, Pixmap, Scene, Shape, View, paint};
 
 use crate::error::GpuError;
 use crate::renderer::{Layer, Renderer};
@@ -35,11 +35,11 @@ const SPOTS: [(&str, [u32; 2]); 8] = [
 pub fn probe(renderer: &mut Renderer) -> impl Future<Output = Result<(), GpuError>> + use<> {
     let (field, shapes) = (field(), shapes());
     let view = View { px_from_du: Affine::IDENTITY, width_px: SIDE_PX, height_px: SIDE_PX };
-    renderer.set_field(&field);
+    renderer.set_field(&field, &FieldChange::ALL);
     renderer.set_shapes(Layer::Ink, &shapes[1..]);
     renderer.set_shapes(Layer::Scribbles, &shapes[..1]);
     let drawn = renderer.read_back(&view, Some(PAPER));
-    renderer.set_field(&Field::default());
+    renderer.set_field(&Field::default(), &FieldChange::ALL);
     renderer.set_shapes(Layer::Ink, &[]);
     renderer.set_shapes(Layer::Scribbles, &[]);
     let expected = paint(&Scene { paper: Some(PAPER), field: &field, shapes: &shapes }, &view);

@@ -143,13 +143,8 @@ impl Renderer {
         }
     }
 
-    /// Replaces the field, and draws it again if it was not drawn.
-    pub fn set_field(&mut self, field: &Field) {
-        self.update_field(field, &FieldChange::ALL);
-    }
-
-    /// The same with a field that is as the one before but for some changes.
-    pub fn update_field(&mut self, field: &Field, change: &FieldChange) {
+    /// Replaces the field, which is as the one before but for some changes, and draws it again if it was not drawn.
+    pub fn set_field(&mut self, field: &Field, change: &FieldChange) {
         self.solution = None;
         self.blend = field.blend;
         self.field.write(&self.gpu, &field.triangles, &change.places);

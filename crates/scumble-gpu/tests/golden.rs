@@ -8,7 +8,7 @@ use scenes::Golden;
 use scumble_core::{Blend, Rgba8, Srgb8};
 use scumble_gpu::wgpu::TextureFormat::{self, Bgra8Unorm, Rgba8Unorm};
 use scumble_gpu::{Gpu, GpuError, Layer, Renderer, probe};
-use scumble_solve::{Field, FieldTriangle, Pixmap, Shape, View};
+use scumble_solve::{Field, FieldChange, FieldTriangle, Pixmap, Shape, View};
 
 /// An open device, or `None`, said aloud, where there is none.
 fn gpu() -> Option<Gpu> {
@@ -21,7 +21,7 @@ fn renderer(format: TextureFormat) -> Option<Renderer> {
 }
 
 fn drawn(renderer: &mut Renderer, golden: &Golden) -> Pixmap {
-    renderer.set_field(&golden.field);
+    renderer.set_field(&golden.field, &FieldChange::ALL);
     renderer.set_shapes(Layer::Ink, &golden.ink);
     renderer.set_shapes(Layer::Scribbles, &golden.scribbles);
     read(renderer, &golden.view, golden.paper)
@@ -79,7 +79,7 @@ fn flat_regions_have_the_picked_colour_to_the_last_bit() {
     for blend in [Blend::Oklab, Blend::Srgb] {
         for rgb in (0..=0xff_ffff_u32).step_by(65_793 * 3 + 1) {
             let [_, r, g, b] = rgb.to_be_bytes();
-            renderer.set_field(&cover(blend, Srgb8([r, g, b])));
+            renderer.set_field(&cover(blend, Srgb8([r, g, b])), &FieldChange::ALL);
             let picture = read(&mut renderer, &plain_view(8, 8), None);
             assert_eq!(picture.rgba, [r, g, b, 255].repeat(64), "{blend:?}");
         }
@@ -93,10 +93,10 @@ fn a_pixel_whose_centre_is_outside_takes_the_nearest_colour_inside() {
     let grey = |level: f32| [level / 255.0, level / 255.0, level / 255.0, 1.0];
     let [dark, mid, light] = [100.0, 140.0, 180.0].map(grey);
     let colors = [dark, light, dark, mid, mid, dark];
-    renderer.set_field(&Field {
-        blend: Blend::Srgb,
-        triangles: vec![FieldTriangle { corners, colors, side_edges: 7 }],
-    });
+    renderer.set_field(
+        &Field { blend: Blend::Srgb, triangles: vec![FieldTriangle { corners, colors, side_edges: 7 }] },
+        &FieldChange::ALL,
+    );
     let picture = read(&mut renderer, &plain_view(20, 20), None);
     let [level, _, _, alpha] = pixel(&picture, 10, 10);
     assert!(level.abs_diff(100) <= 2 && alpha > 0 && alpha < 255, "{level} at {alpha}");
@@ -109,7 +109,7 @@ fn large_pictures_are_put_together_from_tiles() {
         triangles: [[[x, y], [x + 8.0, y], [x, y + 8.0]]].into(),
         color: Rgba8([x as u8, y as u8, 9, 255]),
     };
-    renderer.set_field(&cover(Blend::Oklab, Srgb8([230, 25, 75])));
+    renderer.set_field(&cover(Blend::Oklab, Srgb8([230, 25, 75])), &FieldChange::ALL);
     renderer.set_shapes(Layer::Ink, &[dot(10.0, 20.0), dot(2047.0, 30.0), dot(2050.0, 2100.0)]);
     let picture = read(&mut renderer, &plain_view(2100, 2110), None);
     assert_eq!(pixel(&picture, 11, 21), [10, 20, 9, 255]);
@@ -117,6 +117,33 @@ fn large_pictures_are_put_together_from_tiles() {
     assert_eq!(pixel(&picture, 2048, 31), [255, 30, 9, 255]);
     assert_eq!(pixel(&picture, 2051, 2101), [255, 255, 9, 255]);
     assert_eq!(pixel(&picture, 2099, 2109), [230, 25, 75, 255]);
+}
+
+#[test]
+fn triangles_that_have_changed_are_drawn_anew_also_beyond_the_first_buffer() {
+    const LAST: usize = 600_000;
+    let Some(mut renderer) = renderer(Rgba8Unorm) else { return };
+    let dot = |x: f32, color: [f32; 4]| FieldTriangle {
+        corners: [[x, 0.0], [x + 8.0, 0.0], [x, 8.0]],
+        colors: [color; 6],
+        side_edges: 0,
+    };
+    let [red, blue] = [[1.0, 0.0, 0.0, 1.0], [0.0, 0.0, 1.0, 1.0]];
+    let mut field = Field { blend: Blend::Srgb, triangles: vec![FieldTriangle::default(); LAST + 1] };
+    (field.triangles[0], field.triangles[LAST]) = (dot(0.0, red), dot(20.0, red));
+    renderer.set_field(&field, &FieldChange::ALL);
+    let mut seen = |field: &Field, places| {
+        renderer.set_field(field, &FieldChange { places, within_du: None });
+        let picture = read(&mut renderer, &plain_view(40, 10), None);
+        [1, 21].map(|x| pixel(&picture, x, 1))
+    };
+    let [was, is] = [[255, 0, 0, 255], [0, 0, 255, 255]];
+    assert_eq!(seen(&field, 0..0), [was, was]);
+    (field.triangles[0], field.triangles[LAST]) = (dot(0.0, blue), dot(20.0, blue));
+    assert_eq!(seen(&field, LAST..LAST + 1), [was, is], "the first one is not said to have changed");
+    assert_eq!(seen(&field, 0..1), [is, is]);
+    field.triangles.truncate(1);
+    assert_eq!(seen(&field, 1..usize::MAX), [is, [0; 4]]);
 }
 
 #[test]

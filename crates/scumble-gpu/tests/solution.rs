@@ -7,7 +7,7 @@ use scumble_core::{Bends, Blend, Boundary, Curve, Drawing, Gap, PlanarMap, Sampl
 use scumble_gpu::wgpu::TextureFormat::Rgba8Unorm;
 use scumble_gpu::{Gpu, GpuError, GpuGridSolver, GridKernels, Renderer};
 use scumble_solve::grid::{Constraints, GridPicture, GridProblem, GridSolver, Shades, Whole};
-use scumble_solve::{Field, FieldTriangle, Part, Pixmap, View, paint_grid};
+use scumble_solve::{Field, FieldChange, FieldTriangle, Part, Pixmap, View, paint_grid};
 
 const PAPER: Option<Srgb8> = Some(Srgb8([255; 3]));
 const RED: Srgb8 = Srgb8([230, 25, 75]);
@@ -174,7 +174,7 @@ fn a_field_takes_its_place() {
     let corners = [[-1.0, -1.0], [9000.0, -1.0], [-1.0, 9000.0]];
     let color = Blend::Oklab.from_srgb8(RED).map(|c| c as f32);
     let triangles = vec![FieldTriangle { corners, colors: [color; 6], side_edges: 7 }];
-    renderer.set_field(&Field { blend: Blend::Oklab, triangles });
+    renderer.set_field(&Field { blend: Blend::Oklab, triangles }, &FieldChange::ALL);
     assert_eq!(pixel(&read(&mut renderer, &problem.view), [32.0, 32.0]), RED.0);
 }
 

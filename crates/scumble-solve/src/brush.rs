@@ -160,7 +160,7 @@ pub(crate) fn around(corners: [Point; 3]) -> (Point, f64) {
 }
 
 fn bounds_of(segments: &[Segment]) -> Rect {
-    bounds(segments.iter().flat_map(|segment| [segment.start, segment.end()])).unwrap_or_default()
+    bounds::of(segments.iter().flat_map(|segment| [segment.start, segment.end()])).unwrap_or_default()
 }
 
 fn distance_sq_to_rect(p: Point, rect: Rect) -> f64 {

@@ -4,7 +4,7 @@ use std::ops::Range;
 
 use bytemuck::{Pod, Zeroable};
 use kurbo::Rect;
-use scumble_core::{Blend, union};
+use scumble_core::{Blend, bounds};
 
 use crate::scene::point;
 
@@ -33,6 +33,9 @@ impl Field {
     }
 }
 
+/// Beyond all that can be drawn, in du.
+pub const EVERYWHERE: Rect = Rect::new(-1e9, -1e9, 1e9, 1e9);
+
 /// What of a field is not what it was.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct FieldChange {
@@ -44,7 +47,7 @@ pub struct FieldChange {
 
 impl FieldChange {
     /// That of a field that has nothing to do with what was there before.
-    pub const ALL: Self = Self { places: 0..usize::MAX, within_du: Some(Rect::new(-1e9, -1e9, 1e9, 1e9)) };
+    pub const ALL: Self = Self { places: 0..usize::MAX, within_du: Some(EVERYWHERE) };
 
     /// Whether there is any.
     pub fn is_any(&self) -> bool {
@@ -52,13 +55,13 @@ impl FieldChange {
     }
 
     /// Adds what has changed, too.
-    pub fn add(&mut self, places: Range<usize>, within_du: Option<Rect>) {
+    pub fn add(&mut self, Self { places, within_du }: Self) {
         if !self.is_any() {
             self.places = places;
         } else if !places.is_empty() {
             self.places = self.places.start.min(places.start)..self.places.end.max(places.end);
         }
-        self.within_du = union(self.within_du, within_du);
+        self.within_du = bounds::union(self.within_du, within_du);
     }
 }
 
@@ -81,16 +84,16 @@ impl Others {
         }
         self.places.end = place + 1;
         for (i, &c) in corners.iter().flat_map(|corner| (0..).zip(corner)) {
+            // `f32::min` has more to do, for what is no number.
             self.least[i] = if c < self.least[i] { c } else { self.least[i] };
             self.most[i] = if c > self.most[i] { c } else { self.most[i] };
         }
     }
 
-    pub(crate) fn add_to(self, change: &mut FieldChange) {
-        if !self.places.is_empty() {
-            let within_du = Rect::from_points(point(self.least), point(self.most));
-            change.add(self.places, Some(within_du));
-        }
+    pub(crate) fn change(self) -> FieldChange {
+        let within_du = Rect::from_points(point(self.least), point(self.most));
+        let within_du = (!self.places.is_empty()).then_some(within_du);
+        FieldChange { places: self.places, within_du }
     }
 }
 
@@ -111,6 +114,21 @@ pub struct FieldTriangle {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn changes_hold_all_that_is_added_to_them() {
+        assert_eq!(Others::none().change(), FieldChange::default());
+        let mut others = Others::none();
+        others.add(7, &[[3.0, -2.0], [5.0, 1.0], [4.0, 9.0]]);
+        others.add(9, &[[0.0, 0.0], [1.0, 1.0], [0.0, 1.0]]);
+        let mut change = others.change();
+        let within_du = Some(Rect::new(0.0, -2.0, 5.0, 9.0));
+        assert_eq!(change, FieldChange { places: 7..10, within_du });
+        change.add(FieldChange { places: 2..3, within_du: Some(Rect::new(-1.0, 0.0, 0.0, 0.0)) });
+        change.add(FieldChange { places: 20..20, within_du: None });
+        let within_du = Some(Rect::new(-1.0, -2.0, 5.0, 9.0));
+        assert_eq!(change, FieldChange { places: 2..10, within_du });
+    }
 
     #[test]
     fn bytes_lose_nothing_and_other_bytes_are_none() {

@@ -28,7 +28,7 @@ pub mod quadratic;
 mod reach;
 pub mod scene;
 
-pub use field::{Field, FieldChange, FieldTriangle};
+pub use field::{EVERYWHERE, Field, FieldChange, FieldTriangle};
 pub use ink::{fill_shapes, line_shapes, scribble_shape};
 pub use mesh::{MeshSolver, SolveError};
 pub use paint::{Pixmap, Repainter, paint, paint_grid};

@@ -42,7 +42,7 @@ use crate::barriers::Barriers;
 use crate::field::{Field, FieldChange, FieldTriangle, Others};
 use crate::reach::{Reach, Regions};
 use numbering::Numbering;
-use region::{Place, Region};
+use region::Region;
 use substitution::TileColumn;
 
 /// Why a drawing has no colour field.
@@ -264,17 +264,15 @@ impl MeshSolver {
         })
     }
 
-    /// Puts the triangles of the regions that changed into the field; those of the others go along to where they are now.
+    /// Puts the triangles of the regions that changed into the field; those of the others go along to where they are now. Notes
+    /// what has changed of it.
     async fn emit(&mut self, is_changed: &[bool]) {
         let counts: Vec<_> = self.regions.iter().map(Region::emitted_count).collect();
         let mut before = mem::replace(&mut self.emitted, counts);
         let are_same_regions = !before.is_empty();
         before.resize(self.emitted.len(), 0);
-        let total: usize = self.emitted.iter().sum();
         let all = &mut Arc::make_mut(&mut self.field).triangles;
-        let mut gone = Others::none();
-        all.iter().enumerate().skip(total).for_each(|(i, triangle)| gone.add(i, &triangle.corners));
-        gone.add_to(&mut self.change);
+        self.change.add(beyond(all, self.emitted.iter().sum()));
         move_parts(all, &before, &self.emitted).await;
         pace::pause_after(all.len()).await;
         let (mut pace, mut end) = (Pace::default(), 0);
@@ -283,17 +281,26 @@ impl MeshSolver {
             let places = end..end + self.emitted[i];
             end = places.end;
             let is_new = before[i] != places.len();
-            if is_new && are_same_regions {
-                let corners = region.triangles().iter().flat_map(|&t| self.mesh.corners(t as usize));
-                self.change.add(places.start..usize::MAX, bounds(corners));
-            }
             if is_changed[i] || is_new {
-                let (first, triangles) = (places.start, &mut all[places.clone()]);
-                region.emit(barriers, is_new, Place { first, triangles, change: &mut self.change }).await;
+                let own = &mut all[places.clone()];
+                let mut change = region.emit(barriers, is_new, places.start, own).await;
+                if is_new && are_same_regions {
+                    // What was at these places is elsewhere by now.
+                    let corners = region.triangles().iter().flat_map(|&t| self.mesh.corners(t as usize));
+                    change = FieldChange { places: places.start..usize::MAX, within_du: bounds::of(corners) };
+                }
+                self.change.add(change);
             }
             pace.work(places.len()).await;
         }
     }
+}
+
+/// What changes as triangles from a place on go.
+fn beyond(triangles: &[FieldTriangle], end: usize) -> FieldChange {
+    let mut gone = Others::none();
+    triangles.iter().enumerate().skip(end).for_each(|(i, triangle)| gone.add(i, &triangle.corners));
+    gone.change()
 }
 
 /// Makes room in a list for other parts: those that are as long as before move to where they begin now.
@@ -330,7 +337,7 @@ fn differences(a: &[bool], b: &[bool]) -> Vec<bool> {
 mod tests {
     use super::*;
     use kurbo::{Circle, Line, Rect, Shape};
-    use scumble_core::{Curve, Drawing, Gap, PlanarMap, Sampling};
+    use scumble_core::{BlendColor, Curve, Drawing, Gap, PlanarMap, Sampling};
 
     /// A circle with two lines in it, with a gap between them, and a circle elsewhere.
     pub(super) fn map() -> PlanarMap {
@@ -381,6 +388,35 @@ mod tests {
             let pairs = all.colors.as_flattened().iter().zip(only.colors.as_flattened());
             pairs.for_each(|(a, b)| assert!((a - b).abs() < 1e-3, "{a} {b}"));
         }
+    }
+
+    #[test]
+    fn what_has_changed_of_the_field_is_the_region_that_has_other_colours_or_none() {
+        let map = map();
+        let mut solver = MeshSolver::new(map.refined().clone());
+        let mut change = |sides: &[Option<[BlendColor; 3]>]| {
+            let boundary = Boundary { closed_gaps: vec![false], ..sides.to_vec().into() };
+            let count = solver.solve(&boundary, Blend::Oklab).expect("a field").triangles.len();
+            (count, solver.take_change())
+        };
+        let mut sides = vec![Some([[0.5; 4]; 3]); map.side_count()];
+        let (all, first) = change(&sides);
+        assert_eq!(first.places, 0..all);
+        assert_eq!(change(&sides), (all, FieldChange::default()));
+        let disc = Some(Rect::new(600.0, 600.0, 1000.0, 1000.0));
+        let is_disc = |change: &FieldChange| {
+            let off = |a: Rect, b: Rect| (a.x0 - b.x0).abs().max((a.y1 - b.y1).abs());
+            change.within_du.zip(disc).is_some_and(|(a, b)| off(a, b) < 1.0)
+        };
+        map.steps(1).iter().for_each(|step| sides[step.left.index()] = Some([[0.25; 4]; 3]));
+        let (count, other) = change(&sides);
+        assert!(count == all && other.places.len() < all && is_disc(&other), "{other:?}");
+        map.steps(1).iter().for_each(|step| sides[step.left.index()] = None);
+        let (count, gone) = change(&sides);
+        assert!(count < all && is_disc(&gone), "{gone:?}");
+        map.steps(1).iter().for_each(|step| sides[step.left.index()] = Some([[0.25; 4]; 3]));
+        let (count, back) = change(&sides);
+        assert!(count == all && is_disc(&back), "{back:?}");
     }
 
     #[test]

@@ -124,7 +124,7 @@ impl Picture {
         self.solver.as_ref().map(MeshSolver::field)
     }
 
-    /// What of it is not what it was at the last call.
+    /// What of it is not what it was at the last call, as long as the mesh is the same: with another one, all is.
     pub fn take_change(&mut self) -> FieldChange {
         self.solver.as_mut().map(MeshSolver::take_change).unwrap_or_default()
     }

@@ -59,7 +59,7 @@ impl Shape {
 
     /// What it lies within, in du; `None` where there is nothing of it.
     pub fn bounds(&self) -> Option<Rect> {
-        bounds(self.triangles.as_flattened().iter().copied().map(point))
+        bounds::of(self.triangles.as_flattened().iter().copied().map(point))
     }
 }
 

@@ -1,7 +1,7 @@
 //! What lies over the colour field, back to front: scribbles, the ink of the drawing, the desk around the page.
 
 use kurbo::Rect;
-use scumble_core::{Drawing, Paint, PlanarMap, Rgba8, Scribble, Srgb8, union};
+use scumble_core::{Drawing, Paint, PlanarMap, Rgba8, Scribble, Srgb8, bounds};
 use scumble_solve::{Shape, fill_shapes, line_shapes, scribble_shape};
 
 use crate::regions::MapKey;
@@ -112,7 +112,7 @@ impl Layers {
             }
         }
         self.shapes.extend(ink);
-        bounds(&others)
+        bounds_of(&others)
     }
 
     pub(crate) fn clear_ink(&mut self) {
@@ -154,8 +154,8 @@ impl Layers {
     }
 }
 
-fn bounds(shapes: &[Shape]) -> Option<Rect> {
-    shapes.iter().fold(None, |all, shape| union(all, shape.bounds()))
+fn bounds_of(shapes: &[Shape]) -> Option<Rect> {
+    shapes.iter().fold(None, |all, shape| bounds::union(all, shape.bounds()))
 }
 
 /// How wide a scribble is drawn, in du.

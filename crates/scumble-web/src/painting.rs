@@ -3,9 +3,9 @@
 use std::sync::Arc;
 
 use kurbo::Rect;
-use scumble_core::{Srgb8, union};
+use scumble_core::{Srgb8, bounds};
 use scumble_solve::grid::GridProblem;
-use scumble_solve::{Field, FieldChange, Part, Pixmap, Scene, View, paint};
+use scumble_solve::{EVERYWHERE, Field, FieldChange, Part, Pixmap, Scene, View, paint};
 
 use crate::layers::Layers;
 
@@ -61,17 +61,17 @@ impl Changed {
         part: true,
         scribbles: true,
         ink: true,
-        within_du: FieldChange::ALL.within_du,
+        within_du: Some(EVERYWHERE),
     };
 
     /// Adds what has changed within a part of the plane, in du.
     pub(crate) fn add_within(&mut self, part_du: Option<Rect>) {
-        self.within_du = union(self.within_du, part_du);
+        self.within_du = bounds::union(self.within_du, part_du);
     }
 
     /// Adds what may have changed anywhere.
     pub(crate) fn add_everywhere(&mut self) {
-        self.within_du = FieldChange::ALL.within_du;
+        self.within_du = Some(EVERYWHERE);
     }
 
     /// The whole picture under the shapes.
@@ -81,7 +81,7 @@ impl Changed {
 
     /// The pixels of a view that show it, and one more on each side.
     pub(crate) fn part(&self, view: &View) -> Option<Part> {
-        part_px(union(self.within_du, self.field.within_du)?, view)
+        part_px(bounds::union(self.within_du, self.field.within_du)?, view)
     }
 }
 

@@ -206,7 +206,7 @@ impl GpuScreen {
 
     pub(crate) fn set_field(&mut self, field: &Field, change: &FieldChange) {
         (self.solving, self.part) = (None, None);
-        self.renderer.update_field(field, change);
+        self.renderer.set_field(field, change);
     }
 
     pub(crate) fn set_shapes(&mut self, layer: Layer, shapes: &[Shape]) {

@@ -5,6 +5,7 @@
 mod scenes;
 
 use scumble_gpu::{Gpu, Layer, Renderer, instance, probe, surface_format, wgpu};
+use scumble_solve::FieldChange;
 use wasm_bindgen_test::{wasm_bindgen_test, wasm_bindgen_test_configure};
 use web_sys::OffscreenCanvas;
 
@@ -24,7 +25,7 @@ async fn renderer() -> Renderer {
 async fn golden_scenes_are_drawn_as_they_are_painted() {
     let mut renderer = renderer().await;
     for golden in scenes::all() {
-        renderer.set_field(&golden.field);
+        renderer.set_field(&golden.field, &FieldChange::ALL);
         renderer.set_shapes(Layer::Ink, &golden.ink);
         renderer.set_shapes(Layer::Scribbles, &golden.scribbles);
         let drawn = renderer.read_back(&golden.view, golden.paper).await.expect("the pixels come back");

@@ -318,6 +318,19 @@ fn a_rough_picture_of_a_large_drawing_is_there_before_the_right_one_and_stays_wh
 }
 
 #[test]
+fn a_stroke_that_is_cancelled_leaves_nothing_in_a_picture_that_was_begun_with_it() {
+    let mut page = Page::open();
+    page.lay(large());
+    page.session.command(Command::Tool(Tool::Scribble));
+    page.pen(Phase::Down, (100.0, 97.0));
+    page.pen(Phase::Move, (200.0, 97.0));
+    page.first_colors();
+    page.session.pointer(Phase::Cancel, &[]);
+    page.rest();
+    page.assert_right();
+}
+
+#[test]
 fn a_drawing_can_be_left_while_its_rough_picture_is_shown() {
     for leave in [Command::StopMaking, Command::Undo] {
         let mut page = Page::of(Page::open().session.work());

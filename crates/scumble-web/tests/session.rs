@@ -620,6 +620,20 @@ fn a_slider_is_followed_while_it_is_dragged_and_is_one_step_of_undo() {
 }
 
 #[test]
+fn nothing_is_left_of_a_picture_whose_mesh_and_colours_go_at_once() {
+    let mut page = Page::open(ROOMS);
+    page.stroke(RED, &[(150.0, 300.0), (200.0, 400.0)]);
+    page.session.frame(&mut page.canvas);
+    set(&mut page, Setting::GapClosing(0.2));
+    page.session.command(Command::Settle);
+    page.session.frame(&mut page.canvas);
+    assert_eq!(page.color_at((150.0, 500.0)), RED);
+    page.session.command(Command::GoTo(0));
+    page.session.frame(&mut page.canvas);
+    assert_eq!(page.color_at((150.0, 500.0)), PAPER);
+}
+
+#[test]
 fn a_slider_that_is_not_a_number_or_out_of_range_does_no_harm() {
     let mut page = Page::open(SQUARE);
     for gap_closing in [f64::NAN, f64::INFINITY, -3.0] {

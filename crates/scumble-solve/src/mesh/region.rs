@@ -171,12 +171,17 @@ impl Region {
         (self.triangles()[parent] as usize, weights)
     }
 
-    /// Writes its triangles, as many as there are, or their colours alone where the rest is there since the last time; and notes
-    /// those that become others.
-    pub(super) async fn emit(&mut self, barriers: Barriers<'_>, is_new: bool, to: Place<'_>) {
+    /// Writes its triangles, as many as there are, or their colours alone where the rest is there since the last time. Gives
+    /// what has changed of a field in which they begin at a place.
+    pub(super) async fn emit(
+        &mut self,
+        barriers: Barriers<'_>,
+        is_new: bool,
+        first: usize,
+        triangles: &mut [FieldTriangle],
+    ) -> FieldChange {
         let has_shapes = mem::replace(&mut self.is_shaped, true) && !is_new;
         let range = self.layer.as_ref().map(|layer| self.range_under(layer));
-        let Place { first, triangles, change } = to;
         let mut others = Others::none();
         pace::for_each((first..).zip(triangles), |(place, triangle)| {
             let i = place - first;
@@ -193,14 +198,13 @@ impl Region {
                 (Some(layer), Some(range)) => self.shaded(layer, i, range),
                 _ => self.colors(i),
             };
-            // As bytes they are compared at once.
             if are_others(&triangle.colors, &colors) {
                 triangle.colors = colors;
                 others.add(place, &triangle.corners);
             }
         })
         .await;
-        others.add_to(change);
+        others.change()
     }
 
     /// The corners of one of its triangles in the field, and which of its edges bound the region.
@@ -261,14 +265,7 @@ impl Region {
     }
 }
 
-/// Where the triangles of a region are in the list of the field, and what has changed of that.
-pub(super) struct Place<'a> {
-    pub(super) first: usize,
-    pub(super) triangles: &'a mut [FieldTriangle],
-    pub(super) change: &'a mut FieldChange,
-}
-
-/// Whether any number is another.
+/// Whether any number is another, by its bits: all at once, without a branch for each.
 fn are_others(a: &[[f32; 4]; 6], b: &[[f32; 4]; 6]) -> bool {
     let pairs = a.as_flattened().iter().zip(b.as_flattened());
     pairs.fold(0, |others, (a, b)| others | (a.to_bits() ^ b.to_bits())) != 0

@@ -1,7 +1,7 @@
 //! The picture from close by, where the pieces of curves would be seen as chords.
 
 use kurbo::Rect;
-use scumble_solve::{Field, FieldChange};
+use scumble_solve::{EVERYWHERE, Field, FieldChange};
 
 use super::Session;
 use crate::solver::Source;
@@ -42,8 +42,8 @@ impl Session {
             is_wanted.then(|| self.made_close_up(part_du.unwrap_or(ahead_du), px_per_du)).flatten();
         let is_same_part = close_up.is_some() && part_du.is_some();
         if close_up.is_some() || self.close_up.is_some() {
-            let within_du = if is_same_part { None } else { FieldChange::ALL.within_du };
-            self.changed.field.add(FieldChange::ALL.places, within_du);
+            let within_du = (!is_same_part).then_some(EVERYWHERE);
+            self.changed.field.add(FieldChange { within_du, ..FieldChange::ALL });
             self.stale.view = true;
         }
         self.close_up = close_up;

@@ -110,12 +110,15 @@ impl Session {
 
     fn solve(&mut self) {
         let picture = &mut self.sheet.picture;
+        if !picture.has_mesh() {
+            self.changed.field = FieldChange::ALL;
+        }
         if let Err(error) = picture.solve() {
             self.effects.push(Effect::Failed(error.to_string()));
         }
-        let FieldChange { places, within_du } = picture.take_change();
-        let within_du = within_du.map(|rect| rect.inflate(CHORDS_OFF_DU, CHORDS_OFF_DU));
-        self.changed.field.add(places, within_du);
+        let mut change = picture.take_change();
+        change.within_du = change.within_du.map(|rect| rect.inflate(CHORDS_OFF_DU, CHORDS_OFF_DU));
+        self.changed.field.add(change);
         self.stale.view = true;
     }
 
@@ -139,7 +142,6 @@ impl Session {
 
     /// By how much pixels of grids are wider for now.
     pub(super) fn haste(&self) -> f64 {
-        let editor = &self.sheet.editor;
-        if editor.is_scribbling() || editor.is_changing() { IN_HASTE } else { 1.0 }
+        if self.sheet.editor.is_in_hand() { IN_HASTE } else { 1.0 }
     }
 }

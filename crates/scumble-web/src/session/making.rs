@@ -35,6 +35,8 @@ pub(super) struct Making {
     /// The revisions of the lines, and of the document, that it is for.
     lines: u32,
     revision: u32,
+    /// Whether a gesture was in hand then, whose states have no revisions.
+    is_in_hand: bool,
     picture: Slices<'static, Result<Picture, MapError>>,
 }
 
@@ -55,7 +57,9 @@ impl Making {
             make(&mut picture, &document, is_meshed).await;
             Ok(picture)
         });
-        Self { lines: sheet.editor.lines_revision(), revision: sheet.editor.revision(), picture }
+        let editor = &sheet.editor;
+        let (lines, revision) = (editor.lines_revision(), editor.revision());
+        Self { lines, revision, is_in_hand: editor.is_in_hand(), picture }
     }
 }
 
@@ -116,9 +120,9 @@ impl Session {
                 self.make_from(known);
             }
             None => {}
-            Some(Making { revision, picture, .. }) => match picture.go_on() {
-                Err(picture) => self.making = Some(Making { lines, revision, picture }),
-                Ok(picture) => self.end_making(picture, revision),
+            Some(Making { revision, is_in_hand, picture, .. }) => match picture.go_on() {
+                Err(picture) => self.making = Some(Making { lines, revision, is_in_hand, picture }),
+                Ok(picture) => self.end_making(picture, revision, is_in_hand),
             },
         }
         self.making.is_some()
@@ -130,7 +134,7 @@ impl Session {
         self.making = Some(Making::new(&self.sheet, known, is_meshed));
     }
 
-    fn end_making(&mut self, picture: Result<Picture, MapError>, revision: u32) {
+    fn end_making(&mut self, picture: Result<Picture, MapError>, revision: u32, is_in_hand: bool) {
         match picture {
             Ok(mut picture) if picture.is_rough() => {
                 let rough = picture.refine();
@@ -141,7 +145,7 @@ impl Session {
             }
             // What was done meanwhile may take as long.
             Ok(picture) if revision != self.sheet.editor.revision() => self.make_from(Some(picture)),
-            Ok(picture) => self.show_made(picture),
+            Ok(picture) => self.show_made(picture, is_in_hand),
             Err(error) => self.take_back(&error),
         }
     }
@@ -190,14 +194,17 @@ impl Session {
         }
     }
 
-    fn show_made(&mut self, mut picture: Picture) {
+    /// Shows a picture, which is that of the document as it is but for a gesture that is in hand or was.
+    fn show_made(&mut self, mut picture: Picture, was_in_hand: bool) {
         let lines = self.sheet.editor.lines_revision();
         let is_solved = picture.take_change().is_any();
         self.sheet.take_picture(picture, lines);
         // A rough one goes, also where the right one cannot be solved.
         self.show_other(Arc::default());
         self.scribbles_changed();
-        (self.stale.boundary, self.stale.field) = (false, !is_solved);
+        if !was_in_hand && !self.sheet.editor.is_in_hand() {
+            (self.stale.boundary, self.stale.field) = (false, !is_solved);
+        }
         // Solid ink is drawn by the map.
         self.stale.lines |= !self.document().drawing.fills.is_empty();
     }

@@ -31,7 +31,7 @@ enum Step {
     Ready(Result<Box<Sheet>, MapError>),
 }
 
-async fn making(
+async fn sheet_of(
     number: u32,
     mut work: Work,
     is_meshed: impl Fn(&Picture) -> bool,
@@ -56,7 +56,7 @@ impl Session {
     /// Begins to make work ready to be opened, by its exact bytes, in the place of other work that is on its way.
     pub fn prepare(&mut self, work: &[u8]) {
         self.coming = exact::read(work).map(|read| {
-            let slices = Slices::new(making(self.opened + 1, read, self.is_meshed(false)));
+            let slices = Slices::new(sheet_of(self.opened + 1, read, self.is_meshed(false)));
             Coming { work: work.to_vec(), step: Step::OnItsWay(slices) }
         });
     }

@@ -5,7 +5,7 @@ use std::mem::replace;
 
 use kurbo::common::solve_quadratic;
 use kurbo::{Affine, BezPath, CubicBez, ParamCurve as _, Point, Rect, Vec2};
-use scumble_core::{Curve, Deed, Document, bounds, union};
+use scumble_core::{Curve, Deed, Document, bounds};
 
 use super::Session;
 use super::gestures::{CLICK_CSS, Held};
@@ -215,8 +215,8 @@ impl Session {
         let Document { drawing, scribbles, .. } = self.document();
         let points = self.selected_scribbles().into_iter().flat_map(|i| &scribbles[i].points);
         let curves = self.selected_curves().into_iter().map(|i| &drawing.curves[i].path);
-        let all = bounds(points.map(|&point| from_du * point));
-        curves.fold(all, |all, path| union(all, bounds_of(path, from_du)))
+        let all = bounds::of(points.map(|&point| from_du * point));
+        curves.fold(all, |all, path| bounds::union(all, bounds_of(path, from_du)))
     }
 
     /// The frame around what is selected as it is drawn, in turned du.
@@ -317,7 +317,7 @@ impl Session {
 /// The bounds of a path in du, taken to elsewhere. Those of `kurbo` sort extrema by a routine that is 2 KB to load.
 fn bounds_of(path: &BezPath, from_du: Affine) -> Option<Rect> {
     let path = from_du * path;
-    path.segments().fold(None, |all, segment| union(all, Some(bounds_of_cubic(segment.to_cubic()))))
+    path.segments().fold(None, |all, segment| bounds::union(all, Some(bounds_of_cubic(segment.to_cubic()))))
 }
 
 fn bounds_of_cubic(c: CubicBez) -> Rect {

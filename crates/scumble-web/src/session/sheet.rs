@@ -107,8 +107,7 @@ pub(super) struct Shelf {
 impl Shelf {
     /// Whether redo brings one back: not after the one under it was changed, nor while it is.
     fn has_over(&self, under: &Editor) -> bool {
-        let is_in_hand = under.is_scribbling() || under.is_changing();
-        !is_in_hand && self.over.last().is_some_and(|(revision, _)| *revision == under.revision())
+        !under.is_in_hand() && self.over.last().is_some_and(|(revision, _)| *revision == under.revision())
     }
 
     /// Whether redo never comes to one again, as something else was done.
@@ -186,10 +185,7 @@ impl Session {
         }
         let Sheet { editor, .. } = &self.sheet;
         match Picture::new(&editor.document().drawing) {
-            Ok(picture) => {
-                self.sheet.take_picture(picture, editor.lines_revision());
-                self.show_other(Arc::default());
-            }
+            Ok(picture) => self.sheet.take_picture(picture, editor.lines_revision()),
             Err(error) => self.take_back(&error),
         }
         self.scribbles_changed();
