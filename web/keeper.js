@@ -26,6 +26,7 @@ const SHOWN = "scumble-shown";
  * @typedef {object} Page
  * @property {() => Uint8Array | undefined} work the exact bytes of the drawing that is shown
  * @property {() => Image | undefined} image the picture under its lines
+ * @property {() => Drawing} shown that drawing
  * @property {() => Promise<Blob | undefined>} picture a small picture of it
  * @property {() => boolean} isMaking whether that would have to wait for the picture on the canvas
  * @property {(drawing: Drawing) => void} kept called when a drawing was written
@@ -43,7 +44,7 @@ export class Keeper {
   #unfit = new WeakSet();
   /** @type {Failing} */
   #fails = "";
-  /** @type {Drawing | undefined} The one that is shown, where its picture is not as it is. */
+  /** @type {Drawing | undefined} The one that was shown last, where its picture is not as it is. */
   #unpictured;
   /** @type {ReturnType<typeof setTimeout> | undefined} */
   #retry;
@@ -97,7 +98,8 @@ export class Keeper {
     clearTimeout(this.#rest);
     const drawing = this.#unpictured;
     this.#unpictured = undefined;
-    if (!drawing || this.#page.isMaking()) return;
+    // It may have gone without a word, as one whose picture is not waited for.
+    if (drawing !== this.#page.shown() || this.#page.isMaking()) return;
     try {
       const picture = await this.#page.picture();
       if (picture && drawing.id) await storage.writePicture(drawing.id, new Uint8Array(await picture.arrayBuffer()));

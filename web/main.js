@@ -138,6 +138,7 @@ const tracing = new Tracing(engine);
 const keeper = new Keeper({
   work: () => engine.work(),
   image: () => tracing.image,
+  shown: () => drawings.shown,
   isMaking: () => engine.isMaking,
   picture: async () => {
     const picture = engine.thumbnail();

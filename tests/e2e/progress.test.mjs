@@ -1,6 +1,7 @@
 // What takes long is seen to go on, and can be cancelled: opening, other settings and lines, and the writing of files.
 import assert from "node:assert/strict";
 import { describe, test } from "node:test";
+import { PAINTED } from "./browsers.mjs";
 import { useSession } from "./harness.mjs";
 
 /** @typedef {import("./harness.mjs").Editor} Editor */
@@ -16,6 +17,8 @@ const hold = (ms) => `{
 
 /** Where the page lets others go on, and where it shows that something will take long; the latter as in `busy.js`. */
 const [HOLD_SLICES, HOLD_PAINTED] = [hold(undefined), hold(32)];
+/** And where the picture for the list is made; as in `keeper.js`. */
+const HOLD_REST = hold(1000);
 
 /** Frames of the page's own scripts come when `window.go` is called. */
 const HOLD_FRAMES = `{
@@ -174,6 +177,23 @@ for (const browser of /** @type {const} */ (["chromium", "firefox"])) {
       await editor.tab.waitFor(`document.getElementById("recent").open`);
       const kept = await editor.tab.evaluate(`[...document.querySelectorAll("#recent li span")].map((name) => name.textContent)`);
       assert.deepEqual(kept, ["again.svg", "rooms.svg"]);
+      assert.deepEqual(editor.tab.faults, []);
+    });
+
+    test("a large drawing that was scribbled on is listed, without the picture of another", async () => {
+      const editor = await session.open("cpu");
+      await editor.openSample("Apple");
+      await editor.tab.evaluate(HOLD_FRAMES);
+      await editor.tab.evaluate(HOLD_REST);
+      await editor.until("Opened many.svg", () => editor.drop(lines(2 * MANY), "many.svg"));
+      await editor.drag([[300, 300], [340, 320]]);
+      await editor.kept();
+      await editor.until("Cancelled; the drawing is as it was before", () => editor.click("Cancel"));
+      await editor.tab.evaluate(`goOn(), held(), ${PAINTED}`);
+      await editor.click("Recent drawings");
+      await editor.tab.waitFor(`document.getElementById("recent").open`);
+      assert.equal(await editor.tab.evaluate(`document.querySelectorAll("#recent li").length`), 1);
+      assert.equal(await editor.tab.evaluate(`document.querySelectorAll("#recent img[src]").length`), 0);
       assert.deepEqual(editor.tab.faults, []);
     });
 
