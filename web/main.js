@@ -132,6 +132,9 @@ function both(first, second) {
   };
 }
 
+/** Strips of a picture for the list that take longer let the page go on in between. */
+const STRIPS_MS = 8;
+
 const engine = new Engine(handlers);
 const drawings = new Drawings(nameShown);
 const tracing = new Tracing(engine);
@@ -145,9 +148,12 @@ const keeper = new Keeper({
     if (!picture) return undefined;
     try {
       const { pngOf } = await import("./png.js");
+      let begin_ms = performance.now();
       return await pngOf(picture, false, async () => {
-        // A page that goes away waits for nothing.
-        if (!document.hidden) await new Promise((wake) => setTimeout(wake));
+        // A page that goes away waits for nothing; a picture that takes no time is there before that may be.
+        if (document.hidden || performance.now() < begin_ms + STRIPS_MS) return;
+        await new Promise((wake) => setTimeout(wake));
+        begin_ms = performance.now();
       });
     } finally {
       picture.free();
