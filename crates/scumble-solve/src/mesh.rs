@@ -299,7 +299,9 @@ impl MeshSolver {
 /// What changes as triangles from a place on go.
 fn beyond(triangles: &[FieldTriangle], end: usize) -> FieldChange {
     let mut gone = Others::none();
-    triangles.iter().enumerate().skip(end).for_each(|(i, triangle)| gone.add(i, &triangle.corners));
+    for (place, triangle) in triangles.iter().enumerate().skip(end) {
+        gone.add(place, &triangle.corners);
+    }
     gone.change()
 }
 
