@@ -68,7 +68,7 @@ impl Gpu {
 
     /// Whether passes are computed. In a page they are drawn.
     pub(crate) fn computes(&self) -> bool {
-        cfg!(not(target_arch = "wasm32")) && self.device.limits().max_compute_invocations_per_workgroup > 0
+        cfg!(not(target_os = "unknown")) && self.device.limits().max_compute_invocations_per_workgroup > 0
     }
 }
 
@@ -81,7 +81,7 @@ const IS_DESTROYED_IF_DROPPED: bool = !cfg!(all(target_arch = "wasm32", feature 
 fn device_descriptor(adapter: &wgpu::Adapter) -> wgpu::DeviceDescriptor<'static> {
     let limits = wgpu::Limits::downlevel_webgl2_defaults().using_resolution(adapter.limits());
     let limits = wgpu::Limits { max_color_attachments: 1, ..limits };
-    #[cfg(not(target_arch = "wasm32"))]
+    #[cfg(not(target_os = "unknown"))]
     let limits = crate::grid::computing::limits(limits, &adapter.limits());
     wgpu::DeviceDescriptor { label: Some("scumble"), required_limits: limits, ..Default::default() }
 }

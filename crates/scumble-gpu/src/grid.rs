@@ -19,9 +19,9 @@
 //! compute. Of a problem only the equations of pixels at curves are uploaded, and later those that have changed: the matrices of
 //! the levels are made from them.
 
-#[cfg(not(target_arch = "wasm32"))]
+#[cfg(not(target_os = "unknown"))]
 pub(crate) mod computing;
-#[cfg(not(target_arch = "wasm32"))]
+#[cfg(not(target_os = "unknown"))]
 mod costs;
 mod equations;
 mod error;
@@ -42,7 +42,7 @@ use scumble_solve::grid::{Constraints, MAX_STEPS, Texel};
 
 use crate::error::GpuError;
 use crate::gpu::Gpu;
-#[cfg(not(target_arch = "wasm32"))]
+#[cfg(not(target_os = "unknown"))]
 pub use costs::{Costs, SolverCosts};
 pub use error::GridError;
 pub use kernels::Kernels;
@@ -74,7 +74,7 @@ impl GpuGridSolver {
     /// When the device cannot draw so large a picture.
     pub fn new(gpu: &Gpu, kernels: &Kernels, constraints: &Constraints) -> Result<Self, GridError> {
         let mut solver = Self::record(gpu, kernels, constraints)?;
-        #[cfg(not(target_arch = "wasm32"))]
+        #[cfg(not(target_os = "unknown"))]
         solver.fuse(kernels);
         if constraints.exits.is_empty() {
             solver.begin();
@@ -86,7 +86,7 @@ impl GpuGridSolver {
     ///
     /// # Errors
     /// When the device cannot draw so large a picture.
-    #[cfg(not(target_arch = "wasm32"))]
+    #[cfg(not(target_os = "unknown"))]
     pub fn costs(gpu: &Gpu, kernels: &Kernels, constraints: &Constraints) -> Result<SolverCosts, GridError> {
         let Self { build, start, steps, .. } = Self::record(gpu, kernels, constraints)?;
         Ok(SolverCosts::of([&build, &start], steps.each_ref().map(|step| &step.tape)))
@@ -101,7 +101,7 @@ impl GpuGridSolver {
     }
 
     /// Makes programs of passes over few texels, where that is faster.
-    #[cfg(not(target_arch = "wasm32"))]
+    #[cfg(not(target_os = "unknown"))]
     fn fuse(&mut self, kernels: &Kernels) {
         let Self { gpu, build, start, steps: [even, odd], change, .. } = self;
         let mut tapes = [build, start, &mut even.tape, &mut even.measure, &mut odd.tape, &mut odd.measure];

@@ -165,8 +165,13 @@ fn lints() -> Result<()> {
     run(cargo().args(["clippy", "--workspace", "--all-targets", "--", "-D", "warnings"]))
 }
 
+/// Of what runs in a browser: the page, and the command line, which is timed there.
 fn wasm_lints() -> Result<()> {
     tools::rust_target(tools::WASM_TARGET)?;
+    tools::rust_target(tools::WASI_TARGET)?;
+    let command_line =
+        ["clippy", "-p", "scumble-cli", "--target", tools::WASI_TARGET, "--", "-D", "warnings"];
+    run(cargo().args(command_line))?;
     for flavour in package::FLAVOURS {
         let package = ["clippy", "-p", "scumble-web", "--all-targets", "--target", tools::WASM_TARGET];
         let features = ["--no-default-features", "--features", flavour, "--", "-D", "warnings"];

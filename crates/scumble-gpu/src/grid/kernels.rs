@@ -2,7 +2,7 @@
 
 use wgpu::VertexFormat::{Float32x2, Uint32, Uint32x4};
 
-#[cfg(not(target_arch = "wasm32"))]
+#[cfg(not(target_os = "unknown"))]
 use super::computing;
 use super::layer;
 use super::texels::{FORMAT, THIN_FORMAT};
@@ -35,7 +35,7 @@ pub(crate) enum Kernel {
     Collect,
 }
 
-#[cfg(not(target_arch = "wasm32"))]
+#[cfg(not(target_os = "unknown"))]
 impl Kernel {
     /// Whether it reads the links of a level.
     pub(super) fn reads_links(self) -> bool {
@@ -131,7 +131,7 @@ pub(super) fn bindings(gpu: &Gpu) -> usize {
 #[derive(Clone, Debug)]
 pub(super) enum Pipeline {
     Draws(wgpu::RenderPipeline),
-    #[cfg(not(target_arch = "wasm32"))]
+    #[cfg(not(target_os = "unknown"))]
     Computes(wgpu::ComputePipeline),
 }
 
@@ -145,7 +145,7 @@ pub struct Kernels {
     pub(super) operands_layout: wgpu::BindGroupLayout,
     pub(super) level_layout: wgpu::BindGroupLayout,
     /// Where passes over few texels are made programs.
-    #[cfg(not(target_arch = "wasm32"))]
+    #[cfg(not(target_os = "unknown"))]
     pub(super) programs: Option<computing::Programs>,
 }
 
@@ -162,7 +162,7 @@ impl Kernels {
         let both = [Some(&operands_layout), Some(&level_layout)];
         let pipelines = SOURCES.iter().map(|source| {
             let layouts = if source.has_level { &both[..] } else { &both[..1] };
-            #[cfg(not(target_arch = "wasm32"))]
+            #[cfg(not(target_os = "unknown"))]
             if gpu.computes() {
                 return Pipeline::Computes(computing::kernel(device, source, layouts));
             }
@@ -175,7 +175,7 @@ impl Kernels {
             border: border(device),
             operands_layout,
             level_layout,
-            #[cfg(not(target_arch = "wasm32"))]
+            #[cfg(not(target_os = "unknown"))]
             programs: computing::Programs::of(gpu),
         }
     }

@@ -12,7 +12,7 @@ use crate::gpu::Gpu;
 #[derive(Clone, Debug)]
 pub(crate) struct Matrix {
     pub(super) group: wgpu::BindGroup,
-    #[cfg(not(target_arch = "wasm32"))]
+    #[cfg(not(target_os = "unknown"))]
     pub(super) size: Size,
     pub(super) links: [wgpu::TextureView; 3],
     pub(super) holds: wgpu::TextureView,
@@ -89,7 +89,7 @@ impl Maker<'_> {
         let group = bind_group(&self.gpu.device, "level", &self.kernels.level_layout, resources);
         Matrix {
             group,
-            #[cfg(not(target_arch = "wasm32"))]
+            #[cfg(not(target_os = "unknown"))]
             size,
             links,
             holds,

@@ -18,12 +18,12 @@ pub(super) struct Pass {
 pub(crate) struct Tape {
     pub(super) passes: Vec<Pass>,
     /// What they were recorded from, one by one; none any more once programs may have been made of them.
-    #[cfg(not(target_arch = "wasm32"))]
+    #[cfg(not(target_os = "unknown"))]
     pub(super) recipes: Vec<Recipe>,
 }
 
 /// What a pass computes of what.
-#[cfg(not(target_arch = "wasm32"))]
+#[cfg(not(target_os = "unknown"))]
 #[derive(Debug)]
 pub(super) struct Recipe {
     pub(super) kernel: Kernel,
@@ -32,7 +32,7 @@ pub(super) struct Recipe {
     pub(super) target: wgpu::TextureView,
 }
 
-#[cfg(not(target_arch = "wasm32"))]
+#[cfg(not(target_os = "unknown"))]
 impl Recipe {
     /// The textures that it reads.
     pub(super) fn reads(&self) -> impl Iterator<Item = &wgpu::TextureView> {
@@ -52,7 +52,7 @@ impl Tape {
     /// Has all passes made.
     pub(crate) fn play(&self, gpu: &Gpu) {
         let mut encoder = gpu.device.create_command_encoder(&Default::default());
-        #[cfg(not(target_arch = "wasm32"))]
+        #[cfg(not(target_os = "unknown"))]
         super::computing::run(&self.passes, &mut encoder);
         self.passes.iter().for_each(|pass| pass.run(&mut encoder));
         gpu.queue.submit([encoder.finish()]);
@@ -64,7 +64,7 @@ impl Pass {
     fn run(&self, encoder: &mut wgpu::CommandEncoder) {
         match &self.pipeline {
             Pipeline::Draws(pipeline) => self.draw(encoder, pipeline),
-            #[cfg(not(target_arch = "wasm32"))]
+            #[cfg(not(target_os = "unknown"))]
             Pipeline::Computes(_) => {}
         }
     }
@@ -145,7 +145,7 @@ impl<'a> Recorder<'a> {
             level: matrix.map(|matrix| matrix.group.clone()),
             target: target.clone(),
         });
-        #[cfg(not(target_arch = "wasm32"))]
+        #[cfg(not(target_os = "unknown"))]
         self.tape.recipes.push(Recipe {
             kernel,
             operands: operands.iter().copied().cloned().collect(),
