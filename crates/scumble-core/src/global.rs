@@ -79,7 +79,7 @@ impl Ground {
         map.refining().await;
         let ways = Ways::new(map, spread).await;
         pace::pause().await;
-        let crossing = spread.then(|| Crossing::new(map));
+        let crossing = if spread { Some(Crossing::new(map).await) } else { None };
         pace::pause().await;
         Self { ways, crossing }
     }
@@ -115,6 +115,7 @@ impl Global {
         }
         pace::pause().await;
         let labels = self.spread_out(map, &ground).await;
+        pace::pause_after(labels.len()).await;
         let shown = self.shown.get_or_insert_with(|| Shown::new(map));
         let labels = shown.show(map, &ground.ways.gaps, &labels).clone();
         self.ground = Some(ground);
@@ -173,6 +174,7 @@ impl Global {
             }
         }
         if let Some(crossing) = crossing {
+            pace::pause_after(labels.len()).await;
             crossing.cross(&mut labels, &self.ranks);
         }
         labels

@@ -27,8 +27,8 @@ pub(super) struct Crossing {
 }
 
 impl Crossing {
-    pub(super) fn new(map: &PlanarMap) -> Self {
-        let (region_of, region_count) = map.refined().regions();
+    pub(super) async fn new(map: &PlanarMap) -> Self {
+        let (region_of, region_count) = map.refined().finding_regions().await;
         let mut beside = beside_pieces(map);
         let mut borders = Vec::new();
         // Curve by curve: one that goes along the same two areas for long is soon counted.
