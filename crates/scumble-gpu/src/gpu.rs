@@ -66,7 +66,7 @@ impl Gpu {
         self.adapter.get_info().device_type == wgpu::DeviceType::Cpu
     }
 
-    /// Whether passes are computed. In a page they are drawn.
+    /// Whether passes are computed. In a page, where there is no operating system, they are drawn.
     pub(crate) fn computes(&self) -> bool {
         cfg!(not(target_os = "unknown")) && self.device.limits().max_compute_invocations_per_workgroup > 0
     }
