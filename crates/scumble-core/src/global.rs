@@ -53,8 +53,6 @@ pub struct Global {
     /// Of the scribbles of the last call.
     claims: Vec<Claim>,
     ranks: Vec<u32>,
-    /// Per scribble the first one of the same colour.
-    kinds: Vec<u32>,
     /// The kinds that were drawn, each with a room that it was drawn in, in ascending order.
     drawn: Vec<[u32; 2]>,
     flood: Flood,
@@ -100,33 +98,33 @@ impl Engine for Global {
 
 impl Global {
     async fn labels(&mut self, map: &PlanarMap, scribbles: &[Scribble]) -> Labels {
-        let [ranks, kinds] = [ranks(scribbles), kinds(scribbles)];
-        if let Some(shown) = self.shown.as_ref().filter(|_| self.is_known(scribbles, &ranks, &kinds)) {
-            return shown.labels().clone();
-        }
+        let ranks = ranks(scribbles);
         let mut ground = match self.ground.take() {
             Some(ground) => ground,
             None => Ground::new(map, self.spread).await,
         };
-        self.go_on(map, &ground.ways, scribbles, ranks).await;
-        self.kinds = kinds;
-        if !self.spread {
-            self.open_pockets(map, &mut ground.ways).await;
+        let mut is_known = self.is_flooded_from(scribbles, &ranks);
+        if !is_known {
+            self.go_on(map, &ground.ways, scribbles, ranks).await;
         }
-        pace::pause().await;
-        let labels = self.spread_out(map, &ground).await;
-        pace::pause_after(labels.len()).await;
-        let shown = self.shown.get_or_insert_with(|| Shown::new(map));
-        let labels = shown.show(map, &ground.ways.gaps, &labels).clone();
+        if !self.spread {
+            is_known &= !self.open_pockets(map, &mut ground.ways, &kinds(scribbles)).await;
+        }
+        if !is_known {
+            pace::pause().await;
+            let labels = self.spread_out(map, &ground).await;
+            pace::pause_after(labels.len()).await;
+            self.shown.get_or_insert_with(|| Shown::new(map)).show(map, &ground.ways.gaps, &labels);
+        }
         self.ground = Some(ground);
-        labels
+        self.shown.as_ref().map_or_else(|| Labels::none(map), |shown| shown.labels().clone())
     }
 
-    /// Whether only colours differ from the last call, and the same scribbles share one: labels name scribbles, so they are the
-    /// same then.
-    fn is_known(&self, scribbles: &[Scribble], ranks: &[u32], kinds: &[u32]) -> bool {
+    /// Whether only colours differ from the last call: labels name scribbles, so they are the same then, where the same gaps
+    /// are open.
+    fn is_flooded_from(&self, scribbles: &[Scribble], ranks: &[u32]) -> bool {
         let is_same = |(claim, scribble): (&Claim, &Scribble)| claim.points() == scribble.points;
-        self.ranks == ranks && self.kinds == kinds && self.claims.iter().zip(scribbles).all(is_same)
+        self.shown.is_some() && self.ranks == ranks && self.claims.iter().zip(scribbles).all(is_same)
     }
 
     /// Floods the map from what these scribbles are more than those of the last call, or from all.
@@ -180,20 +178,24 @@ impl Global {
         labels
     }
 
-    /// Opens the gaps that the scribbles of this call go through.
-    async fn open_pockets(&mut self, map: &PlanarMap, ways: &mut Ways) {
+    /// Opens the gaps that the scribbles of this call, which are of these kinds, go through; tells whether others are open
+    /// than before.
+    async fn open_pockets(&mut self, map: &PlanarMap, ways: &mut Ways, kinds: &[u32]) -> bool {
         let mut drawn = Vec::new();
-        for (claim, &kind) in self.claims.iter().zip(&self.kinds) {
+        for (claim, &kind) in self.claims.iter().zip(kinds) {
             drawn.extend(claim.rooms().map(|room| [kind, room]));
         }
         sort::sort_copies_by_key(&mut drawn, |&pair| sort::pair(pair));
         drawn.dedup();
-        if drawn != self.drawn {
-            if ways.open_to(&drawn).await {
-                self.beyond.reset(map);
-            }
-            self.drawn = drawn;
+        if drawn == self.drawn {
+            return false;
         }
+        let [opens, closes] = ways.open_to(&drawn).await;
+        if closes {
+            self.beyond.reset(map);
+        }
+        self.drawn = drawn;
+        opens || closes
     }
 
     /// Whether scribbles were only added or added to since the last call, and none of those that were there changed
