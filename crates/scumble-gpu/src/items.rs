@@ -23,8 +23,9 @@ struct ShapeCorner {
 /// Where depths begin to have gaps: multiples of its inverse, up to 1, are exact.
 const DEPTHS: f32 = (1 << 24) as f32;
 
-/// What one of these buffers holds at most; a power of two well below any device's limit.
-const BUFFER_BYTES: usize = 1 << 26;
+/// What one of these buffers holds at most; a power of two well below any device's limit. With WebGL 2 what is written
+/// is copied three times, and waits for what was written before.
+const BUFFER_BYTES: usize = 1 << 22;
 
 /// How the vertex shader of the field reads its buffer: one triangle, as it is, an instance.
 pub(crate) const FIELD_LAYOUT: wgpu::VertexBufferLayout<'static> = wgpu::VertexBufferLayout {
@@ -98,6 +99,33 @@ impl Items {
     pub(crate) fn parts(&self) -> impl Iterator<Item = (&wgpu::Buffer, u32)> {
         self.0.iter().filter(|part| part.count > 0).map(|part| (&part.buffer, part.count))
     }
+}
+
+/// Items on their way to the GPU, a buffer at a time.
+#[derive(Debug, Default)]
+pub(crate) struct Coming {
+    pub(crate) items: Items,
+    buffers: usize,
+}
+
+impl Coming {
+    /// Takes a buffer more of a list, which outside some places is as in the last call; tells whether that is all.
+    pub(crate) fn go_on<T: Pod>(&mut self, gpu: &Gpu, list: &[T], places: &Range<usize>) -> bool {
+        let per_buffer = BUFFER_BYTES / size_of::<T>();
+        let there = self.buffers * per_buffer;
+        if is_long::<T>(&(places.start.min(there)..places.end.min(there))) {
+            self.buffers = 0;
+        }
+        self.buffers += 1;
+        let end = list.len().min(self.buffers * per_buffer);
+        self.items.write(gpu, &list[..end], places);
+        end == list.len()
+    }
+}
+
+/// Whether so many items take more than a buffer.
+pub(crate) fn is_long<T>(places: &Range<usize>) -> bool {
+    places.len() > BUFFER_BYTES / size_of::<T>()
 }
 
 impl Part {

@@ -4,13 +4,13 @@ use bytemuck::{Pod, Zeroable};
 use kurbo::{Affine, Point};
 use scumble_core::{Blend, Srgb8};
 use scumble_solve::grid::GridProblem;
-use scumble_solve::{Field, FieldChange, Pixmap, Shape, View};
+use scumble_solve::{Field, FieldChange, FieldTriangle, Pixmap, Shape, View};
 
 use crate::error::GpuError;
 use crate::gpu::Gpu;
 use crate::grid::layer::{self, GridLayer};
 use crate::grid::{GpuGridSolver, Kernels as GridKernels};
-use crate::items::{self, Items};
+use crate::items::{self, Coming, Items};
 use crate::pipelines;
 use crate::read_back::{self, Copy};
 use crate::samples::{self, Samples};
@@ -42,6 +42,8 @@ pub struct Renderer {
     view_layout: wgpu::BindGroupLayout,
     blend: Blend,
     field: Items,
+    /// What is there of the next one.
+    coming: Option<Coming>,
     /// What the grid solver found, in place of the field.
     solution: Option<Solution>,
     scribbles: Items,
@@ -96,6 +98,7 @@ impl Renderer {
             view_layout,
             blend: Blend::default(),
             field: Items::default(),
+            coming: None,
             solution: None,
             scribbles: Items::default(),
             ink: Items::default(),
@@ -105,6 +108,7 @@ impl Renderer {
 
     /// Has what a solver finds for a problem drawn in place of the field, from the next [`Renderer::update_solution`] on.
     pub fn set_problem(&mut self, problem: &GridProblem) {
+        self.coming = None;
         self.blend = problem.blend;
         let layer = GridLayer::new(&self.gpu, problem);
         match &mut self.solution {
@@ -145,9 +149,33 @@ impl Renderer {
 
     /// Replaces the field, which is as the one before but for some changes, and draws it again if it was not drawn.
     pub fn set_field(&mut self, field: &Field, change: &FieldChange) {
-        self.solution = None;
+        (self.solution, self.coming) = (None, None);
         self.blend = field.blend;
         self.field.write(&self.gpu, &field.triangles, &change.places);
+    }
+
+    /// [`Renderer::set_field`], a slice at a time where much has changed: until all of it is there, what was there before is
+    /// drawn, and this is to be called again, with what has changed since the last call. Drawing that meanwhile takes the
+    /// time of a whole picture: it had better wait, if it can.
+    pub fn set_field_on(&mut self, field: &Field, change: &FieldChange) {
+        let Field { blend, triangles } = field;
+        let changed = change.places.start..change.places.end.min(triangles.len());
+        if self.coming.is_none() && !items::is_long::<FieldTriangle>(&changed) {
+            return self.set_field(field, change);
+        }
+        let mut coming = self.coming.take().unwrap_or_default();
+        if coming.go_on(&self.gpu, triangles, &change.places) {
+            (self.field, self.blend, self.solution) = (coming.items, *blend, None);
+        } else {
+            self.coming = Some(coming);
+            // Not with the next picture: all slices would wait for that.
+            self.gpu.queue.submit([]);
+        }
+    }
+
+    /// Whether [`Renderer::set_field_on`] is to be called again.
+    pub fn awaits_field(&self) -> bool {
+        self.coming.is_some()
     }
 
     /// Replaces the shapes of a layer; later ones lie over earlier ones.

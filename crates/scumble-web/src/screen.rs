@@ -152,6 +152,9 @@ impl Solving {
     }
 }
 
+/// Whether what goes to the GPU is copied in the page first, which takes its time.
+const IS_COPIED: bool = cfg!(feature = "webgl");
+
 /// Steps of the grid solver from one frame to the next.
 const FRAME_STEPS: usize = 5;
 
@@ -185,10 +188,14 @@ impl GpuScreen {
     }
 
     fn paint(&mut self, painting: &Painting<'_>, changed: Changed) -> bool {
+        let is_other = changed.within_du.is_some();
         self.upload(painting, changed);
         self.solve_on();
-        self.show(&painting.view, painting.paper);
-        self.solving.iter().chain(&self.part).all(|solving| solving.steps_left == 0)
+        // Drawn meanwhile, what was there before would keep the rest from coming.
+        if is_other || !self.awaits_field() {
+            self.show(&painting.view, painting.paper);
+        }
+        !self.awaits_field() && self.solving.iter().chain(&self.part).all(|solving| solving.steps_left == 0)
     }
 
     /// Draws what there is of a view.
@@ -207,6 +214,20 @@ impl GpuScreen {
     pub(crate) fn set_field(&mut self, field: &Field, change: &FieldChange) {
         (self.solving, self.part) = (None, None);
         self.renderer.set_field(field, change);
+    }
+
+    /// [`GpuScreen::set_field`], as far as there is time for in a frame.
+    fn set_field_on(&mut self, field: &Field, change: &FieldChange) {
+        if IS_COPIED {
+            (self.solving, self.part) = (None, None);
+            self.renderer.set_field_on(field, change);
+        } else {
+            self.set_field(field, change);
+        }
+    }
+
+    fn awaits_field(&self) -> bool {
+        IS_COPIED && self.renderer.awaits_field()
     }
 
     pub(crate) fn set_shapes(&mut self, layer: Layer, shapes: &[Shape]) {
@@ -255,7 +276,9 @@ impl GpuScreen {
             Some(problem) if changed.problem || changed.part => {
                 self.begin(problem, painting.part, changed.problem);
             }
-            None if changed.field.is_any() => self.set_field(painting.field, &changed.field),
+            None if changed.field.is_any() || self.awaits_field() => {
+                self.set_field_on(painting.field, &changed.field);
+            }
             _ => {}
         }
         if changed.scribbles {
