@@ -108,7 +108,8 @@ impl Global {
             self.go_on(map, &ground.ways, scribbles, ranks).await;
         }
         if !self.spread {
-            is_known &= !self.open_pockets(map, &mut ground.ways, &kinds(scribbles)).await;
+            let are_others_open = self.open_pockets(map, &mut ground.ways, &kinds(scribbles)).await;
+            is_known &= !are_others_open;
         }
         if !is_known {
             pace::pause().await;
@@ -117,7 +118,7 @@ impl Global {
             self.shown.get_or_insert_with(|| Shown::new(map)).show(map, &ground.ways.gaps, &labels);
         }
         self.ground = Some(ground);
-        self.shown.as_ref().map_or_else(|| Labels::none(map), |shown| shown.labels().clone())
+        self.shown.get_or_insert_with(|| Shown::new(map)).labels().clone()
     }
 
     /// Whether only colours differ from the last call: labels name scribbles, so they are the same then, where the same gaps

@@ -23,9 +23,12 @@ struct ShapeCorner {
 /// Where depths begin to have gaps: multiples of its inverse, up to 1, are exact.
 const DEPTHS: f32 = (1 << 24) as f32;
 
-/// What one of these buffers holds at most; a power of two well below any device's limit. With WebGL 2 what is written
-/// is copied three times, and waits for what was written before.
+/// What one of these buffers holds at most; a power of two well below any device's limit. A frame has time to write one
+/// with WebGL 2, where it is copied three times.
 const BUFFER_BYTES: usize = 1 << 22;
+
+/// As much as so many buffers hold is rather written at once, so that colours follow the pen.
+const BUFFERS_AT_ONCE: usize = 4;
 
 /// How the vertex shader of the field reads its buffer: one triangle, as it is, an instance.
 pub(crate) const FIELD_LAYOUT: wgpu::VertexBufferLayout<'static> = wgpu::VertexBufferLayout {
@@ -105,27 +108,29 @@ impl Items {
 #[derive(Debug, Default)]
 pub(crate) struct Coming {
     pub(crate) items: Items,
-    buffers: usize,
+    buffers_there: usize,
 }
 
 impl Coming {
-    /// Takes a buffer more of a list, which outside some places is as in the last call; tells whether that is all.
+    /// Takes a buffer more of a list, which outside some places is as in the last call, or all of it where much of what was
+    /// there is not as it was; tells whether that is all.
     pub(crate) fn go_on<T: Pod>(&mut self, gpu: &Gpu, list: &[T], places: &Range<usize>) -> bool {
-        let per_buffer = BUFFER_BYTES / size_of::<T>();
-        let there = self.buffers * per_buffer;
-        if is_long::<T>(&(places.start.min(there)..places.end.min(there))) {
-            self.buffers = 0;
-        }
-        self.buffers += 1;
-        let end = list.len().min(self.buffers * per_buffer);
+        let there = self.buffers_there * per_buffer::<T>();
+        let is_stale = is_long::<T>(&(places.start.min(there)..places.end.min(there)));
+        self.buffers_there += 1;
+        let end = if is_stale { list.len() } else { list.len().min(there + per_buffer::<T>()) };
         self.items.write(gpu, &list[..end], places);
         end == list.len()
     }
 }
 
-/// Whether so many items take more than a buffer.
+/// Whether so many items are more than what is rather written at once.
 pub(crate) fn is_long<T>(places: &Range<usize>) -> bool {
-    places.len() > BUFFER_BYTES / size_of::<T>()
+    places.len() > BUFFERS_AT_ONCE * per_buffer::<T>()
+}
+
+fn per_buffer<T>() -> usize {
+    BUFFER_BYTES / size_of::<T>()
 }
 
 impl Part {

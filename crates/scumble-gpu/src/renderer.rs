@@ -154,9 +154,8 @@ impl Renderer {
         self.field.write(&self.gpu, &field.triangles, &change.places);
     }
 
-    /// [`Renderer::set_field`], a slice at a time where much has changed: until all of it is there, what was there before is
-    /// drawn, and this is to be called again, with what has changed since the last call. Drawing that meanwhile takes the
-    /// time of a whole picture: it had better wait, if it can.
+    /// [`Renderer::set_field`], a slice at a time where much has changed: then this is to be called again, with what has
+    /// changed since the last call, until all of it is there. What is drawn before is the field as it was.
     pub fn set_field_on(&mut self, field: &Field, change: &FieldChange) {
         let Field { blend, triangles } = field;
         let changed = change.places.start..change.places.end.min(triangles.len());
@@ -168,7 +167,7 @@ impl Renderer {
             (self.field, self.blend, self.solution) = (coming.items, *blend, None);
         } else {
             self.coming = Some(coming);
-            // Not with the next picture: all slices would wait for that.
+            // Else all slices would come with the next picture.
             self.gpu.queue.submit([]);
         }
     }

@@ -148,7 +148,7 @@ fn triangles_that_have_changed_are_drawn_anew_also_beyond_the_first_buffer() {
 
 #[test]
 fn a_field_that_comes_in_slices_is_drawn_once_all_of_it_is_there() {
-    const LAST: usize = 100_000;
+    const LAST: usize = 200_000;
     let Some(mut renderer) = renderer(Rgba8Unorm) else { return };
     let dot = |x: f32, color: [f32; 4]| FieldTriangle {
         corners: [[x, 0.0], [x + 8.0, 0.0], [x, 8.0]],
@@ -156,26 +156,40 @@ fn a_field_that_comes_in_slices_is_drawn_once_all_of_it_is_there() {
         side_edges: 0,
     };
     let [red, green, blue] = [0, 1, 2].map(|i| [0, 1, 2, 3].map(|k| f32::from(k == i || k == 3)));
+    let large = |color| {
+        let mut triangles = vec![FieldTriangle::default(); LAST + 1];
+        (triangles[0], triangles[LAST]) = (dot(0.0, color), dot(20.0, color));
+        triangles
+    };
     let mut field = Field { blend: Blend::Srgb, triangles: vec![dot(0.0, red)] };
     let mut seen = |field: &Field, places| {
         renderer.set_field_on(field, &FieldChange { places, within_du: None });
         let picture = read(&mut renderer, &plain_view(40, 10), None);
         (!renderer.awaits_field(), [1, 21].map(|x| pixel(&picture, x, 1)))
     };
-    let [was, is, none] = [[255, 0, 0, 255], [0, 0, 255, 255], [0; 4]];
+    let [was, between, is] = [red, green, blue].map(|color| color.map(|c| (c * 255.0) as u8));
+    let none = [0; 4];
     assert_eq!(seen(&field, 0..usize::MAX), (true, [was, none]), "one slice is enough");
-    field.triangles = vec![FieldTriangle::default(); LAST + 1];
-    (field.triangles[0], field.triangles[LAST]) = (dot(0.0, green), dot(20.0, green));
+    field.triangles = large(green);
     assert_eq!(seen(&field, 0..usize::MAX), (false, [was, none]));
     (field.triangles[0], field.triangles[LAST]) = (dot(0.0, blue), dot(20.0, blue));
     assert_eq!(seen(&field, 0..1), (false, [was, none]), "what has changed meanwhile goes along");
-    assert_eq!(seen(&field, 0..0), (true, [is, is]), "the third slice is the last one");
+    for _ in 2..5 {
+        assert_eq!(seen(&field, 0..0), (false, [was, none]));
+    }
+    assert_eq!(seen(&field, 0..0), (true, [is, is]), "the sixth slice is the last one");
     field.triangles[0] = dot(0.0, red);
     assert_eq!(seen(&field, 0..1), (true, [was, is]), "a small change comes at once");
+    field.triangles = large(blue);
+    for _ in 0..5 {
+        assert_eq!(seen(&field, 0..usize::MAX), (false, [was, is]));
+    }
+    field.triangles = large(green);
+    assert_eq!(seen(&field, 0..usize::MAX), (true, [between; 2]), "all at once, or it would never be there");
     field.triangles[LAST] = dot(20.0, red);
-    assert_eq!(seen(&field, 0..usize::MAX), (false, [was, is]));
+    assert_eq!(seen(&field, 0..usize::MAX), (false, [between; 2]));
     field.triangles.truncate(1);
-    assert_eq!(seen(&field, 1..usize::MAX), (true, [was, none]), "what is gone need not come");
+    assert_eq!(seen(&field, 1..usize::MAX), (true, [between, none]), "what is gone need not come");
 }
 
 #[test]

@@ -188,14 +188,14 @@ impl GpuScreen {
     }
 
     fn paint(&mut self, painting: &Painting<'_>, changed: Changed) -> bool {
-        let is_other = changed.within_du.is_some();
         self.upload(painting, changed);
         self.solve_on();
-        // Drawn meanwhile, what was there before would keep the rest from coming.
-        if is_other || !self.awaits_field() {
-            self.show(&painting.view, painting.paper);
+        if self.awaits_field() {
+            // What else is new would lie over another field; and drawing that keeps the rest from coming.
+            return false;
         }
-        !self.awaits_field() && self.solving.iter().chain(&self.part).all(|solving| solving.steps_left == 0)
+        self.show(&painting.view, painting.paper);
+        self.solving.iter().chain(&self.part).all(|solving| solving.steps_left == 0)
     }
 
     /// Draws what there is of a view.

@@ -121,14 +121,16 @@ impl Ways {
     /// ascending order, and closes all others; says whether any opened, and whether any closed.
     pub(super) async fn open_to(&mut self, drawn: &[[u32; 2]]) -> [bool; 2] {
         let open = self.rooms.open_doors(drawn).await;
-        let (mut open, mut turned) = (open.into_iter().map(sort::pair).peekable(), [false; 2]);
+        let mut open = open.into_iter().map(sort::pair).peekable();
+        let [mut opens, mut closes] = [false; 2];
         for &(door, h) in &self.doors {
             while open.next_if(|&open| open < door).is_some() {}
             let is_open = open.peek() == Some(&door);
             let was_open = std::mem::replace(&mut self.is_open[h as usize], is_open);
-            turned[usize::from(was_open)] |= was_open != is_open;
+            opens |= is_open && !was_open;
+            closes |= was_open && !is_open;
         }
-        turned
+        [opens, closes]
     }
 
     /// Sets what lies at a half-edge of the refined mesh, or what it takes to go through it, either way, from a triangle

@@ -23,9 +23,9 @@ impl Shown {
         &self.labels
     }
 
-    /// Labels of sides from those of the triangles that they bound. A gap is closed where two labels meet at any of
+    /// Makes labels of sides from those of the triangles that they bound. A gap is closed where two labels meet at any of
     /// its parts, which `gaps` lists; a wide one only where a label ends.
-    pub(super) fn show(&mut self, map: &PlanarMap, gaps: &[HalfEdge], of_triangles: &[u32]) -> &Labels {
+    pub(super) fn show(&mut self, map: &PlanarMap, gaps: &[HalfEdge], of_triangles: &[u32]) {
         let mesh = map.refined();
         for (triangle, &label) in of_triangles.iter().enumerate() {
             if std::mem::replace(&mut self.of_triangles[triangle], label) != label {
@@ -42,6 +42,5 @@ impl Shown {
                 self.labels.closed_gaps[gap as usize] |= a != b && is_end;
             }
         }
-        &self.labels
     }
 }
