@@ -119,15 +119,15 @@ fn large_pictures_are_put_together_from_tiles() {
     assert_eq!(pixel(&picture, 2099, 2109), [230, 25, 75, 255]);
 }
 
+/// A triangle at the top, from `x` px on.
+fn dot(x: f32, color: [f32; 4]) -> FieldTriangle {
+    FieldTriangle { corners: [[x, 0.0], [x + 8.0, 0.0], [x, 8.0]], colors: [color; 6], side_edges: 0 }
+}
+
 #[test]
 fn triangles_that_have_changed_are_drawn_anew_also_beyond_the_first_buffer() {
     const LAST: usize = 600_000;
     let Some(mut renderer) = renderer(Rgba8Unorm) else { return };
-    let dot = |x: f32, color: [f32; 4]| FieldTriangle {
-        corners: [[x, 0.0], [x + 8.0, 0.0], [x, 8.0]],
-        colors: [color; 6],
-        side_edges: 0,
-    };
     let [red, blue] = [[1.0, 0.0, 0.0, 1.0], [0.0, 0.0, 1.0, 1.0]];
     let mut field = Field { blend: Blend::Srgb, triangles: vec![FieldTriangle::default(); LAST + 1] };
     (field.triangles[0], field.triangles[LAST]) = (dot(0.0, red), dot(20.0, red));
@@ -150,11 +150,6 @@ fn triangles_that_have_changed_are_drawn_anew_also_beyond_the_first_buffer() {
 fn a_field_that_comes_in_slices_is_drawn_once_all_of_it_is_there() {
     const LAST: usize = 200_000;
     let Some(mut renderer) = renderer(Rgba8Unorm) else { return };
-    let dot = |x: f32, color: [f32; 4]| FieldTriangle {
-        corners: [[x, 0.0], [x + 8.0, 0.0], [x, 8.0]],
-        colors: [color; 6],
-        side_edges: 0,
-    };
     let [red, green, blue] = [0, 1, 2].map(|i| [0, 1, 2, 3].map(|k| f32::from(k == i || k == 3)));
     let large = |color| {
         let mut triangles = vec![FieldTriangle::default(); LAST + 1];
