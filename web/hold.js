@@ -1,5 +1,7 @@
 // Which drawings of the storage are this tab's: it holds a lock on each, for as long as there is the tab.
 
+import { remove } from "./storage.js";
+
 /** A tab that is closed or loaded again takes a moment to let go. */
 const TRIES = 5;
 const PAUSE_MS = 100;
@@ -36,7 +38,19 @@ function isGiven(id) {
 }
 
 /** @param {string} id */
-export function letGo(id) {
+function letGo(id) {
   held.get(id)?.();
   held.delete(id);
+}
+
+/**
+ * Deletes a drawing, unless another tab has it.
+ * @param {string} id
+ * @returns {Promise<boolean>} whether it is gone
+ */
+export async function removed(id) {
+  if (!(await hold(id))) return false;
+  await remove(id);
+  letGo(id);
+  return true;
 }

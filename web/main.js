@@ -12,18 +12,18 @@ import { beginFirstSteps, followFirstSteps, showFirstSteps, skipFirstSteps } fro
 import { formats } from "./formats.js";
 import { connectFullScreen, turnFullScreen } from "./full_screen.js";
 import { showHelp } from "./help.js";
+import { removed } from "./hold.js";
 import { Keeper } from "./keeper.js";
 import { listen } from "./keys.js";
 import { connectLanguage } from "./language.js";
 import { lazily } from "./lazy.js";
-import { say } from "./messages.js";
+import { name, say } from "./messages.js";
 import { Opening } from "./opening.js";
 import { Pointers } from "./pointer.js";
-import { Recent } from "./recent.js";
 import { Samples } from "./samples.js";
 import { selectsMore, showSelection, toggleMore } from "./selection.js";
 import { Steps } from "./steps.js";
-import { putAside } from "./storage.js";
+import { entries, picture, putAside } from "./storage.js";
 import { connectSwatches, labelSwatches, shownSwatches, swatch } from "./swatches.js";
 import { areLinesShown, connect, done, failed, labelControls, shown, showFingers, showName, showUnkept, showUpdate, tell, toggle, warn } from "./toolbar.js";
 import { connectBar, connectRadios } from "./toolbars.js";
@@ -168,7 +168,6 @@ const keeper = new Keeper({
 });
 const opening = new Opening(engine, drawings, keeper, tracing);
 const samples = new Samples((sample, isColored) => opening.sample(sample, isColored));
-const recent = new Recent((id) => opening.kept(id), (id) => keeper.drop(drawings.forget(id)));
 const colors = new Colors(engine, (file) => opening.file(file));
 const steps = new Steps(engine);
 const pointers = new Pointers(stage, engine, selectsMore, (fingersDraw) => {
@@ -184,6 +183,16 @@ function nameShown() {
 const sharing = lazily(async () => {
   const { Share } = await import("./share.js");
   return new Share({ say, codeOf: formats.qrCode, openDialog });
+});
+
+const recent = lazily(async () => {
+  const { Recent } = await import("./recent.js");
+  const remove = async (/** @type {string} */ id) => {
+    const isGone = await removed(id);
+    if (isGone) keeper.drop(drawings.forget(id));
+    return isGone;
+  };
+  return new Recent({ say, name, openDialog, entries, picture, open: (id) => opening.kept(id), remove });
 });
 
 const exporting = lazily(async () => {
@@ -229,7 +238,7 @@ function removeTracing() {
 
 async function showRecent() {
   await keeper.pictureNow();
-  await recent.show(drawings.shown.id).catch(() => failed(new Error(say("error-storage"))));
+  await recent.use((dialog) => dialog.show(drawings.shown.id).catch(() => failed(new Error(say("error-storage")))));
 }
 
 /** What the page does by itself; all other actions are commands of the module. @type {Record<string, () => void>} */

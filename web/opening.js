@@ -4,9 +4,9 @@
 import { begin, end, expectLong, isBusy } from "./busy.js";
 import { closeOpen } from "./dialogs.js";
 import { formats, isLink } from "./formats.js";
+import { removed } from "./hold.js";
 import { lastIds, take } from "./keeper.js";
 import { say } from "./messages.js";
-import { removed } from "./recent.js";
 import { FIRST, sampleName, sampleWork } from "./samples.js";
 import { putAside } from "./storage.js";
 import { done, failed, tell, warn } from "./toolbar.js";

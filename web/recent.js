@@ -1,25 +1,30 @@
-// The drawings that the browser keeps: a dialog of their pictures, to go on with or to be deleted.
+// The drawings that the browser keeps: a dialog of their pictures, to go on with or to be deleted. It has nothing of the page but
+// what is handed to it, so that it is a file of its own.
 
-import { openDialog } from "./dialogs.js";
 import { button, make } from "./elements.js";
-import { hold, letGo } from "./hold.js";
-import { name, say } from "./messages.js";
-import * as storage from "./storage.js";
+
+/** @typedef {import("./storage.js").Entry} Entry */
+
+/**
+ * @typedef {object} Shell what the dialog has of the page
+ * @property {(key: string, values?: any) => string} say
+ * @property {(control: HTMLElement, label: string) => void} name
+ * @property {(dialog: HTMLDialogElement) => void} openDialog
+ * @property {() => Promise<Entry[]>} entries what the browser keeps
+ * @property {(id: string) => Promise<Uint8Array<ArrayBuffer> | undefined>} picture
+ * @property {(id: string) => unknown} open
+ * @property {(id: string) => Promise<boolean>} remove deletes a drawing, and says whether it is gone
+ */
 
 export class Recent {
   #dialog = /** @type {HTMLDialogElement} */ (document.getElementById("recent"));
   #list = /** @type {HTMLUListElement} */ (this.#dialog.querySelector("ul"));
   #none = /** @type {HTMLElement} */ (this.#dialog.querySelector(".none"));
-  #open;
-  #removed;
+  #shell;
 
-  /**
-   * @param {(id: string) => void} open
-   * @param {(id: string) => void} removed called when a drawing was deleted
-   */
-  constructor(open, removed) {
-    this.#open = open;
-    this.#removed = removed;
+  /** @param {Shell} shell */
+  constructor(shell) {
+    this.#shell = shell;
   }
 
   /**
@@ -27,90 +32,80 @@ export class Recent {
    * @param {string | undefined} shown the drawing that is open
    */
   async show(shown) {
-    const entries = await storage.entries();
-    this.#list.replaceChildren(...entries.map((entry) => this.#item(entry, entry.id === shown)));
-    this.#none.hidden = entries.length > 0;
+    const { entries, openDialog } = this.#shell;
+    this.#list.replaceChildren(...(await entries()).map((entry) => this.#item(entry, entry.id === shown)));
+    this.#none.hidden = this.#list.childElementCount > 0;
     openDialog(this.#dialog);
   }
 
   /**
-   * @param {storage.Entry} entry
+   * @param {Entry} entry
    * @param {boolean} isShown
    */
   #item(entry, isShown) {
+    const { say, open } = this.#shell;
     const item = make("li", {});
     const image = new Image();
     image.alt = "";
-    showPicture(image, entry.id);
-    const open = named(say("open-kept", entry), () => {
+    this.#showPicture(image, entry.id);
+    const choice = this.#named(say("open-kept", entry), () => {
       this.#dialog.close();
-      if (!isShown) this.#open(entry.id);
+      if (!isShown) open(entry.id);
     });
-    open.append(image, make("span", {}, entry.name));
-    item.append(open, make("small", {}, note(entry, isShown)));
+    choice.append(image, make("span", {}, entry.name));
+    item.append(choice, make("small", {}, this.#note(entry, isShown)));
     if (!isShown) item.append(this.#removal(entry, item));
     return item;
   }
 
   /**
-   * @param {storage.Entry} entry
+   * @param {Entry} entry
    * @param {HTMLElement} item
    */
   #removal(entry, item) {
-    const remove = named(say("delete", entry), async () => {
+    const { say, remove } = this.#shell;
+    const removal = this.#named(say("delete", entry), async () => {
       if (!confirm(say("delete-really", entry))) return;
-      const isDone = await removed(entry.id).catch(() => false);
-      if (!isDone) return remove.after(make("small", {}, say("delete-not")));
-      this.#removed(entry.id);
+      const isDone = await remove(entry.id).catch(() => false);
+      if (!isDone) return removal.after(make("small", {}, say("delete-not")));
       const next = item.nextElementSibling ?? item.previousElementSibling ?? this.#dialog;
       item.remove();
       this.#none.hidden = this.#list.childElementCount > 0;
       next.querySelector("button")?.focus();
     });
-    remove.className = "icon delete";
-    remove.append(/** @type {Node} */ (this.#dialog.querySelector("header svg")?.cloneNode(true)));
-    return remove;
+    removal.className = "icon delete";
+    removal.append(/** @type {Node} */ (this.#dialog.querySelector("header svg")?.cloneNode(true)));
+    return removal;
   }
-}
 
-/**
- * Deletes a drawing, unless another tab has it.
- * @param {string} id
- * @returns {Promise<boolean>} whether it is gone
- */
-export async function removed(id) {
-  if (!(await hold(id))) return false;
-  await storage.remove(id);
-  letGo(id);
-  return true;
-}
+  /**
+   * @param {Entry} entry
+   * @param {boolean} isShown
+   */
+  #note(entry, isShown) {
+    const { say } = this.#shell;
+    if (isShown) return say("open-now");
+    return entry.isAside ? say("damaged") : new Date(entry.seen).toLocaleString(document.documentElement.lang);
+  }
 
-/**
- * @param {storage.Entry} entry
- * @param {boolean} isShown
- */
-function note(entry, isShown) {
-  if (isShown) return say("open-now");
-  return entry.isAside ? say("damaged") : new Date(entry.seen).toLocaleString(document.documentElement.lang);
-}
+  /**
+   * @param {string} label
+   * @param {() => void} act
+   */
+  #named(label, act) {
+    const made = button("", act);
+    this.#shell.name(made, label);
+    return made;
+  }
 
-/**
- * @param {string} label
- * @param {() => void} act
- */
-function named(label, act) {
-  const made = button("", act);
-  name(made, label);
-  return made;
-}
-
-/**
- * @param {HTMLImageElement} image
- * @param {string} id
- */
-async function showPicture(image, id) {
-  const picture = await storage.picture(id).catch(() => undefined);
-  if (!picture) return;
-  image.src = URL.createObjectURL(new Blob([picture], { type: "image/png" }));
-  image.addEventListener("load", () => URL.revokeObjectURL(image.src), { once: true });
+  /**
+   * @param {HTMLImageElement} image
+   * @param {string} id
+   */
+  async #showPicture(image, id) {
+    const picture = await this.#shell.picture(id).catch(() => undefined);
+    if (!picture) return;
+    image.src = URL.createObjectURL(new Blob([picture], { type: "image/png" }));
+    image.addEventListener("load", () => URL.revokeObjectURL(image.src), { once: true });
+  }
 }
