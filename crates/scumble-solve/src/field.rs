@@ -83,10 +83,13 @@ impl Others {
             self.places.start = place;
         }
         self.places.end = place + 1;
-        for (i, &c) in corners.iter().flat_map(|corner| (0..).zip(corner)) {
+        let [a, b, c] = corners;
+        for i in 0..2 {
             // `f32::min` has more to do, for what is no number.
-            self.least[i] = if c < self.least[i] { c } else { self.least[i] };
-            self.most[i] = if c > self.most[i] { c } else { self.most[i] };
+            let less = |a: f32, b: f32| if a < b { a } else { b };
+            let more = |a: f32, b: f32| if a > b { a } else { b };
+            self.least[i] = less(less(a[i], b[i]), less(c[i], self.least[i]));
+            self.most[i] = more(more(a[i], b[i]), more(c[i], self.most[i]));
         }
     }
 

@@ -44,7 +44,7 @@ impl Factor {
         element: &mut dyn FnMut(usize) -> Matrix,
         memory: &mut Vec<TileColumn>,
     ) -> Result<Self, SolveError> {
-        let count: u64 = fronts.list.iter().map(|front| substitution::column_count(front) as u64).sum();
+        let count: u64 = fronts.list.iter().map(|front| front.column_count() as u64).sum();
         if count > MAX_COLUMNS {
             return Err(SolveError::TooLarge);
         }

@@ -204,9 +204,9 @@ mod tests {
 
     use super::*;
     use crate::barriers::Barriers;
+    use crate::mesh::fronts::Front;
     use crate::mesh::fronts::tests::fronts;
     use crate::mesh::numbering::regions;
-    use crate::mesh::substitution::column_count;
 
     /// Two rooms with a door between them: one region.
     fn rooms() -> PlanarMap {
@@ -235,7 +235,7 @@ mod tests {
             let (rank, ends) = order::elimination_rank(&region.unknowns, &dissection.rank);
             let rows: Vec<_> = elements.iter().map(|dofs| dofs.map(|dof| rank[dof as usize])).collect();
             let fronts = fronts(&rows, &ends);
-            fronts.list.iter().map(column_count).sum::<usize>() as f64
+            fronts.list.iter().map(Front::column_count).sum::<usize>() as f64
         };
         let whole = entries(usize::MAX);
         for most_elements in [1, 100, 1000] {

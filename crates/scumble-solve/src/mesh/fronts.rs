@@ -8,6 +8,7 @@
 use std::ops::Range;
 
 use super::pattern::{self, ByGroup, Children, Pattern};
+use super::substitution::column_count;
 
 /// The fronts of a factor, children before parents.
 #[derive(Debug)]
@@ -30,6 +31,11 @@ impl Front {
     /// Number of its rows.
     pub(super) fn size(&self) -> usize {
         self.pivots.len() + self.boundary.len()
+    }
+
+    /// Number of columns of tiles of its pivots.
+    pub(super) fn column_count(&self) -> usize {
+        column_count(self.pivots.len(), self.boundary.len())
     }
 }
 

@@ -9,10 +9,11 @@ use std::{iter, mem};
 use scumble_core::{pace, sort};
 
 use super::dofs::NONE;
+use super::substitution::column_count;
 
-/// A group takes in a child where no more than one of so many entries is a zero then: fewer and larger groups are faster,
-/// though they have more entries.
-const ENTRIES_PER_ZERO: u64 = 6;
+/// A group takes in a child where that makes no more columns of tiles than so many: reading these takes as long as a group takes
+/// besides.
+const COLUMNS_PER_GROUP: usize = 8;
 
 /// So many unknowns are sorted in the time that a group takes besides.
 const KEYS: usize = 8;
@@ -33,8 +34,6 @@ struct Group {
     unknowns: Range<u32>,
     /// Where its *boundary* is in the list of all: the later unknowns that its own are coupled to by then.
     boundary: Range<u32>,
-    /// How many entries of it are zeros that elimination by smaller groups would leave out; told while a pattern is found.
-    zeros: u64,
 }
 
 impl Pattern {
@@ -64,7 +63,7 @@ impl Pattern {
     pub(super) fn begin(&mut self) {
         let (start, boundary_start) = (self.unknown_count() as u32, self.boundaries.len() as u32);
         let boundary = boundary_start..boundary_start;
-        self.groups.push(Group { unknowns: start..start, boundary, zeros: 0 });
+        self.groups.push(Group { unknowns: start..start, boundary });
     }
 
     /// Adds an unknown to the last group, and says which it is.
@@ -158,21 +157,17 @@ impl<'a> Tree<'a> {
         boundaries().for_each(|boundary| self.collected.add(boundary));
         self.collected.append_to(&mut self.pattern.boundaries);
         let boundary = boundary_start..self.pattern.boundaries.len() as u32;
-        Group { unknowns: start..end, boundary, zeros: 0 }
+        Group { unknowns: start..end, boundary }
     }
 
-    /// A group with a child that comes right before it, where that makes few zeros.
+    /// A group with a child that comes right before it, where that makes few columns more.
     fn merged(&self, group: &Group, child: &Group) -> Option<Group> {
         if !self.pattern.boundary(child).first().is_some_and(|first| group.unknowns.contains(first)) {
             return None;
         }
-        let more_zeros = child.unknowns.len() as u64 * (group.size() - child.boundary.len()) as u64;
-        let merged = Group {
-            unknowns: child.unknowns.start..group.unknowns.end,
-            zeros: group.zeros + child.zeros + more_zeros,
-            ..group.clone()
-        };
-        Some(merged).filter(|merged| merged.zeros * ENTRIES_PER_ZERO <= merged.entry_count())
+        let merged = Group { unknowns: child.unknowns.start..group.unknowns.end, ..group.clone() };
+        let most = group.column_count() + child.column_count() + COLUMNS_PER_GROUP;
+        Some(merged).filter(|merged| merged.column_count() <= most)
     }
 
     /// Adds a group in place of those that it took in, and says how long its boundary is.
@@ -188,15 +183,9 @@ impl<'a> Tree<'a> {
 }
 
 impl Group {
-    /// Number of its unknowns and of those of its boundary.
-    fn size(&self) -> usize {
-        self.unknowns.len() + self.boundary.len()
-    }
-
-    /// Number of entries of its columns, each from the diagonal on.
-    fn entry_count(&self) -> u64 {
-        let count = |size: usize| size as u64 * (size as u64 + 1) / 2;
-        count(self.size()) - count(self.boundary.len())
+    /// Number of columns of tiles if none of its unknowns is fixed.
+    fn column_count(&self) -> usize {
+        column_count(self.unknowns.len(), self.boundary.len())
     }
 }
 

@@ -140,10 +140,12 @@ impl Region {
             let range = range(self.given_colors()).map(|color| color.map(|c| c as f32));
             let sums = system.right_hand_sides(self.conditions(), iter::empty());
             pace::pause_after(sums.len()).await;
-            let values = system.solve(sums).await.unwrap_or_default();
-            let value = |&place: &u32| within(values[place as usize], range);
-            self.values =
-                if values.is_empty() { Vec::new() } else { system.places().iter().map(value).collect() };
+            let values = system.solve(sums).await;
+            self.values.clear();
+            if let Some(values) = values {
+                let value = |&place: &u32| within(values[place as usize], range);
+                self.values.extend(system.places().iter().map(value));
+            }
         }
         let is_shaded_anew = match &mut self.layer {
             Some(layer) => layer.solve().await,
@@ -194,12 +196,13 @@ impl Region {
                     (triangle.corners, triangle.side_edges) = (corners, side_edges);
                 }
             }
-            let colors = match (&self.layer, range) {
-                (Some(layer), Some(range)) => self.shaded(layer, i, range),
-                _ => self.colors(i),
+            let is_other = match (&self.layer, range) {
+                (Some(layer), Some(range)) => {
+                    replace(&mut triangle.colors, &self.shaded(layer, i, range), [0, 1, 2, 3, 4, 5])
+                }
+                _ => self.put_colors(i, &mut triangle.colors),
             };
-            if are_others(&triangle.colors, &colors) {
-                triangle.colors = colors;
+            if is_other {
                 others.add(place, &triangle.corners);
             }
         })
@@ -228,24 +231,25 @@ impl Region {
         covered(self.colors_of_part(&layer.shapes()[i]), &layer.covers(i), range)
     }
 
-    /// The colours of one of its triangles, without what lies over them.
-    fn colors(&self, i: usize) -> [[f32; 4]; 6] {
-        match self.coloring {
-            Coloring::Paper => [[0.0; 4]; 6],
-            Coloring::Flat(color) => [color.map(|c| c as f32); 6],
-            // `map` of that many colours is a function of its own, which copies them.
-            Coloring::Blended => {
-                let mut colors = [[0.0; 4]; 6];
-                let dofs = self.base.dofs.unknowns.of_element[i];
-                colors.iter_mut().zip(dofs).for_each(|(color, dof)| *color = self.values[dof as usize]);
-                colors
+    /// Puts the colours of one of its triangles, without what lies over them, in place of others, and says whether any is
+    /// another.
+    fn put_colors(&self, i: usize, colors: &mut [[f32; 4]; 6]) -> bool {
+        let flat;
+        let (values, dofs) = match self.coloring {
+            Coloring::Blended => (&self.values[..], self.base.dofs.unknowns.of_element[i]),
+            Coloring::Flat(color) => {
+                flat = [color.map(|c| c as f32)];
+                (&flat[..], [0; 6])
             }
-        }
+            Coloring::Paper => (&[[0.0; 4]][..], [0; 6]),
+        };
+        replace(colors, values, dofs)
     }
 
     /// The same for a part of a triangle.
     fn colors_of_part(&self, part: &Shape) -> [[f32; 4]; 6] {
-        let colors = self.colors(part.parent as usize);
+        let mut colors = [[0.0; 4]; 6];
+        self.put_colors(part.parent as usize, &mut colors);
         if self.coloring != Coloring::Blended || part.weights == WHOLE {
             return colors;
         }
@@ -265,10 +269,15 @@ impl Region {
     }
 }
 
-/// Whether any number is another, by its bits: all at once, without a branch for each.
-fn are_others(a: &[[f32; 4]; 6], b: &[[f32; 4]; 6]) -> bool {
-    let pairs = a.as_flattened().iter().zip(b.as_flattened());
-    pairs.fold(0, |others, (a, b)| others | (a.to_bits() ^ b.to_bits())) != 0
+/// Puts those of some colours that are at six places in place of others, and says whether any is another, by its bits: all at
+/// once, without a branch for each.
+fn replace(colors: &mut [[f32; 4]; 6], by: &[[f32; 4]], places: [u32; 6]) -> bool {
+    let mut others = [0; 4];
+    for (color, place) in colors.iter_mut().zip(places) {
+        let before = mem::replace(color, by[place as usize]);
+        (0..4).for_each(|i| others[i] |= before[i].to_bits() ^ color[i].to_bits());
+    }
+    others != [0; 4]
 }
 
 /// Colours of an element under a layer, within a range. Edges at the rim of the layer stay as they are in the element beyond.

@@ -5,7 +5,7 @@
 
 use std::mem;
 
-use scumble_core::{BlendColor, pace};
+use scumble_core::{BlendColor, pace, sort};
 
 use super::SolveError;
 use super::cholesky::Factor;
@@ -135,8 +135,9 @@ fn places(fixed: &[bool]) -> Vec<u32> {
 /// What couples rows to fixed unknowns, row by row: so what is added to is always at hand.
 #[derive(Debug, Default)]
 struct Couplings {
-    /// Where those of each row begin, and where the last ones end.
-    starts: Vec<u32>,
+    /// How many couplings each row has that has any. Those with as many come one after another: a processor foresees the end
+    /// of a loop that is as long as the last one.
+    rows: Vec<(u64, u32)>,
     /// Which of the fixed unknowns, and the entry.
     list: Vec<(u32, f32)>,
 }
@@ -144,25 +145,31 @@ struct Couplings {
 impl Couplings {
     /// Sorts rows, places of fixed unknowns and entries by their rows.
     async fn new(unsorted: &[(u32, u32, f32)], row_count: usize) -> Self {
-        let mut starts = vec![0; row_count + 1];
-        unsorted.iter().for_each(|&(row, ..)| starts[row as usize + 1] += 1);
-        for row in 0..row_count {
-            starts[row + 1] += starts[row];
+        let mut next = vec![0; row_count];
+        unsorted.iter().for_each(|&(row, ..)| next[row as usize] += 1);
+        let mut rows: Vec<_> = next.iter().copied().zip(0..).filter(|&(count, _)| count > 0).collect();
+        sort::sort(&mut rows);
+        let mut end = 0;
+        for &(count, row) in &rows {
+            next[row as usize] = end;
+            end += count;
         }
-        let mut next = starts.clone();
         let mut list = vec![(0, 0.0); unsorted.len()];
         pace::for_each(unsorted, |&(row, place, entry)| {
             list[next[row as usize] as usize] = (place - row_count as u32, entry);
             next[row as usize] += 1;
         })
         .await;
-        Self { starts, list }
+        Self { rows, list }
     }
 
     fn subtract(&self, fixed_values: &[Value], sums: &mut [Value]) {
-        for (sum, ends) in sums.iter_mut().zip(self.starts.windows(2)) {
-            for &(fixed, entry) in &self.list[ends[0] as usize..ends[1] as usize] {
-                add(sum, -entry, fixed_values[fixed as usize]);
+        let mut left = &self.list[..];
+        for &(count, row) in &self.rows {
+            let (own, others) = left.split_at(count as usize);
+            left = others;
+            for &(fixed, entry) in own {
+                add(&mut sums[row as usize], -entry, fixed_values[fixed as usize]);
             }
         }
     }
