@@ -1,4 +1,5 @@
-// Which drawings of the storage are this tab's: it holds a lock on each, for as long as there is the tab.
+// Which drawings of the storage are this tab's: it holds a lock on each, for as long as there is the tab. None is deleted that
+// another tab holds.
 
 import { remove } from "./storage.js";
 

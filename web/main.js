@@ -20,7 +20,7 @@ import { lazily } from "./lazy.js";
 import { name, say } from "./messages.js";
 import { Opening } from "./opening.js";
 import { Pointers } from "./pointer.js";
-import { Samples } from "./samples.js";
+import { FOLDER, sampleList, sampleName } from "./samples.js";
 import { selectsMore, showSelection, toggleMore } from "./selection.js";
 import { Steps } from "./steps.js";
 import { entries, picture, putAside } from "./storage.js";
@@ -167,7 +167,6 @@ const keeper = new Keeper({
   failing: showUnkept,
 });
 const opening = new Opening(engine, drawings, keeper, tracing);
-const samples = new Samples((sample, isColored) => opening.sample(sample, isColored));
 const colors = new Colors(engine, (file) => opening.file(file));
 const steps = new Steps(engine);
 const pointers = new Pointers(stage, engine, selectsMore, (fingersDraw) => {
@@ -183,6 +182,12 @@ function nameShown() {
 const sharing = lazily(async () => {
   const { Share } = await import("./share.js");
   return new Share({ say, codeOf: formats.qrCode, openDialog });
+});
+
+const gallery = lazily(async () => {
+  const { Gallery } = await import("./gallery.js");
+  const open = opening.sample.bind(opening);
+  return new Gallery({ say, name, openDialog, list: sampleList, nameOf: sampleName, folder: FOLDER, open });
 });
 
 const recent = lazily(async () => {
@@ -257,7 +262,7 @@ const actions = {
   "copy-link": () => sharing.now?.copy(),
   "send-link": () => sharing.now?.send(),
   recent: showRecent,
-  samples: () => void samples.show().catch(failed),
+  samples: () => gallery.use((dialog) => dialog.show()),
   close: closeOpen,
   "pick-color": () => colors.show("color"),
   "edit-palette": () => colors.show("edit-palette"),
@@ -347,7 +352,7 @@ function labelAll() {
   colors.forget();
   steps.forget();
   nameShown();
-  samples.forget();
+  gallery.now?.forget();
   tell("");
 }
 
