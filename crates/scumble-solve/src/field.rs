@@ -83,11 +83,11 @@ impl Others {
             self.places.start = place;
         }
         self.places.end = place + 1;
+        // `f32::min` has more to do, for what is no number.
+        let less = |x: f32, y: f32| if x < y { x } else { y };
+        let more = |x: f32, y: f32| if x > y { x } else { y };
         let [a, b, c] = corners;
         for i in 0..2 {
-            // `f32::min` has more to do, for what is no number.
-            let less = |a: f32, b: f32| if a < b { a } else { b };
-            let more = |a: f32, b: f32| if a > b { a } else { b };
             self.least[i] = less(less(a[i], b[i]), less(c[i], self.least[i]));
             self.most[i] = more(more(a[i], b[i]), more(c[i], self.most[i]));
         }

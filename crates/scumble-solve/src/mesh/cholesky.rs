@@ -288,7 +288,11 @@ mod tests {
     fn solutions_solve_the_sum_of_the_elements_whatever_the_groups() {
         let (rows, matrices) = elements();
         let right: Vec<Value> = (0..SIZE).map(|i| [1.0, -2.0, 0.0, i as f32]).collect();
-        for step in [1, 4, 13, SIZE] {
+        let mut zeros = vec![[0.0; 4]; right.len()];
+        *zeros.last_mut().expect("a row") = [0.0, 1.0, 0.0, -2.0];
+        for (right, step) in
+            [&right, &zeros].into_iter().flat_map(|right| [1, 4, 13, SIZE].map(|step| (right, step)))
+        {
             let ends: Vec<_> = (1..SIZE).filter(|end| end.is_multiple_of(step)).chain([SIZE]).collect();
             let fronts = fronts(&rows, &ends);
             let mut values = right.clone();

@@ -11,8 +11,8 @@ use scumble_core::{pace, sort};
 use super::dofs::NONE;
 use super::substitution::column_count;
 
-/// A group takes in a child where that makes no more columns of tiles than so many: reading these takes as long as a group takes
-/// besides.
+/// A group takes in a child where that makes at most so many columns of tiles more: what they take at each solution, a group
+/// takes besides.
 const COLUMNS_PER_GROUP: usize = 8;
 
 /// So many unknowns are sorted in the time that a group takes besides.
@@ -306,5 +306,63 @@ impl Collected {
             list.push(unknown);
         }
         list.extend(first);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::collections::BTreeSet;
+
+    use super::*;
+
+    /// Of each of so many unknowns of elements, the later ones that it is coupled to once those before it are eliminated.
+    fn eliminated(elements: &[[u32; 6]], count: u32) -> Vec<BTreeSet<u32>> {
+        let mut later: Vec<BTreeSet<u32>> = (0..count)
+            .map(|unknown| {
+                let own = elements.iter().filter(|own| own.contains(&unknown));
+                own.flatten().copied().filter(|other| (unknown + 1..count).contains(other)).collect()
+            })
+            .collect();
+        for unknown in 0..later.len() {
+            for other in later[unknown].clone() {
+                let beyond: Vec<_> = later[unknown].range(other + 1..).copied().collect();
+                later[other as usize].extend(beyond);
+            }
+        }
+        later
+    }
+
+    #[test]
+    fn a_group_takes_in_a_child_where_that_makes_few_columns_more_and_only_there() {
+        let side: u32 = 8;
+        let corner = |x: u32, y: u32| (x * 37 + y * 11) % 81;
+        let elements: Vec<_> = (0..side * side)
+            .map(|i| [i % side, i / side])
+            .map(|[x, y]| {
+                [corner(x, y), corner(x + 1, y), corner(x, y + 1), corner(x + 1, y + 1), NONE, NONE]
+            })
+            .collect();
+        let later = eliminated(&elements, 81);
+        let ends: Vec<_> = (1..=81).collect();
+        let pattern = Pattern::new(&elements, &ends);
+        let groups: Vec<_> = pattern.groups().collect();
+        assert!((2..81).contains(&groups.len()), "{} groups", groups.len());
+        for (own, boundary) in &groups {
+            assert!(later[own.end as usize - 1].iter().eq(*boundary), "{own:?}");
+        }
+        let columns = |own: &Range<u32>, boundary: &[u32]| column_count(own.len(), boundary.len());
+        let single: usize = later.iter().map(|later| column_count(1, later.len())).sum();
+        let ours: usize = groups.iter().map(|(own, boundary)| columns(own, boundary)).sum();
+        assert!(
+            ours <= single + COLUMNS_PER_GROUP * (81 - groups.len()),
+            "{ours} columns, {single} one by one"
+        );
+        for both in groups.windows(2) {
+            let (child, group) = (&both[0], &both[1]);
+            let is_child = child.1.first().is_some_and(|first| group.0.contains(first));
+            let both = columns(&child.0, child.1) + columns(&group.0, group.1);
+            let merged = columns(&(child.0.start..group.0.end), group.1);
+            assert!(!is_child || merged > both + COLUMNS_PER_GROUP, "{child:?} and {group:?}");
+        }
     }
 }

@@ -246,7 +246,7 @@ impl Region {
         replace(colors, values, dofs)
     }
 
-    /// The same for a part of a triangle.
+    /// The colours of a part of a triangle, without what lies over them.
     fn colors_of_part(&self, part: &Shape) -> [[f32; 4]; 6] {
         let mut colors = [[0.0; 4]; 6];
         self.put_colors(part.parent as usize, &mut colors);
@@ -329,4 +329,19 @@ fn coloring(mut colors: impl Iterator<Item = BlendColor>) -> Coloring {
 /// The edges of a triangle of the mesh that bound its region.
 fn side_edges(barriers: Barriers<'_>, t: usize) -> u32 {
     (0..3).map(|i| u32::from(barriers.is_barrier(HalfEdge::of(t, i))) << i).sum()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn colours_are_others_if_any_bit_of_them_is() {
+        let by = [[0.5, 0.25, 0.0, 1.0], [0.5, 0.25, -0.0, 1.0]];
+        let mut colors = [by[0]; 6];
+        assert!(!replace(&mut colors, &by, [0; 6]));
+        assert!(replace(&mut colors, &by, [0, 0, 0, 0, 0, 1]));
+        assert_eq!(colors[5][2].to_bits(), (-0.0_f32).to_bits());
+        assert!(!replace(&mut colors, &by, [0, 0, 0, 0, 0, 1]));
+    }
 }

@@ -13,7 +13,7 @@ pub(super) const TILE: usize = 4;
 /// The entries of the rows of a tile in one column.
 pub(super) type TileColumn = [f32; TILE];
 
-/// So many columns of tiles take as long as a front takes besides.
+/// A front counts as much as so many columns of tiles, between pauses.
 const COLUMNS: usize = 16;
 
 /// Replaces right-hand sides by the solutions; columns of tiles are those of all fronts.

@@ -3,8 +3,6 @@
 //! Unknowns on coloured sides are fixed and leave the system; what couples them to the others goes to the right-
 //! hand side. The rest keeps the region's order of elimination.
 
-use std::mem;
-
 use scumble_core::{BlendColor, pace, sort};
 
 use super::SolveError;
@@ -58,14 +56,15 @@ impl System {
         memory: &mut Vec<TileColumn>,
     ) -> Result<(), SolveError> {
         if self.factor.is_none() {
-            let (rows, row_count) = (mem::take(&mut self.rows), self.fronts.row_count());
+            let (rows, row_count) = (&self.rows, self.fronts.row_count());
             let mut couplings = Vec::new();
             let mut element = |i: usize| {
                 let matrix = matrix(i);
                 couple(&rows[i], row_count as u32, &matrix, &mut couplings);
                 matrix
             };
-            self.factor = Some(Factor::new(&self.fronts, &rows, &mut element, memory).await?);
+            self.factor = Some(Factor::new(&self.fronts, rows, &mut element, memory).await?);
+            self.rows = Vec::new();
             self.couplings = Couplings::new(&couplings, row_count).await;
         }
         Ok(())
@@ -135,20 +134,22 @@ fn places(fixed: &[bool]) -> Vec<u32> {
 /// What couples rows to fixed unknowns, row by row: so what is added to is always at hand.
 #[derive(Debug, Default)]
 struct Couplings {
-    /// How many couplings each row has that has any. Those with as many come one after another: a processor foresees the end
-    /// of a loop that is as long as the last one.
+    /// How many couplings a row has, and the row, where it has any. Rows with as many come one after another: a processor
+    /// foresees the end of a loop that is as long as the last one.
     rows: Vec<(u64, u32)>,
     /// Which of the fixed unknowns, and the entry.
     list: Vec<(u32, f32)>,
 }
 
 impl Couplings {
-    /// Sorts rows, places of fixed unknowns and entries by their rows.
+    /// Sorts rows, places of fixed unknowns and entries: by how many each row has, then by rows.
     async fn new(unsorted: &[(u32, u32, f32)], row_count: usize) -> Self {
         let mut next = vec![0; row_count];
         unsorted.iter().for_each(|&(row, ..)| next[row as usize] += 1);
         let mut rows: Vec<_> = next.iter().copied().zip(0..).filter(|&(count, _)| count > 0).collect();
+        pace::pause_after(rows.len()).await;
         sort::sort(&mut rows);
+        pace::pause_after(rows.len()).await;
         let mut end = 0;
         for &(count, row) in &rows {
             next[row as usize] = end;
@@ -168,9 +169,8 @@ impl Couplings {
         for &(count, row) in &self.rows {
             let (own, others) = left.split_at(count as usize);
             left = others;
-            for &(fixed, entry) in own {
-                add(&mut sums[row as usize], -entry, fixed_values[fixed as usize]);
-            }
+            let sum = &mut sums[row as usize];
+            own.iter().for_each(|&(fixed, entry)| add(sum, -entry, fixed_values[fixed as usize]));
         }
     }
 }
@@ -184,5 +184,41 @@ fn couple(places: &[u32; 6], row_count: u32, matrix: &Matrix, couplings: &mut Ve
         for j in (0..6).filter(|&j| places[j] >= row_count) {
             couplings.push((places[i], places[j], matrix[element::entry(i, j)] as f32));
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use scumble_core::pace::{Slices, now};
+
+    #[test]
+    fn couplings_take_the_fixed_values_off_the_rows_that_have_any() {
+        // Rows, places beyond the four rows, and entries, in the order of no row.
+        let unsorted = [(3, 5, 1.0), (0, 4, 2.0), (2, 5, 0.5), (3, 4, 3.0), (2, 5, 0.25), (0, 5, -1.0)];
+        let fixed_values = [[1.0, 0.0, 2.0, 4.0], [8.0, 16.0, 0.0, 1.0]];
+        let couplings = now(Slices::new(Couplings::new(&unsorted, 4)));
+        assert_eq!(couplings.rows, [(2, 0), (2, 2), (2, 3)]);
+        let mut sums = [[100.0; 4]; 4];
+        couplings.subtract(&fixed_values, &mut sums);
+        let mut expected = [[100.0; 4]; 4];
+        for (row, place, entry) in unsorted {
+            add(&mut expected[row as usize], -entry, fixed_values[place as usize - 4]);
+        }
+        assert_eq!(sums, expected);
+        for row_count in [0, 4] {
+            let none = now(Slices::new(Couplings::new(&[], row_count)));
+            let mut sums = vec![[1.0; 4]; row_count];
+            none.subtract(&fixed_values, &mut sums);
+            assert_eq!(sums, vec![[1.0; 4]; row_count]);
+        }
+    }
+
+    #[test]
+    fn rows_with_fewer_couplings_come_first() {
+        let unsorted = [(0, 3, 1.0), (2, 3, 1.0), (0, 4, 1.0), (1, 3, 1.0), (0, 5, 1.0)];
+        let couplings = now(Slices::new(Couplings::new(&unsorted, 3)));
+        assert_eq!(couplings.rows, [(1, 1), (1, 2), (3, 0)]);
+        assert_eq!(couplings.list, [(0, 1.0), (0, 1.0), (0, 1.0), (1, 1.0), (2, 1.0)]);
     }
 }
