@@ -93,8 +93,12 @@ impl MeshSolver {
 
     async fn meshed(mesh: Arc<Triangulation>, only: Option<&Boundary>) -> Self {
         let closed_gaps = only.map(|boundary| boundary.closed_gaps.clone()).unwrap_or_default();
-        let mut regions = numbering::regions(Barriers { mesh: &mesh, closed_gaps: &closed_gaps }).await;
-        let numbering = Numbering::new(&mesh, &mut regions, only.map(|boundary| &boundary.sides)).await;
+        let colors = only.map(|boundary| &boundary.sides);
+        // Regions without colours stay paper, unless something shades them.
+        let shown = colors.filter(|_| only.is_some_and(|boundary| boundary.sources.is_empty()));
+        let barriers = Barriers { mesh: &mesh, closed_gaps: &closed_gaps };
+        let mut regions = numbering::regions(barriers, shown).await;
+        let numbering = Numbering::new(&mesh, &mut regions, colors).await;
         Self {
             mesh,
             numbering,

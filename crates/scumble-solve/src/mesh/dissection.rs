@@ -221,7 +221,7 @@ mod tests {
     fn parts_and_what_is_between_them_make_an_order_that_fills_in_little_more() {
         let map = rooms();
         let mesh = map.refined();
-        let mut regions = now(Slices::new(regions(Barriers { mesh, closed_gaps: &[] })));
+        let mut regions = now(Slices::new(regions(Barriers { mesh, closed_gaps: &[] }, None)));
         assert_eq!(regions.len(), 1);
         let region = regions.remove(0);
         let entries = |most_elements: usize| {

@@ -80,9 +80,10 @@ impl Dofs {
         Self { triangles, unknowns, sides, corners, gaps }
     }
 
-    /// Whether any of its sides has a colour.
-    pub(super) fn has_colors(&self, colors: &SideColors) -> bool {
-        self.sides.iter().any(|side| colors.get(side.id.index()).is_some_and(Option::is_some))
+    /// Whether its sides have several colours.
+    pub(super) fn blends(&self, colors: &SideColors) -> bool {
+        let mut given = self.sides.iter().filter_map(|side| colors.get(side.id.index())?.as_ref()).flatten();
+        given.next().is_some_and(|first| given.any(|color| color != first))
     }
 
     /// Renumbers the unknowns, of which those at corners come first, in the order of elimination that the corners are in.

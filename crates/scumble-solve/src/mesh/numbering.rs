@@ -8,7 +8,7 @@ use std::mem;
 use std::sync::Arc;
 
 use scumble_core::pace::{self, Pace};
-use scumble_core::{HalfEdge, SideColors, Triangulation};
+use scumble_core::{HalfEdge, SideColors, SideId, Triangulation};
 
 use super::dissection;
 use super::dofs::{Dofs, NONE, Unknowns, half_edges};
@@ -18,18 +18,27 @@ use crate::barriers::Barriers;
 /// So many triangles are copied, or marked, in the time that other things take with one.
 const CHUNK: usize = 8;
 
-/// Finds all regions of a mesh; their unknowns are in no order, but those at corners come first.
-pub(super) async fn regions(barriers: Barriers<'_>) -> Vec<Dofs> {
+/// Finds the regions of a mesh, all or those alone that get colours; their unknowns are in no order, but those at corners come first.
+pub(super) async fn regions(barriers: Barriers<'_>, only: Option<&SideColors>) -> Vec<Dofs> {
     let triangles: Vec<_> = (0..barriers.mesh.triangle_count() as u32).collect();
     let mut numbers = Numbers { barriers, of_triangle: vec![[NONE; 6]; triangles.len()], first: 0, next: 0 };
     let (mut regions, mut pace) = (Vec::new(), Pace::default());
     for triangles in barriers.regions(&triangles).await {
         pace.work(triangles.len()).await;
+        if only.is_some_and(|colors| !have_colors(barriers.mesh, &triangles, colors)) {
+            continue;
+        }
         numbers.next = 0;
         let unknowns = numbers.unknowns(&triangles).await;
         regions.push(Dofs::new(barriers, triangles, unknowns).await);
     }
     regions
+}
+
+/// Whether any side of some triangles has a colour.
+fn have_colors(mesh: &Triangulation, triangles: &[u32], colors: &SideColors) -> bool {
+    let sides = triangles.iter().flat_map(|&t| half_edges(t)).filter_map(|h| mesh.side(h));
+    sides.map(SideId::index).any(|side| colors.get(side).is_some_and(Option::is_some))
 }
 
 /// The unknowns of a mesh of which all gaps are open, numbered in the order of elimination, region after region.
@@ -47,13 +56,13 @@ pub(super) struct Numbering {
 
 impl Numbering {
     /// Puts the unknowns of the regions of a mesh in order, all gaps being open. If `only` for these colours, those of the regions
-    /// alone that have any, as gaps are: gaps and colours must stay so.
+    /// alone where several run into each other, as gaps are: gaps and colours must stay so.
     pub(super) async fn new(mesh: &Triangulation, regions: &mut [Dofs], only: Option<&SideColors>) -> Self {
         let mut of_triangle = vec![[NONE; 6]; mesh.triangle_count()];
         let (mut firsts, mut patterns) = (Vec::new(), Vec::new());
         let (mut first, mut pace) = (0, Pace::default());
         for region in regions {
-            if only.is_some_and(|colors| !region.has_colors(colors)) {
+            if only.is_some_and(|colors| !region.blends(colors)) {
                 continue;
             }
             let ends = region.order(&dissection::corner_rank(mesh, region).await);
@@ -308,12 +317,12 @@ mod tests {
         let map = map();
         let mesh = map.refined();
         let triangles: Vec<_> = (0..mesh.triangle_count() as u32).collect();
-        let mut open = now(Slices::new(regions(Barriers { mesh, closed_gaps: &[] })));
+        let mut open = now(Slices::new(regions(Barriers { mesh, closed_gaps: &[] }, None)));
         let numbering = now(Slices::new(Numbering::new(mesh, &mut open, None)));
         for closed_gaps in [&[false], &[true]] {
             let barriers = Barriers { mesh, closed_gaps };
             let ours = now(Slices::new(numbering.regions(barriers, &triangles)));
-            let fresh = now(Slices::new(regions(barriers)));
+            let fresh = now(Slices::new(regions(barriers, None)));
             assert_eq!(ours.len(), fresh.len());
             for (ours, fresh) in ours.iter().zip(&fresh) {
                 assert_same_but_for_the_order(ours, fresh);
@@ -339,14 +348,14 @@ mod tests {
         assert!((6..10).contains(&gap_count), "{gap_count} gaps");
         let mesh = map.refined();
         let triangles: Vec<_> = (0..mesh.triangle_count() as u32).collect();
-        let mut open = now(Slices::new(regions(Barriers { mesh, closed_gaps: &[] })));
+        let mut open = now(Slices::new(regions(Barriers { mesh, closed_gaps: &[] }, None)));
         let numbering = now(Slices::new(Numbering::new(mesh, &mut open, None)));
         let mut region_counts = Vec::new();
         for closed in 0..1 << gap_count {
             let closed_gaps: Vec<_> = (0..gap_count).map(|gap| closed >> gap & 1 == 1).collect();
             let barriers = Barriers { mesh, closed_gaps: &closed_gaps };
             let ours = now(Slices::new(numbering.regions(barriers, &triangles)));
-            let fresh = now(Slices::new(regions(barriers)));
+            let fresh = now(Slices::new(regions(barriers, None)));
             assert_eq!(ours.len(), fresh.len());
             region_counts.push(ours.len());
             for (Dofs { unknowns, .. }, fresh) in ours.iter().zip(&fresh) {
@@ -363,7 +372,7 @@ mod tests {
     fn numbers_depend_on_the_gaps_that_are_closed_alone() {
         let map = map();
         let mesh = map.refined();
-        let mut open = now(Slices::new(regions(Barriers { mesh, closed_gaps: &[] })));
+        let mut open = now(Slices::new(regions(Barriers { mesh, closed_gaps: &[] }, None)));
         let numbering = now(Slices::new(Numbering::new(mesh, &mut open, None)));
         let numbers = |closed_gaps: &[bool], triangles: &[u32]| {
             now(Slices::new(numbering.regions(Barriers { mesh, closed_gaps }, triangles)))
