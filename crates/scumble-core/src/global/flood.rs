@@ -154,9 +154,13 @@ impl Ways {
 }
 
 /// Per triangle of the refined mesh the one of the map that its centroid lies in: from each to those beside it, as it is a
-/// long way to the one that is next in the list.
+/// long way to the one that is next in the list. Of a rough map that is the triangle itself.
 async fn bases(map: &PlanarMap) -> Vec<u32> {
-    let mut bases = vec![NONE; map.refined().triangle_count()];
+    let count = map.refined().triangle_count() as u32;
+    if map.is_rough() {
+        return (0..count).collect();
+    }
+    let mut bases = vec![NONE; count as usize];
     let mut waiting = vec![(0, 0)];
     pace::repeat(|| find_base(map, &mut bases, &mut waiting)).await;
     bases

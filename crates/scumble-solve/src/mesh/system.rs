@@ -147,7 +147,6 @@ impl Couplings {
         let mut next = vec![0; row_count];
         unsorted.iter().for_each(|&(row, ..)| next[row as usize] += 1);
         let mut rows: Vec<_> = next.iter().copied().zip(0..).filter(|&(count, _)| count > 0).collect();
-        pace::pause_after(rows.len()).await;
         sort::sort(&mut rows);
         pace::pause_after(rows.len()).await;
         let mut end = 0;
