@@ -13,8 +13,11 @@ mod shades;
 use std::path::Path;
 
 use anyhow::Context;
+use kurbo::{Affine, Vec2};
 use scumble_core::drawing::LONGER_SIDE_DU;
-use scumble_core::{Blend, Boundary, Paint, PlanarMap, Scribble, Settings};
+use scumble_core::pace::now;
+use scumble_core::{Blend, Boundary, Drawing, Paint, PlanarMap, Scribble, Settings};
+use scumble_solve::Picture;
 
 use crate::baseline::PixelGrid;
 use crate::clock::{Times, print_head, print_row, timed};
@@ -30,6 +33,12 @@ pub(crate) use passes::run as run_passes;
 
 /// Size of the pictures.
 const SIZE_PX: u32 = 1024;
+
+/// Size of large ones.
+const LARGE_PX: u32 = 4096;
+
+/// How far a curve is moved.
+const MOVE_DU: Vec2 = Vec2::new(3.0, 2.0);
 
 /// The baseline takes its time: it is run on every so many-th drawing.
 const BASELINE_EVERY: usize = 5;
@@ -50,7 +59,13 @@ struct Report {
     first_picture: Times,
     new_scribble: Times,
     repaint: Times,
+    repaint_large: Times,
     recolor: Times,
+    undo: Times,
+    /// What each frame takes while a curve is moved, before a solver makes a picture of it.
+    drag: Times,
+    /// A field from nothing but the drawing and all of its scribbles.
+    scratch: Times,
     baseline: Times,
     /// From coloured sides to pixels, on the drawings of the baseline.
     beside_baseline: Times,
@@ -83,17 +98,20 @@ impl Report {
         }
         let first = scribbles.len().min(1);
         let spread_ms = self.first_scribble(&mut opened, &scribbles[..first])?;
-        let paint_ms = paint_ms(&mut opened, &scribbles[..first])?;
+        let first_paint_ms = paint_ms(&mut opened, &scribbles[..first], SIZE_PX)?;
         self.read.push(read_ms);
         self.import.push(opened.import_ms);
         self.map.push(opened.map_ms);
         self.mesh.push(opened.mesh_ms);
-        self.paint.push(paint_ms);
+        self.paint.push(first_paint_ms);
         self.first_picture
-            .push(read_ms + opened.import_ms + opened.map_ms + opened.mesh_ms + spread_ms + paint_ms);
+            .push(read_ms + opened.import_ms + opened.map_ms + opened.mesh_ms + spread_ms + first_paint_ms);
         self.more_scribbles(&mut opened, &scribbles)?;
         let boundary = opened.picture.boundary().clone();
         self.recolor(&mut opened, &scribbles)?;
+        self.undo(&mut opened, &scribbles)?;
+        self.repaint_large.push(paint_ms(&mut opened, &scribbles, LARGE_PX)?);
+        self.drag(&opened.document.drawing, &scribbles)?;
         for (width_du, times) in WIDTHS_DU.into_iter().zip(&mut self.shades) {
             times.take(&mut opened, &scribbles, width_du)?;
         }
@@ -115,7 +133,7 @@ impl Report {
             let times = stages::spread(&mut opened.picture, &scribbles[..count], &[], &Settings::default())?;
             self.new_scribble.push(times.total_ms());
         }
-        self.repaint.push(paint_ms(opened, scribbles)?);
+        self.repaint.push(paint_ms(opened, scribbles, SIZE_PX)?);
         Ok(())
     }
 
@@ -127,6 +145,30 @@ impl Report {
         }
         let times = stages::spread(&mut opened.picture, &recolored, &[], &Settings::default())?;
         self.recolor.push(times.total_ms());
+        Ok(())
+    }
+
+    /// Takes the last scribble back.
+    fn undo(&mut self, opened: &mut Opened, scribbles: &[Scribble]) -> anyhow::Result<()> {
+        let before = &scribbles[..scribbles.len().saturating_sub(1)];
+        let times = stages::spread(&mut opened.picture, before, &[], &Settings::default())?;
+        self.undo.push(times.total_ms());
+        Ok(())
+    }
+
+    /// Moves the first curve, and lets it go.
+    fn drag(&mut self, drawing: &Drawing, scribbles: &[Scribble]) -> anyhow::Result<()> {
+        let mut moved = drawing.clone();
+        if let Some(curve) = moved.curves.first_mut() {
+            curve.path.apply_affine(Affine::translate(MOVE_DU));
+        }
+        let (picture, map_ms) = timed(|| Picture::new(&moved));
+        let mut picture = picture?;
+        let ((), color_ms) = timed(|| now(picture.coloring(scribbles, &[], &Settings::default())));
+        let (solved, solve_ms) = timed(|| picture.solve().map(|_| ()));
+        solved?;
+        self.drag.push(map_ms + color_ms);
+        self.scratch.push(map_ms + color_ms + solve_ms);
         Ok(())
     }
 
@@ -165,7 +207,11 @@ impl Report {
             ("file to first picture at 1024 px", &self.first_picture),
             ("a new scribble (color to solve)", &self.new_scribble),
             ("a scribble recoloured (color to solve)", &self.recolor),
+            ("a scribble taken back (color to solve)", &self.undo),
+            ("a curve moved: map and color", &self.drag),
+            ("… and let go: from scratch (map to solve)", &self.scratch),
             ("paint at 1024 px with all scribbles", &self.repaint),
+            ("paint at 4096 px with all scribbles", &self.repaint_large),
         ] {
             print_row(name, times);
         }
@@ -181,12 +227,18 @@ impl Report {
         print_head(&format!("{} of them, colours on sides to pixels", self.baseline.len()));
         print_row("plain multigrid on 1024² pixels", &self.baseline);
         print_row("analyse, factor, solve, paint at 1024 px", &self.beside_baseline);
-        let baseline_ms = self.baseline.median();
-        println!(
-            "multigrid / ours: {:.1}; multigrid / a new scribble: {:.1}",
-            baseline_ms / self.beside_baseline.median(),
-            baseline_ms / self.new_scribble.median()
-        );
+        println!();
+        println!("{:<46} {:>9} {:>12}", "of medians: baseline / ours", "multigrid", "from scratch");
+        for (name, times) in [
+            ("analyse, factor, solve, paint at 1024 px", &self.beside_baseline),
+            ("a new scribble", &self.new_scribble),
+            ("a scribble recoloured", &self.recolor),
+            ("a scribble taken back", &self.undo),
+        ] {
+            let [multigrid, scratch] =
+                [&self.baseline, &self.scratch].map(|baseline| baseline.median() / times.median());
+            println!("{name:<46} {multigrid:9.1} {scratch:12.1}");
+        }
     }
 }
 
@@ -197,9 +249,9 @@ fn times_of(candidate: Candidate, map: &PlanarMap, scribbles: &[Scribble]) -> La
     times
 }
 
-fn paint_ms(opened: &mut Opened, scribbles: &[Scribble]) -> anyhow::Result<f64> {
+fn paint_ms(opened: &mut Opened, scribbles: &[Scribble], size_px: u32) -> anyhow::Result<f64> {
     opened.picture.color(scribbles, &[], &Settings::default());
-    let view = stages::page_view(&opened.document.drawing, SIZE_PX);
+    let view = stages::page_view(&opened.document.drawing, size_px);
     let field = opened.picture.solve()?;
     let (_, paint_ms) = timed(|| stages::paint_page(field, &[], &view, Some(PAPER)));
     Ok(paint_ms)

@@ -95,9 +95,9 @@ impl MeshSolver {
         let closed_gaps = only.map(|boundary| boundary.closed_gaps.clone()).unwrap_or_default();
         let colors = only.map(|boundary| &boundary.sides);
         // Regions without colours stay paper, unless something shades them.
-        let shown = colors.filter(|_| only.is_some_and(|boundary| boundary.sources.is_empty()));
+        let needed = colors.filter(|_| only.is_some_and(|boundary| boundary.sources.is_empty()));
         let barriers = Barriers { mesh: &mesh, closed_gaps: &closed_gaps };
-        let mut regions = numbering::regions(barriers, shown).await;
+        let mut regions = numbering::regions(barriers, needed).await;
         let numbering = Numbering::new(&mesh, &mut regions, colors).await;
         Self {
             mesh,
@@ -380,19 +380,23 @@ mod tests {
     #[test]
     fn a_solver_for_one_boundary_alone_gives_the_same_field() {
         let map = map();
-        let mut sides: Vec<_> = (0..map.side_count()).map(|i| Some([[i as f64; 4]; 3])).collect();
-        map.steps(1).iter().for_each(|step| sides[step.left.index()] = None);
-        let boundary = Boundary { closed_gaps: vec![true], ..sides.into() };
-        let fields = [None, Some(&boundary)].map(|only| {
-            let mut solver = now(MeshSolver::meshing(map.refined().clone(), only));
-            solver.solve(&boundary, Blend::Oklab).expect("a field").triangles.clone()
-        });
-        assert!(!fields[0].is_empty() && fields[0].len() < map.refined().triangle_count());
-        assert_eq!(fields[0].len(), fields[1].len());
-        for (all, only) in fields[0].iter().zip(&fields[1]) {
-            assert_eq!((all.corners, all.side_edges), (only.corners, only.side_edges));
-            let pairs = all.colors.as_flattened().iter().zip(only.colors.as_flattened());
-            pairs.for_each(|(a, b)| assert!((a - b).abs() < 1e-3, "{a} {b}"));
+        // The disc elsewhere has no colour, or one that is clear, or one that is not.
+        for (disc, is_paper) in [(None, true), (Some([[0.0; 4]; 3]), true), (Some([[7.0; 4]; 3]), false)] {
+            let mut sides: Vec<_> = (0..map.side_count()).map(|i| Some([[i as f64; 4]; 3])).collect();
+            map.steps(1).iter().for_each(|step| sides[step.left.index()] = disc);
+            let boundary = Boundary { closed_gaps: vec![true], ..sides.into() };
+            let fields = [None, Some(&boundary)].map(|only| {
+                let mut solver = now(MeshSolver::meshing(map.refined().clone(), only));
+                solver.solve(&boundary, Blend::Oklab).expect("a field").triangles.clone()
+            });
+            assert!(!fields[0].is_empty());
+            assert_eq!(fields[0].len() < map.refined().triangle_count(), is_paper);
+            assert_eq!(fields[0].len(), fields[1].len());
+            for (all, only) in fields[0].iter().zip(&fields[1]) {
+                assert_eq!((all.corners, all.side_edges), (only.corners, only.side_edges));
+                let pairs = all.colors.as_flattened().iter().zip(only.colors.as_flattened());
+                pairs.for_each(|(a, b)| assert!((a - b).abs() < 1e-3, "{a} {b}"));
+            }
         }
     }
 

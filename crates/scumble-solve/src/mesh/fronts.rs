@@ -104,7 +104,7 @@ pub(super) mod tests {
         let side: u32 = 8;
         let quad = |i: u32| {
             let [x, y] = [i % side, i / side];
-            [[x, y], [x + 1, y], [x, y + 1], [x + 1, y + 1]].map(|[x, y]| (x * 37 + y * 11) % 81)
+            [[x, y], [x + 1, y], [x, y + 1], [x + 1, y + 1]].map(|[x, y]| (x * 9 + y * 37) % 81)
         };
         let elements: Vec<_> = (0..side * side)
             .map(|i| {

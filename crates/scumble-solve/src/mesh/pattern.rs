@@ -335,7 +335,7 @@ mod tests {
     #[test]
     fn a_group_takes_in_a_child_where_that_makes_few_columns_more_and_only_there() {
         let side: u32 = 8;
-        let corner = |x: u32, y: u32| (x * 37 + y * 11) % 81;
+        let corner = |x: u32, y: u32| (x * 9 + y * 37) % 81;
         let elements: Vec<_> = (0..side * side)
             .map(|i| [i % side, i / side])
             .map(|[x, y]| {
