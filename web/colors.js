@@ -3,6 +3,7 @@
 
 import { download } from "./files.js";
 import { formats } from "./formats.js";
+import { haveStyle } from "./lazy.js";
 import { say } from "./messages.js";
 import { currentColor, nameOf, swatches, used } from "./swatches.js";
 import { done, failed } from "./toolbar.js";
@@ -76,6 +77,7 @@ export class Colors {
   }
 
   async #load() {
+    await haveStyle();
     const { Panels } = await import("./color_panels.js");
     return new Panels(this.#shell());
   }

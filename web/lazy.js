@@ -1,7 +1,25 @@
 // Parts of the page that are fetched at their first use.
 
+import { make } from "./elements.js";
 import { say } from "./messages.js";
 import { failed } from "./toolbar.js";
+
+/** @type {Promise<unknown> | undefined} */
+let style;
+
+/** Has the style of such parts, which comes with the first one. */
+export async function haveStyle() {
+  style ??= new Promise((resolve, reject) => {
+    const href = new URL("later.css", import.meta.url).href;
+    document.head.append(make("link", { rel: "stylesheet", href, onload: resolve, onerror: reject }));
+  });
+  try {
+    await style;
+  } catch (fault) {
+    style = undefined;
+    throw fault;
+  }
+}
 
 /**
  * @template T
@@ -12,6 +30,7 @@ export function lazily(fetch) {
   let loading;
   const load = async () => {
     try {
+      await haveStyle();
       part.now = await fetch();
     } catch (fault) {
       console.warn(fault);

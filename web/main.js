@@ -11,13 +11,12 @@ import { choose, download, keep, receive } from "./files.js";
 import { beginFirstSteps, followFirstSteps, showFirstSteps, skipFirstSteps } from "./first_steps.js";
 import { formats } from "./formats.js";
 import { connectFullScreen, turnFullScreen } from "./full_screen.js";
-import { showHelp } from "./help.js";
 import { removed } from "./hold.js";
 import { Keeper } from "./keeper.js";
-import { listen } from "./keys.js";
+import { SHORTCUTS, haveSingles, listen, setSingles, written } from "./keys.js";
 import { connectLanguage } from "./language.js";
 import { lazily } from "./lazy.js";
-import { name, say } from "./messages.js";
+import { label, name, say } from "./messages.js";
 import { Opening } from "./opening.js";
 import { Pointers } from "./pointer.js";
 import { FOLDER, sampleList, sampleName } from "./samples.js";
@@ -205,6 +204,12 @@ const exporting = lazily(async () => {
   return new Export({ engine, formats, say, done, openDialog, download });
 });
 
+const help = lazily(async () => {
+  const { Help } = await import("./help.js");
+  const labelAll = () => label(document);
+  return new Help({ say, label: labelAll, openDialog, shortcuts: SHORTCUTS, written, haveSingles, setSingles });
+});
+
 const keyboardPen = lazily(async () => {
   const { KeyboardPen } = await import("./keyboard_pen.js");
   return new KeyboardPen({ stage, engine, make, tell: (key) => tell(say(key)) });
@@ -270,7 +275,7 @@ const actions = {
   "dismiss-unkept": () => showUnkept(""),
   update: takeVersion,
   "dismiss-update": () => showUpdate(false),
-  help: showHelp,
+  help: () => help.use((dialog) => dialog.show()),
   history: () => steps.toggle(),
   "full-screen": turnFullScreen,
   "first-steps": () => {

@@ -73,6 +73,7 @@ for (const browser of /** @type {const} */ (["chromium", "firefox"])) {
       await editor.tab.press("Escape");
       assert.equal(await step(editor), 0);
       await editor.tab.press("?");
+      await editor.tab.waitFor(`document.getElementById("help").open`);
       await editor.tab.evaluate(`document.querySelector('[data-action="first-steps"]').focus()`);
       await editor.tab.press("Enter");
       await editor.tab.waitFor(`!document.getElementById("help").open`);

@@ -30,7 +30,10 @@ const STATES = {
     await editor.tab.waitFor(`document.querySelectorAll("#samples img").length > 0 &&
       [...document.querySelectorAll("#samples img")].slice(0, 8).every((image) => image.complete)`);
   },
-  help: (editor) => editor.click("Help"),
+  help: async (editor) => {
+    await editor.click("Help");
+    await editor.tab.waitFor(`document.getElementById("help").open`);
+  },
   export: (editor) => editor.click("Export"),
 };
 

@@ -53,7 +53,7 @@ pub(crate) fn files_in(folder: &Path) -> Result<Vec<PathBuf>> {
 fn write_web(from: &Path, to: &Path) -> Result<()> {
     copy_files([from.join("icon.svg"), from.join("manifest.webmanifest")], to)?;
     icons::write(&from.join("icon.svg"), to)?;
-    let files = ["main.js", "formats_worker.js", "style.css"].map(|name| from.join(name));
+    let files = ["main.js", "formats_worker.js", "style.css", "later.css"].map(|name| from.join(name));
     run(minifier().args(["--bundle", "--splitting"]).arg(format!("--outdir={}", to.display())).args(files))
 }
 
