@@ -43,8 +43,8 @@ use crate::planar_map::PlanarMap;
 use crate::scribble::Scribble;
 use crate::sort;
 
-/// Floods the map from all scribbles; keeps the flood of the last call, and goes on with it where scribbles were only
-/// added to.
+/// Floods the map from all scribbles; keeps the flood of the last call, and redoes of it what scribbles had that are gone or
+/// get that are new.
 #[derive(Clone, Debug, Default)]
 pub struct Global {
     spread: bool,
@@ -128,20 +128,17 @@ impl Global {
         self.shown.is_some() && self.ranks == ranks && self.claims.iter().zip(scribbles).all(is_same)
     }
 
-    /// Floods the map from what these scribbles are more than those of the last call, or from all.
+    /// Makes the floods of the last call those of these scribbles: what is gone of those is dried, what is new floods on.
     async fn go_on(&mut self, map: &PlanarMap, ways: &Ways, scribbles: &[Scribble], ranks: Vec<u32>) {
-        if !self.goes_on(scribbles, &ranks) {
-            self.keep_claims(scribbles);
-            self.dry(map).await;
+        let mut kept = self.kept(scribbles, &ranks);
+        self.follow(map, ways, scribbles, &kept).await;
+        for label in kept.iter_mut().filter(|label| **label != NONE) {
+            if self.claims[*label as usize].gives_up() {
+                *label = NONE;
+            }
         }
-        let mut pace = Pace::default();
-        self.claims.resize_with(scribbles.len(), Claim::default);
-        for (claim, scribble) in self.claims.iter_mut().zip(scribbles) {
-            claim.follow(map, ways, &scribble.points);
-            pace.work(scribble.points.len()).await;
-        }
-        if self.claims.iter().any(Claim::gives_up) {
-            self.dry(map).await;
+        if self.flood.labels.is_empty() || !kept.iter().copied().eq(0..kept.len() as u32) {
+            self.withdraw(map, &kept).await;
         }
         self.let_in(&ranks);
         let Self { flood, at_hand, nearest, .. } = self;
@@ -149,6 +146,52 @@ impl Global {
             flood.run(map, costs, &ranks).await;
         }
         self.ranks = ranks;
+    }
+
+    /// Per claim of the last call the scribble that begins with it now, in the same order; [`NONE`] where there is none, or
+    /// for all where ranks have changed among them.
+    fn kept(&self, scribbles: &[Scribble], ranks: &[u32]) -> Vec<u32> {
+        let mut next = 0;
+        let mut kept = vec![NONE; self.claims.len()];
+        for (label, claim) in kept.iter_mut().zip(&self.claims) {
+            let begins = |scribble: &Scribble| scribble.points.starts_with(claim.points());
+            if let Some(i) = scribbles[next..].iter().position(begins) {
+                *label = (next + i) as u32;
+                next += i + 1;
+            }
+        }
+        let by_rank = self.by_rank().into_iter().map(|claim| kept[claim]).filter(|&label| label != NONE);
+        if !by_rank.is_sorted_by_key(|label| ranks[label as usize]) {
+            kept.fill(NONE);
+        }
+        kept
+    }
+
+    /// Follows the scribbles to their ends, from where the claims are that are kept.
+    async fn follow(&mut self, map: &PlanarMap, ways: &Ways, scribbles: &[Scribble], kept: &[u32]) {
+        let mut claims = Vec::new();
+        claims.resize_with(scribbles.len(), Claim::default);
+        for (claim, &label) in self.claims.iter_mut().zip(kept).filter(|(_, label)| **label != NONE) {
+            std::mem::swap(&mut claims[label as usize], claim);
+        }
+        let mut pace = Pace::default();
+        for (claim, scribble) in claims.iter_mut().zip(scribbles) {
+            claim.follow(map, ways, &scribble.points);
+            pace.work(scribble.points.len()).await;
+        }
+        self.claims = claims;
+    }
+
+    /// Dries what labels have that are not kept, and lets what is around come there. All claims are let in anew.
+    async fn withdraw(&mut self, map: &PlanarMap, kept: &[u32]) {
+        let Self { flood, at_hand, nearest, .. } = self;
+        let near = claim::at_hand_limit();
+        for (flood, limit) in [(flood, Cost::MAX), (at_hand, near), (nearest, near)] {
+            flood.withdraw(map, kept, limit);
+            pace::pause_after(map.side_count()).await;
+        }
+        self.beyond.reset(map);
+        self.claims.iter_mut().for_each(Claim::stay_out);
     }
 
     /// Lets scribbles into the rooms that they mean, as far as they are not in yet.
@@ -199,40 +242,11 @@ impl Global {
         opens || closes
     }
 
-    /// Whether scribbles were only added or added to since the last call, and none of those that were there changed
-    /// its rank among them.
-    fn goes_on(&self, scribbles: &[Scribble], ranks: &[u32]) -> bool {
-        let begins = |(claim, scribble): (&Claim, &Scribble)| scribble.points.starts_with(claim.points());
-        !self.flood.labels.is_empty()
-            && self.claims.len() <= scribbles.len()
-            && self.claims.iter().zip(scribbles).all(begins)
-            && self.by_rank().is_sorted_by_key(|&label| ranks[label])
-    }
-
     /// The scribbles of the last call in the order of their ranks.
     fn by_rank(&self) -> Vec<usize> {
         let mut by_rank = vec![0; self.ranks.len()];
         self.ranks.iter().enumerate().for_each(|(label, &rank)| by_rank[rank as usize] = label);
         by_rank
-    }
-
-    /// Keeps the claims of those scribbles that were there before.
-    fn keep_claims(&mut self, scribbles: &[Scribble]) {
-        let known = std::mem::take(&mut self.claims);
-        let same =
-            |scribble: &Scribble| known.iter().find(|claim| claim.points() == scribble.points).cloned();
-        self.claims = scribbles.iter().map(|scribble| same(scribble).unwrap_or_default()).collect();
-    }
-
-    /// Dries the map.
-    async fn dry(&mut self, map: &PlanarMap) {
-        self.flood = Flood::new(map, Cost::MAX);
-        pace::pause_after(map.side_count()).await;
-        self.at_hand = Flood::new(map, claim::at_hand_limit());
-        pace::pause_after(map.side_count()).await;
-        self.nearest = self.at_hand.clone();
-        self.beyond.reset(map);
-        self.claims.iter_mut().for_each(Claim::stay_out);
     }
 }
 

@@ -202,6 +202,31 @@ impl Flood {
         Self { labels: vec![NONE; count], costs: vec![limit; count], front: BinaryHeap::new() }
     }
 
+    /// Gives labels other numbers, those that they have in `kept`, and dries what the ones have that are [`NONE`] there: what
+    /// is around floods on from its borders. The limit is that of [`Flood::new`], as which a flood begins that is of no map.
+    pub(super) fn withdraw(&mut self, map: &PlanarMap, kept: &[u32], limit: Cost) {
+        if self.labels.is_empty() {
+            *self = Self::new(map, limit);
+        }
+        let mut dried = Vec::new();
+        for (triangle, label) in self.labels.iter_mut().enumerate().filter(|(_, label)| **label != NONE) {
+            *label = kept[*label as usize];
+            if *label == NONE {
+                self.costs[triangle] = limit;
+                dried.push(triangle);
+            }
+        }
+        for h in dried.into_iter().flat_map(|triangle| (0..3).map(move |i| HalfEdge::of(triangle, i))) {
+            if let Some(beside) = map.refined().passage(h).map(HalfEdge::triangle) {
+                let (cost, label) = (self.costs[beside], self.labels[beside]);
+                if label != NONE {
+                    // Which comes first does not matter.
+                    self.front.push(Reverse((cost, 0, beside as u32, label)));
+                }
+            }
+        }
+    }
+
     /// Lets a scribble come to a triangle at a cost. Where two come at the same cost, the lower rank wins.
     pub(super) fn reach(&mut self, triangle: usize, cost: Cost, label: u32, ranks: &[u32]) {
         let rank = |label: u32| ranks.get(label as usize).copied().unwrap_or(NONE);
