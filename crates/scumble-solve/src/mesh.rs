@@ -144,7 +144,7 @@ impl MeshSolver {
     async fn analysing(&mut self, boundary: &Boundary) {
         self.close_gaps(&boundary.closed_gaps).await;
         let reaches = self.reaches(&boundary.sources).await;
-        let mut pace = Pace::default();
+        let (mut pace, mut are_other) = (Pace::default(), Vec::with_capacity(self.regions.len()));
         for (i, region) in (0..).zip(&mut self.regions) {
             let mut sources = Vec::new();
             for (source, reach) in boundary.sources.iter().zip(&reaches) {
@@ -153,8 +153,13 @@ impl MeshSolver {
                 }
                 pace.work(region.triangles().len()).await;
             }
-            region.analyse(&self.mesh, &boundary.sides, &sources).await;
+            are_other.push(region.analyse(&self.mesh, &boundary.sides, &sources).await);
             pace.work(region.triangles().len()).await;
+        }
+        // What undo may come back to is what the last change was of.
+        if are_other.contains(&true) {
+            let rest = self.regions.iter_mut().zip(are_other).filter(|(_, is_other)| !is_other);
+            rest.for_each(|(region, _)| region.forget_before());
         }
     }
 
@@ -446,5 +451,28 @@ mod tests {
             [false, false, true, true, false].map(&mut factored_after),
             [(0, 3), (3, 3), (2, 4), (4, 4), (2, 3)]
         );
+    }
+
+    #[test]
+    fn the_factor_before_the_last_change_is_kept_and_none_that_is_older() {
+        let map = map();
+        let all: Vec<_> = (0..map.side_count()).map(|i| Some([[i as f64; 4]; 3])).collect();
+        let without_half_of = |curves: &[usize]| {
+            let mut sides = all.clone();
+            for steps in curves.iter().map(|&curve| map.steps(curve)) {
+                steps[steps.len() / 2..].iter().for_each(|step| sides[step.left.index()] = None);
+            }
+            Boundary::from(sides)
+        };
+        let [none, first, both, second] = [&[][..], &[0], &[0, 1], &[1]].map(without_half_of);
+        let mut solver = MeshSolver::new(map.refined().clone());
+        let mut factored_for = |boundary: &Boundary| {
+            solver.analyse(boundary);
+            let count = solver.regions.iter().filter(|region| region.is_factored()).count();
+            solver.factor().expect("factors");
+            count
+        };
+        let counts = [&none, &first, &none, &first, &both, &first, &both, &second].map(&mut factored_for);
+        assert_eq!(counts, [0, 2, 3, 3, 2, 3, 3, 2]);
     }
 }

@@ -1,5 +1,7 @@
 //! The elements of a region as they are in the mesh, and their system.
 
+use std::mem;
+
 use scumble_core::Triangulation;
 
 use super::SolveError;
@@ -14,6 +16,8 @@ use super::system::System;
 pub(super) struct Elements {
     pub(super) dofs: Dofs,
     analysis: Option<Analysis>,
+    /// The one before, which undo comes back to.
+    before: Option<Analysis>,
 }
 
 /// What there is for one set of coloured sides.
@@ -26,14 +30,29 @@ struct Analysis {
 
 impl Elements {
     pub(super) fn new(dofs: Dofs) -> Self {
-        Self { dofs, analysis: None }
+        Self { dofs, analysis: None, before: None }
     }
 
-    /// Sets the system up if the coloured sides are others than those of the last one.
-    pub(super) async fn analyse(&mut self, is_colored: &[bool]) {
-        if self.analysis.as_ref().is_none_or(|last| last.is_colored != is_colored) {
+    /// Has the system for some coloured sides, which is set up if it is neither the last one nor the one before; says whether
+    /// it is not the last one.
+    pub(super) async fn analyse(&mut self, is_colored: &[bool]) -> bool {
+        if self.is_for(is_colored) {
+            return false;
+        }
+        mem::swap(&mut self.analysis, &mut self.before);
+        if !self.is_for(is_colored) {
             self.analysis = Some(Analysis::new(&self.dofs, is_colored).await);
         }
+        true
+    }
+
+    fn is_for(&self, is_colored: &[bool]) -> bool {
+        self.analysis.as_ref().is_some_and(|analysis| analysis.is_colored == is_colored)
+    }
+
+    /// Forgets the system before.
+    pub(super) fn forget_before(&mut self) {
+        self.before = None;
     }
 
     /// The system as of the last analysis.
