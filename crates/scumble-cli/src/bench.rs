@@ -14,13 +14,12 @@ use std::path::Path;
 
 use anyhow::Context;
 use kurbo::{Affine, Vec2};
-use scumble_core::drawing::LONGER_SIDE_DU;
 use scumble_core::pace::now;
 use scumble_core::{Blend, Boundary, Drawing, Paint, PlanarMap, Scribble, Settings};
 use scumble_solve::Picture;
 
-use crate::baseline::PixelGrid;
 use crate::clock::{Times, print_head, print_row, timed};
+use crate::compare::{Both, Spread};
 use crate::set::{self, Entry, Kind};
 use crate::stages::{self, Opened, PAPER};
 use labels::{CANDIDATES, Candidate, LabelTimes};
@@ -66,7 +65,10 @@ struct Report {
     drag: Times,
     /// A field from nothing but the drawing and all of its scribbles.
     scratch: Times,
+    /// Multigrid on pixels, curves cutting their links.
     baseline: Times,
+    /// What the mesh solver's pictures are away from its, in levels.
+    differences: Spread,
     /// From coloured sides to pixels, on the drawings of the baseline.
     beside_baseline: Times,
     labels: [LabelTimes; CANDIDATES.len()],
@@ -172,16 +174,13 @@ impl Report {
         Ok(())
     }
 
-    /// The same colours by the plain way and, from scratch, by ours.
+    /// The same colours by multigrid on pixels and, from scratch, by ours.
     fn baseline(&mut self, opened: &mut Opened, boundary: &Boundary) -> anyhow::Result<()> {
-        let mut grid = PixelGrid::new(SIZE_PX as usize);
-        let px_per_du = f64::from(SIZE_PX) / LONGER_SIDE_DU;
-        grid.draw(opened.picture.map().triangulation(), &boundary.sides, px_per_du);
-        let (solved, baseline_ms) = timed(|| grid.solve());
-        solved.context("the pixel multigrid did not converge")?;
-        self.baseline.push(baseline_ms);
-        let mut fresh = scumble_solve::MeshSolver::new(opened.picture.map().refined().clone());
         let view = stages::page_view(&opened.document.drawing, SIZE_PX);
+        let both = Both::new(&mut opened.picture, boundary, &view)?;
+        self.baseline.push(both.grid_ms);
+        self.differences.add(&both.differences());
+        let mut fresh = scumble_solve::MeshSolver::new(opened.picture.map().refined().clone());
         let (painted, ours_ms) = timed(|| {
             let field = fresh.solve(boundary, Blend::Oklab)?;
             Ok::<_, scumble_solve::SolveError>(stages::paint_page(field, &[], &view, Some(PAPER)))
@@ -225,8 +224,9 @@ impl Report {
     fn print_ratio(&self) {
         println!();
         print_head(&format!("{} of them, colours on sides to pixels", self.baseline.len()));
-        print_row("plain multigrid on 1024² pixels", &self.baseline);
+        print_row("multigrid with cut links on 1024² pixels", &self.baseline);
         print_row("analyse, factor, solve, paint at 1024 px", &self.beside_baseline);
+        println!("between the two, in levels: mean, 99 %, largest {}", self.differences);
         println!();
         println!("{:<46} {:>9} {:>12}", "of medians: baseline / ours", "multigrid", "from scratch");
         for (name, times) in [
@@ -234,6 +234,10 @@ impl Report {
             ("a new scribble", &self.new_scribble),
             ("a scribble recoloured", &self.recolor),
             ("a scribble taken back", &self.undo),
+            ("a curve moved: map and color", &self.drag),
+            ("… and let go: from scratch (map to solve)", &self.scratch),
+            ("paint at 1024 px with all scribbles", &self.repaint),
+            ("paint at 4096 px with all scribbles", &self.repaint_large),
         ] {
             let [multigrid, scratch] =
                 [&self.baseline, &self.scratch].map(|baseline| baseline.median() / times.median());

@@ -6,6 +6,7 @@
 //! near those they are reported apart. Where the two solvers differ, a mesh that is graded towards all such places tells which
 //! is right.
 
+mod both;
 mod finer;
 mod graded;
 mod levels;
@@ -14,23 +15,23 @@ mod zones;
 use std::path::Path;
 
 use anyhow::Context;
-use scumble_core::{Bends, Boundary, PlanarMap, Settings, SideId};
-use scumble_solve::grid::{Constraints, GridSolver, JeschkeSolver, TOLERANCE};
+use scumble_core::{Blend, Boundary, PlanarMap, Settings, SideId};
+use scumble_solve::grid::{Constraints, JeschkeSolver};
 use scumble_solve::{Picture, View, centers};
 
 use crate::set::{self, Kind};
 use crate::{made, stages};
-use levels::{Levels, Spread, levels};
+use levels::{Levels, levels};
 use zones::Zone;
+
+pub(crate) use both::Both;
+pub(crate) use levels::Spread;
 
 /// Size of the pictures.
 const SIZE_PX: u32 = 1024;
 
-/// Pixels nearer than this, in px, to an end, a junction or a change count apart.
-const SPECIAL_PX: f64 = 4.0;
-
-/// Further steps, for the picture that the iteration tends to.
-const FURTHER_STEPS: usize = 8;
+/// Colours are mixed where drawings have them mixed at first.
+const BLEND: Blend = Blend::Oklab;
 
 /// Steps of Jeschke's solver: as in the paper, and many more.
 const JESCHKE_STEPS: [usize; 2] = [8, 64];
@@ -104,38 +105,28 @@ fn row(
     if options.half {
         uncolor_half(picture.map(), &mut boundary);
     }
-    let blend = Settings::default().blend;
-    let (map, bends) = (picture.map(), Bends::default());
-    let constraints = Constraints::new(map, &boundary, view)?.fitted(map, &bends, &boundary, view);
-    let zones = zones::zones(picture.map(), &boundary, view, SPECIAL_PX);
-    let mesh = centers::colors(picture.mesh().solve(&boundary, blend)?, view);
-    let mut solver = GridSolver::new(&constraints);
-    let steps = solver.solve(TOLERANCE);
-    let pixels = solver.pixels();
-    let referee = options.referee.then(|| graded::field(picture.map(), &boundary, blend)).transpose()?;
-    let [mesh, grid] = [&mesh, &pixels].map(|pixels| levels(pixels, blend));
-    (0..FURTHER_STEPS).for_each(|_| solver.step());
-    let iteration = Spread::of(&grid, &levels(&solver.pixels(), blend), |_| true).largest();
-    let away = |i: usize| zones[i] == Zone::Away;
-    let finer = finer::changes(picture.map(), &boundary, view, &mesh)?;
+    let mut both = Both::new(picture, &boundary, view)?;
+    let referee = options.referee.then(|| graded::field(picture.map(), &boundary, BLEND)).transpose()?;
+    let finer = finer::changes(picture.map(), &boundary, view, &both.mesh)?;
     Ok(Row {
-        steps,
-        iteration,
-        away: Spread::of(&grid, &mesh, away),
-        special: Spread::of(&grid, &mesh, |i| zones[i] == Zone::Special),
+        steps: both.steps,
+        iteration: both.change_by_further_steps(),
+        away: both.differences(),
+        special: both.between(Zone::Special, &both.grid, &both.mesh),
         finer,
-        jeschke: JESCHKE_STEPS.map(|steps| Spread::of(&jeschke(&constraints, steps, blend), &mesh, away)),
+        jeschke: JESCHKE_STEPS
+            .map(|steps| both.between(Zone::Away, &jeschke(&both.constraints, steps), &both.mesh)),
         errors: referee.map(|field| {
-            let right = levels(&centers::colors(&field, view), blend);
-            [&mesh, &grid].map(|picture| Spread::of(picture, &right, away))
+            let right = levels(&centers::colors(&field, view), BLEND);
+            [&both.mesh, &both.grid].map(|picture| both.between(Zone::Away, picture, &right))
         }),
     })
 }
 
-fn jeschke(constraints: &Constraints, steps: usize, blend: scumble_core::Blend) -> Vec<Levels> {
+fn jeschke(constraints: &Constraints, steps: usize) -> Vec<Levels> {
     let mut solver = JeschkeSolver::new(constraints);
     (0..steps).for_each(|_| solver.step());
-    levels(solver.pixels(), blend)
+    levels(solver.pixels(), BLEND)
 }
 
 /// Takes their colours from about half of the sides of curves, whole sides at a time.

@@ -8,7 +8,6 @@
 //! | `scumble bench`: how long each stage takes | `bench` |
 //! | … on made drawings of any richness | `made` |
 //! | `scumble compare`: how far pictures on pixels are from the mesh solver's | `compare` |
-//! | … beside a plain solver on pixels | `baseline` |
 //! | `scumble eval`: how well engines colour | `eval` |
 //! | … beside other people's methods on pixels | `rivals` |
 //! | folders of drawings with scribbles and truth | `set` |
@@ -20,7 +19,6 @@
 //! | times and their percentiles | `clock` |
 //! | files in and out | `files` |
 
-mod baseline;
 mod bench;
 mod clock;
 mod color;

@@ -34,7 +34,7 @@ fn apply(m: &[[f64; 3]; 3], v: [f64; 3]) -> [f64; 3] {
 
 /// Differences of two pictures, counted.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Spread {
+pub(crate) struct Spread {
     counts: Vec<u64>,
     sum: f64,
     largest: f64,
@@ -61,7 +61,7 @@ impl Spread {
     }
 
     /// Takes in the differences of other pictures.
-    pub(super) fn add(&mut self, other: &Self) {
+    pub(crate) fn add(&mut self, other: &Self) {
         self.counts.resize(self.counts.len().max(other.counts.len()), 0);
         self.counts.iter_mut().zip(&other.counts).for_each(|(sum, count)| *sum += count);
         self.sum += other.sum;

@@ -1,0 +1,65 @@
+//! The pictures that the mesh solver and the grid solver make of the same boundary.
+
+use scumble_core::{Bends, Boundary};
+use scumble_solve::grid::{Constraints, GridSolver, TOLERANCE};
+use scumble_solve::{Picture, View, centers};
+
+use super::BLEND;
+use super::levels::{Levels, Spread, levels};
+use super::zones::{self, Zone};
+use crate::clock::timed;
+
+/// Pixels nearer than this, in px, to an end, a junction or a change count apart.
+const SPECIAL_PX: f64 = 4.0;
+
+/// Further steps, for the picture that the iteration tends to.
+const FURTHER_STEPS: usize = 8;
+
+/// Both pictures.
+pub(crate) struct Both {
+    pub(super) constraints: Constraints,
+    solver: GridSolver,
+    /// Those of the grid solver.
+    pub(super) steps: usize,
+    /// What it takes for the picture, once it is known where curves cut its links.
+    pub(crate) grid_ms: f64,
+    pub(super) mesh: Vec<Levels>,
+    pub(super) grid: Vec<Levels>,
+    zones: Vec<Zone>,
+}
+
+impl Both {
+    /// Has both solvers make their picture.
+    ///
+    /// # Errors
+    /// When one fails.
+    pub(crate) fn new(picture: &mut Picture, boundary: &Boundary, view: &View) -> anyhow::Result<Self> {
+        let mesh = levels(&centers::colors(picture.mesh().solve(boundary, BLEND)?, view), BLEND);
+        let (map, bends) = (picture.map(), Bends::default());
+        let constraints = Constraints::new(map, boundary, view)?.fitted(map, &bends, boundary, view);
+        let ((solver, steps), grid_ms) = timed(|| {
+            let mut solver = GridSolver::new(&constraints);
+            let steps = solver.solve(TOLERANCE);
+            (solver, steps)
+        });
+        let grid = levels(&solver.pixels(), BLEND);
+        let zones = zones::zones(map, boundary, view, SPECIAL_PX);
+        Ok(Self { constraints, solver, steps, grid_ms, mesh, grid, zones })
+    }
+
+    /// How far they are from each other away from curves, from their ends and junctions, and from changes of what a side is.
+    pub(crate) fn differences(&self) -> Spread {
+        self.between(Zone::Away, &self.grid, &self.mesh)
+    }
+
+    /// How far any two pictures are from each other in a zone.
+    pub(super) fn between(&self, zone: Zone, a: &[Levels], b: &[Levels]) -> Spread {
+        Spread::of(a, b, |i| self.zones[i] == zone)
+    }
+
+    /// The most that further steps of the grid solver change.
+    pub(super) fn change_by_further_steps(&mut self) -> f64 {
+        (0..FURTHER_STEPS).for_each(|_| self.solver.step());
+        Spread::of(&self.grid, &levels(&self.solver.pixels(), BLEND), |_| true).largest()
+    }
+}
