@@ -31,6 +31,9 @@ const MEAN_LEVELS = 1;
 const MOST_LEVELS = 3;
 const MOST_PART = 0.95;
 
+/** A small disc in the middle of the page. */
+const DISC = `<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 200 200"><circle cx="100" cy="100" r="1" fill="none" stroke="#000" stroke-width=".05"/></svg>`;
+
 /** @param {Editor} editor */
 async function shade(editor) {
   await editor.openDrawing("shading");
@@ -112,6 +115,37 @@ describe("the solver", () => {
       assertAlike(await editor.picture(), mesh);
       await editor.drag(ASIDE);
       assert.ok((await editor.picture()).equals(grid), "the same part, the same picture");
+    });
+
+    testPage("both have round curves from as close as can be", renderer, "", async () => {
+      await editor.until("Opened disc.svg", () => editor.drop(DISC, "disc.svg"));
+      await editor.click("Red");
+      await editor.scribble([[40, 60], [60, 60]], SIDE);
+      await editor.click("White");
+      await editor.scribble([[99.8, 100], [100.2, 100]], SIDE);
+      await editor.toggle("Show scribbles");
+      await editor.toggle("Show lines");
+      const [[x, y]] = await editor.place([[100, 100]], SIDE);
+      await editor.tab.evaluate(`{
+        const canvas = document.getElementById("canvas");
+        const { left, top } = canvas.getBoundingClientRect();
+        const wheel = { deltaY: -100, ctrlKey: true, clientX: left + ${x}, clientY: top + ${y}, bubbles: true };
+        for (let steps = 0; steps < 40; steps++) canvas.dispatchEvent(new WheelEvent("wheel", wheel));
+      }`);
+      await editor.tab.waitFor(`document.getElementById("canvas").dataset.view.startsWith("64 ")`);
+      await editor.shows("mesh");
+      const mesh = await editor.picture();
+      await editor.choose("Solver", "gpu");
+      await editor.shows("gpu");
+      const grid = await editor.picture();
+      let [inside, far] = [0, 0];
+      for (let y = 0; y < mesh.height; y++) {
+        for (let x = 0; x < mesh.width; x++) {
+          inside += Number(hex(mesh.at(x, y)) === "#ffffff");
+          far += Number(distance(mesh.at(x, y), grid.at(x, y)) > 64);
+        }
+      }
+      assert.ok(inside > 100_000 && far < 20, `${far} pixels differ, of ${inside} in the disc`);
     });
 
     testPage("GPU colours exactly as picked, and undo takes it back", renderer, "", async () => {
