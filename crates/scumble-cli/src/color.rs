@@ -5,7 +5,7 @@ mod parts;
 
 use anyhow::ensure;
 use scumble_core::{Document, Scribble, Work};
-use scumble_io::{ReadScribbles, read_scribbles, write_png};
+use scumble_io::{FileError, ReadScribbles, read_scribbles, write_file, write_png};
 use scumble_solve::{Pixmap, SolveError};
 use serde::Serialize;
 
@@ -53,23 +53,23 @@ pub(crate) fn run(options: &ColorOptions) -> anyhow::Result<()> {
     let mut opened = stages::open(&files::read(&options.drawing)?)?;
     let ReadScribbles { scribbles, notes } =
         read_scribbles(&files::read(&options.scribbles)?, &opened.document.drawing)?;
+    let kept = kept(&opened, &scribbles, options)?;
     files::warn(&options.drawing, &opened.notes);
     files::warn(&options.scribbles, &notes.to_string());
     if options.solver != Solver::Mesh {
         let by_hand = &opened.document.color_points;
         opened.picture.color(&scribbles, by_hand, &options.settings);
-        write(&on_pixels::paint(&opened, options)?, options)?;
-        return save(&opened, scribbles, options);
+        return write(&on_pixels::paint(&opened, options)?, kept.as_deref(), options);
     }
     let times = spread(&mut opened, &scribbles, options)?;
     let Opened { document, picture, .. } = &mut opened;
     let drawing = &document.drawing;
     let (pixmap, paint_ms) = timed(|| render::paint(drawing, picture, &options.look));
-    write(&pixmap?, options)?;
+    write(&pixmap?, kept.as_deref(), options)?;
     if options.timings {
         println!("{}", serde_json::to_string(&timings(&mut opened, &times, paint_ms))?);
     }
-    save(&opened, scribbles, options)
+    Ok(())
 }
 
 /// Checks that what is written is not what is read, and has a folder.
@@ -80,19 +80,30 @@ fn check_files(options: &ColorOptions) -> anyhow::Result<()> {
         let is_saved_over = options.save.as_deref().is_some_and(is_same);
         ensure!(!is_saved_over, "{} is read; name another file to save", input.display());
     }
+    let is_work = matches!(&*works::extension(&options.drawing), "scumble" | "json");
+    let name = options.drawing.display();
+    ensure!(!is_work, "{name} is no SVG; `scumble render` makes the picture of a .scumble file");
     files::check_folder(&options.output)?;
     options.save.as_deref().map_or(Ok(()), files::check_folder)
 }
 
-fn write(pixmap: &Pixmap, options: &ColorOptions) -> anyhow::Result<()> {
-    files::write(&options.output, &write_png(pixmap.width_px, pixmap.height_px, &pixmap.rgba)?)
+/// Writes the picture and the file that keeps its source, if there is one: both or none.
+fn write(pixmap: &Pixmap, kept: Option<&[u8]>, options: &ColorOptions) -> anyhow::Result<()> {
+    let picture = write_png(pixmap.width_px, pixmap.height_px, &pixmap.rgba)?;
+    let source = options.save.as_deref().zip(kept);
+    let files: Vec<_> = [(&*options.output, &picture[..])].into_iter().chain(source).collect();
+    files::write_together(&files)
 }
 
-/// Keeps the drawing with its scribbles, if it is to be kept.
-fn save(opened: &Opened, scribbles: Vec<Scribble>, options: &ColorOptions) -> anyhow::Result<()> {
-    let Some(path) = &options.save else { return Ok(()) };
-    let settings = options.settings;
-    works::write(path, &Work::new(Document { scribbles, settings, ..opened.document.clone() }))
+/// The file that keeps the drawing with its scribbles, if it is to be kept.
+fn kept(
+    opened: &Opened,
+    scribbles: &[Scribble],
+    options: &ColorOptions,
+) -> Result<Option<Vec<u8>>, FileError> {
+    let (settings, scribbles) = (options.settings, scribbles.to_vec());
+    let work = || Work::new(Document { scribbles, settings, ..opened.document.clone() });
+    options.save.as_ref().map(|_| write_file(&work())).transpose()
 }
 
 /// Spreads the colours: of all scribbles at once or, where each is to be timed, of one more at a time.

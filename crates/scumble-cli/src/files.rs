@@ -19,33 +19,33 @@ pub(crate) fn read(path: &Path) -> anyhow::Result<Vec<u8>> {
     Ok(bytes)
 }
 
-/// Writes a file under another name beside it and renames it then, so that it is never there in part. A link is
-/// followed; what is no file, such as a pipe or a device, is written to as it is.
+/// [`write_together`] for one file.
 ///
 /// # Errors
-/// When the file cannot be written; then nothing is left behind.
+/// When it cannot be written; then nothing is left behind.
 pub(crate) fn write(path: &Path, bytes: &[u8]) -> anyhow::Result<()> {
-    check_folder(path)?;
-    let there = fs::metadata(path);
-    let is_read_only = there.as_ref().is_ok_and(|data| data.permissions().readonly());
-    ensure!(!is_read_only, "{} cannot be written: it is read-only; name another file", path.display());
-    let is_special = there.is_ok_and(|data| !data.is_file());
-    let written = if is_special {
-        fs::OpenOptions::new().write(true).open(path).and_then(|mut file| file.write_all(bytes))
-    } else {
-        replace(&fs::canonicalize(path).unwrap_or_else(|_| path.into()), bytes)
-    };
-    written.with_context(|| format!("{} cannot be written", path.display()))
+    write_together(&[(path, bytes)])
 }
 
-/// Checks, before long work or another file is written, that there is a folder for a file.
+/// Writes files under other names beside them and renames them once all are there, so that none is ever there in part, or
+/// without the others. A link is followed; what is no file, such as a pipe or a device, is written to as it is.
 ///
 /// # Errors
-/// When there is none.
+/// When one cannot be written; then nothing is left behind.
+pub(crate) fn write_together(files: &[(&Path, &[u8])]) -> anyhow::Result<()> {
+    let unfinished = files.iter().map(|(path, bytes)| Unfinished::new(path, bytes));
+    unfinished.collect::<anyhow::Result<Vec<_>>>()?.iter().try_for_each(Unfinished::finish)
+}
+
+/// Checks, before long work, that there is a folder for a file, and none in its place.
+///
+/// # Errors
+/// When it is not so.
 pub(crate) fn check_folder(path: &Path) -> anyhow::Result<()> {
     let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
     let (file, folder, is_there) = (path.display(), folder.display(), folder.is_dir());
     ensure!(is_there, "{file} cannot be written: there is no folder {folder}; make it, or name another file");
+    ensure!(!path.is_dir(), "{file} cannot be written: it is a folder; name a file");
     Ok(())
 }
 
@@ -54,14 +54,54 @@ pub(crate) fn is_same(a: &Path, b: &Path) -> bool {
     matches!((fs::canonicalize(a), fs::canonicalize(b)), (Ok(a), Ok(b)) if a == b)
 }
 
-fn replace(path: &Path, bytes: &[u8]) -> std::io::Result<()> {
-    let unfinished = unfinished(path);
-    let written = write_all(&unfinished, bytes).and_then(|()| fs::rename(&unfinished, path));
-    if written.is_err() {
-        // It may not be there at all; the first error is the one to tell.
-        let _ = fs::remove_file(&unfinished);
+/// A file that is not at its place yet. What there is of it goes where it is dropped before.
+struct Unfinished<'a> {
+    path: &'a Path,
+    bytes: &'a [u8],
+    /// Where it is until then, and its place; none for a pipe or a device.
+    places: Option<[PathBuf; 2]>,
+}
+
+impl<'a> Unfinished<'a> {
+    fn new(path: &'a Path, bytes: &'a [u8]) -> anyhow::Result<Self> {
+        check_folder(path)?;
+        let there = fs::metadata(path);
+        let is_read_only = there.as_ref().is_ok_and(|data| data.permissions().readonly());
+        ensure!(!is_read_only, "{} cannot be written: it is read-only; name another file", path.display());
+        if there.is_ok_and(|data| !data.is_file()) {
+            return Ok(Self { path, bytes, places: None });
+        }
+        let place = fs::canonicalize(path).unwrap_or_else(|_| path.into());
+        let until_then = unfinished(&place);
+        let written = write_all(&until_then, bytes);
+        let file = Self { path, bytes, places: Some([until_then, place]) };
+        written.with_context(|| file.failure())?;
+        Ok(file)
     }
-    written
+
+    fn finish(&self) -> anyhow::Result<()> {
+        let finished = match &self.places {
+            Some([from, to]) => fs::rename(from, to),
+            None => {
+                let file = fs::OpenOptions::new().write(true).open(self.path);
+                file.and_then(|mut file| file.write_all(self.bytes))
+            }
+        };
+        finished.with_context(|| self.failure())
+    }
+
+    fn failure(&self) -> String {
+        format!("{} cannot be written", self.path.display())
+    }
+}
+
+impl Drop for Unfinished<'_> {
+    fn drop(&mut self) {
+        if let Some([from, _]) = &self.places {
+            // A finished one is not there any more.
+            let _ = fs::remove_file(from);
+        }
+    }
 }
 
 fn write_all(path: &Path, bytes: &[u8]) -> std::io::Result<()> {

@@ -4,7 +4,9 @@ use std::path::Path;
 
 use anyhow::{Context, bail, ensure};
 use scumble_core::{Document, Work};
-use scumble_io::{PaletteKind, import_drawing, import_svg, read_file, write_curve_set, write_file};
+use scumble_io::{
+    MAX_FILE_BYTES, PaletteKind, import_drawing, import_svg, read_file, write_curve_set, write_file,
+};
 use scumble_solve::Picture;
 
 use crate::files;
@@ -38,6 +40,12 @@ fn write_curves(path: &Path, document: &Document) -> anyhow::Result<()> {
     let mut picture = Picture::new(&document.drawing)?;
     let labels = picture.label(&document.scribbles, &document.settings);
     let (text, notes) = write_curve_set(document, picture.map(), &labels);
+    let (name, limit_mb) = (path.display(), MAX_FILE_BYTES / 1_000_000);
+    let is_readable = text.len() <= MAX_FILE_BYTES;
+    ensure!(
+        is_readable,
+        "{name} would be larger than the {limit_mb} MB that can be opened; simplify the drawing"
+    );
     files::warn(path, &notes.to_string());
     files::write(path, text.as_bytes())
 }

@@ -146,6 +146,7 @@ fn calls_that_make_no_sense() {
     refused_call(&folder, &saved, "no/s.scumble cannot be written");
     assert!(!folder.names().contains(&"o.png".to_owned()), "no picture without its work");
     refused_call(&folder, &["color", "d.svg", "--scribbles", "s.json", "-o", "."], "cannot be written");
+    refused_call(&folder, &["color", "d.scumble", "--scribbles", "s.json", "-o", "o.png"], "scumble render");
     refused_call(&folder, &["color", "d.svg", "--scribbles", "s.json", "-o", "o.jpg"], "ends in .png");
     refused_call(&folder, &["corpus", ".", "--take", "0"], "above zero");
     refused_call(&folder, &["corpus", "nowhere"], "nowhere cannot be read");
@@ -162,13 +163,33 @@ fn a_picture_that_is_there_stays_as_it_was() {
 }
 
 #[test]
-fn what_may_not_be_written_to_stays_as_it_was() {
-    let folder =
-        Folder::new("bad-read-only").with("d.svg", CIRCLE).with("s.json", INSIDE).with("o.png", "old");
-    let path = folder.path().join("o.png");
+fn a_picture_whose_work_cannot_be_written_stays_as_it_was() {
+    let folder = Folder::new("bad-work").with("d.svg", CIRCLE).with("s.json", INSIDE).with("o.png", "old");
+    let folder = folder.with("w.scumble", "old");
+    let path = read_only(&folder, "w.scumble");
+    let color = ["color", "d.svg", "--scribbles", "s.json", "-o", "o.png", "--save"];
+    refused_call(&folder, &[&color[..], &["w.scumble"]].concat(), "is read-only");
+    std::fs::remove_file(path).unwrap();
+    std::fs::create_dir(folder.path().join("w.scumble")).unwrap();
+    refused_call(&folder, &[&color[..], &["w.scumble"]].concat(), "it is a folder");
+    assert_eq!(folder.read("o.png"), b"old");
+    assert_eq!(folder.names(), ["d.svg", "o.png", "s.json", "w.scumble"]);
+}
+
+/// Has a file that may not be written to.
+fn read_only(folder: &Folder, name: &str) -> std::path::PathBuf {
+    let path = folder.path().join(name);
     let mut permissions = std::fs::metadata(&path).unwrap().permissions();
     permissions.set_readonly(true);
     std::fs::set_permissions(&path, permissions).unwrap();
+    path
+}
+
+#[test]
+fn what_may_not_be_written_to_stays_as_it_was() {
+    let folder =
+        Folder::new("bad-read-only").with("d.svg", CIRCLE).with("s.json", INSIDE).with("o.png", "old");
+    read_only(&folder, "o.png");
     refused_call(&folder, &["color", "d.svg", "--scribbles", "s.json", "-o", "o.png"], "is read-only");
     assert_eq!(folder.read("o.png"), b"old");
 }
