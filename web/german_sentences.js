@@ -51,14 +51,14 @@ export const sentences = {
     "die Zeichnung hat einen Verlauf oder ein Muster aus zu vielen Teilen; nimm dort eine einfache Farbe",
   "the style sheet of the drawing is too large; save the drawing with styles as attributes":
     "das Stylesheet der Zeichnung ist zu groß; sichere die Zeichnung mit Stilen als Attributen",
-  "the page of the drawing has no area; give it a viewBox or a size above zero":
-    "die Seite der Zeichnung hat keine Fläche; gib ihr eine viewBox oder eine Größe über null",
+  "the page of the drawing has no area, or is larger than 100 million units; give it another viewBox or size":
+    "die Seite der Zeichnung hat keine Fläche oder ist größer als 100 Millionen Einheiten; gib ihr eine andere viewBox oder Größe",
   "the diffusion curves have no page; give <curve_set> an image_width and an image_height above zero":
     "die Diffusionskurven haben keine Seite; gib <curve_set> eine image_width und eine image_height über null",
   "there is no diffusion curve that can be used; give each at least four control points with x and y":
     "es gibt keine brauchbare Diffusionskurve; gib jeder mindestens vier Kontrollpunkte mit x und y",
-  "the drawing has more than 100,000 curves; simplify it or split it":
-    "die Zeichnung hat mehr als 100.000 Kurven; vereinfache oder teile sie",
+  "the drawing has more than 200,000 curves; simplify it or split it":
+    "die Zeichnung hat mehr als 200.000 Kurven; vereinfache oder teile sie",
   "the drawing has no lines and no shapes to colour{}": "die Zeichnung hat keine Linien und keine Formen zum Färben{*}",
   " ({})": " ({*})",
 
@@ -80,6 +80,8 @@ export const sentences = {
   "the file is empty; choose a .scumble file that was saved": "die Datei ist leer; wähle eine gesicherte .scumble-Datei",
   "the file is larger than the {} MB that can be opened; simplify the drawing, or trace a smaller picture":
     "die Datei ist größer als die {} MB, die sich öffnen lassen; vereinfache die Zeichnung, oder nimm eine kleinere Vorlage",
+  "the file would be larger than the {} MB that can be opened; simplify the drawing, or trace a smaller picture":
+    "die Datei wäre größer als die {} MB, die sich öffnen lassen; vereinfache die Zeichnung, oder nimm eine kleinere Vorlage",
   "the file is not a Scumble file: it is no text in UTF-8; choose a .scumble file":
     "die Datei ist keine Scumble-Datei: sie ist kein Text in UTF-8; wähle eine .scumble-Datei",
   'the file is not a Scumble file: it does not say {"format": "scumble", "version": "1.0", …}; choose a .scumble file':
@@ -151,7 +153,7 @@ export const sentences = {
   "a colour #rrggbb or none before this": "davor eine Farbe #rrggbb oder none",
   "a colour #rrggbb or #rrggbbaa before this": "davor eine Farbe #rrggbb oder #rrggbbaa",
   "one path for each curve before this": "davor ein einziger Pfad für jede Kurve",
-  "a path of M, L, C and Z in capitals before this": "davor ein Pfad aus M, L, C und Z in Großbuchstaben",
+  "a path of M, L, Q, C and Z in capitals before this": "davor ein Pfad aus M, L, Q, C und Z in Großbuchstaben",
   "a name that this version knows before this; update it to open what a newer one saved":
     "davor ein Name, den diese Version kennt; aktualisiere sie, um zu öffnen, was eine neuere gesichert hat",
   "a part from 0 to 1 before this": "davor ein Teil von 0 bis 1",

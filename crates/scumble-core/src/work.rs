@@ -10,7 +10,7 @@ use crate::scribble::Scribble;
 pub const MAX_PAGES: u32 = 5000;
 
 /// Most curves of a drawing.
-pub const MAX_CURVES: usize = 100_000;
+pub const MAX_CURVES: usize = 200_000;
 
 /// Largest coordinate of a page, in page units.
 const MAX_PAGE: f64 = 1e9;

@@ -78,8 +78,10 @@ pub enum ImportError {
     /// Style sheets that take too long to apply.
     #[error("the style sheet of the drawing is too large; save the drawing with styles as attributes")]
     TooManyStyles,
-    /// Width or height is zero, negative, or no number.
-    #[error("the page of the drawing has no area; give it a viewBox or a size above zero")]
+    /// Width or height is zero, negative, or no number; or so large or small that no digits are left for what is on it.
+    #[error(
+        "the page of the drawing has no area, or is larger than 100 million units; give it another viewBox or size"
+    )]
     NoPage,
     /// Diffusion curves on a page without a size.
     #[error(
@@ -91,8 +93,8 @@ pub enum ImportError {
         "there is no diffusion curve that can be used; give each at least four control points with x and y"
     )]
     NoDiffusionCurves,
-    /// Too many diffusion curves.
-    #[error("the drawing has more than 100,000 curves; simplify it or split it")]
+    /// Too many curves.
+    #[error("the drawing has more than 200,000 curves; simplify it or split it")]
     TooManyCurves,
     /// Nothing to colour between.
     #[error("the drawing has no lines and no shapes to colour{}", but_has(.0))]
@@ -197,6 +199,12 @@ pub enum FileError {
         MAX_FILE_BYTES / 1_000_000
     )]
     TooLarge,
+    /// More bytes than could be read again.
+    #[error(
+        "the file would be larger than the {} MB that can be opened; simplify the drawing, or trace a smaller picture",
+        MAX_FILE_BYTES / 1_000_000
+    )]
+    WouldBeTooLarge,
     /// Binary data, or text in another encoding.
     #[error("the file is not a Scumble file: it is no text in UTF-8; choose a .scumble file")]
     NotText,
@@ -219,7 +227,7 @@ pub enum FileError {
         expected: &'static str,
     },
     /// Too many curves.
-    #[error("the drawing has more than 100,000 curves; simplify it or split it")]
+    #[error("the drawing has more than 200,000 curves; simplify it or split it")]
     TooManyCurves,
     /// The pen's way is too long to follow.
     #[error("the scribbles are longer than {limit_pages} pages in all; use fewer of them")]

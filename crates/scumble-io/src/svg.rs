@@ -5,6 +5,7 @@
 
 use kurbo::{Affine, BezPath, Cap, Join, Stroke};
 use roxmltree::Document;
+use scumble_core::work::MAX_CURVES;
 use scumble_core::{Curve, Drawing, Fill, Line, Rgba8};
 use usvg::{FillRule, LineCap, LineJoin, Node, Options};
 
@@ -142,10 +143,10 @@ impl Importer {
 
     fn finish(self) -> Result<Import, ImportError> {
         let Self { drawing, notes, .. } = self;
-        if drawing.curves.is_empty() {
-            Err(ImportError::NoCurves(notes))
-        } else {
-            Ok(Import { drawing: drawing.kept(), notes })
+        match drawing.curves.len() {
+            0 => Err(ImportError::NoCurves(notes)),
+            1..=MAX_CURVES => Ok(Import { drawing: drawing.kept(), notes }),
+            _ => Err(ImportError::TooManyCurves),
         }
     }
 }

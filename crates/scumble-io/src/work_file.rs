@@ -58,7 +58,7 @@ pub(crate) fn write_file_with(work: &Work, image: &[u8]) -> Result<Vec<u8>, File
         return Err(FileError::TooLong { limit_pages: MAX_PAGES });
     }
     let text = write::written(work, image);
-    if text.len() > MAX_FILE_BYTES { Err(FileError::TooLarge) } else { Ok(text.into_bytes()) }
+    if text.len() > MAX_FILE_BYTES { Err(FileError::WouldBeTooLarge) } else { Ok(text.into_bytes()) }
 }
 
 /// Reads the work that a file keeps.

@@ -68,6 +68,16 @@ fn a_page_without_area_is_refused() {
 }
 
 #[test]
+fn more_curves_than_a_file_holds_are_refused() {
+    let lines = |count: usize| svg(&format!(r#"<path d="{}" stroke="black"/>"#, "M1 1h6".repeat(count)));
+    assert_eq!(error(lines(200_001)), ImportError::TooManyCurves);
+    assert_eq!(
+        import_svg(lines(200_000).as_bytes()).map(|import| import.drawing.curves.len()).ok(),
+        Some(200_000)
+    );
+}
+
+#[test]
 fn fifty_megabytes_are_refused() {
     assert_eq!(error(svg(&LINE.repeat(50_000_000 / LINE.len()))), ImportError::TooLarge);
 }

@@ -129,7 +129,7 @@ fn what_are_no_diffusion_curves_says_so() {
 #[test]
 fn curves_made_to_hurt_are_refused() {
     let head = "<curve_set image_width=\"9\" image_height=\"9\">";
-    refused(&[head, &"<curve/>".repeat(100_001), "</curve_set>"].concat(), &ImportError::TooManyCurves);
+    refused(&[head, &"<curve/>".repeat(200_001), "</curve_set>"].concat(), &ImportError::TooManyCurves);
     refused(&[head, &" ".repeat(20_000_000), "</curve_set>"].concat(), &ImportError::TooLarge);
     let deep = [head, &"<curve>".repeat(400_000), &"</curve>".repeat(400_000), "</curve_set>"].concat();
     refused(&deep, &ImportError::NoDiffusionCurves);

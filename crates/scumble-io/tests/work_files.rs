@@ -196,9 +196,9 @@ fn what_is_no_such_file_is_refused() {
 #[test]
 fn damage_is_told_with_its_line() {
     for (members, expected) in [
-        (",\n\n\"curves\": [{\"path\": \"M 1 2 l 3 4\"}]", "a path of M, L, C and Z"),
-        (",\n\n\"curves\": [{\"path\": \"M 1 2 L 3 NaN\"}]", "a path of M, L, C and Z"),
-        (",\n\n\"curves\": [{\"path\": \"M 1 2 L 3 2e9\"}]", "a path of M, L, C and Z"),
+        (",\n\n\"curves\": [{\"path\": \"M 1 2 l 3 4\"}]", "a path of M, L, Q, C and Z"),
+        (",\n\n\"curves\": [{\"path\": \"M 1 2 L 3 NaN\"}]", "a path of M, L, Q, C and Z"),
+        (",\n\n\"curves\": [{\"path\": \"M 1 2 L 3 2e9\"}]", "a path of M, L, Q, C and Z"),
         (",\n\n\"curves\": [{\"path\": \"M 1 2 L 3 4 M 5 6 L 7 8\"}]", "one path"),
         (",\n\n\"curves\": [{\"width\": 1}]", "a path in the curve"),
         (",\n\n\"scribbles\": [{\"color\": \"#ff0000\", \"width\": 0, \"points\": [[1, 2]]}]", "above zero"),
@@ -254,8 +254,8 @@ fn limits_hold() {
             r#"{"path": "M 1 2 L 3 4"},"#.repeat(count)
         )
     };
-    assert_eq!(read(&curves(99_999)).unwrap().document.drawing.curves.len(), 100_000);
-    assert_eq!(read(&curves(100_000)).unwrap_err(), FileError::TooManyCurves);
+    assert_eq!(read(&curves(199_999)).unwrap().document.drawing.curves.len(), 200_000);
+    assert_eq!(read(&curves(200_000)).unwrap_err(), FileError::TooManyCurves);
     let zigzag = "[0, 0], [1024, 1024],".repeat(2000);
     let scribbles =
         format!(", \"scribbles\": [{{\"color\": \"none\", \"width\": 1, \"points\": [{zigzag} [0, 0]]}}]");

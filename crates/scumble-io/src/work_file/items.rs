@@ -247,7 +247,7 @@ fn read_path(json: &mut Json) -> Result<BezPath, Fault> {
             _ => None,
         };
         let Some(element) = element else {
-            return json.fault("a path of M, L, C and Z in capitals before this");
+            return json.fault("a path of M, L, Q, C and Z in capitals before this");
         };
         path.push(element);
     }
