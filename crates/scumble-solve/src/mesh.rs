@@ -7,8 +7,9 @@
 //! paper. At tips, and wherever else the solution is singular, elements have other functions.
 //!
 //! Every region is a linear system of its own. Its geometry is looked at when one of its gaps is closed or opened, its
-//! matrix is factored when the set of its coloured sides changes, and a change of colours costs two triangular
-//! solves. How much a soft source covers of a region is a system beside its own, of finer elements around its stroke alone.
+//! matrix is factored when the set of its coloured sides changes, unless undo comes back to the one before, and a change of
+//! colours costs two triangular solves. How much a soft source covers of a region is a system beside its own, of finer elements
+//! around its stroke alone.
 //! All sums are in a fixed order, so a picture is the same on every machine.
 
 mod bent;
@@ -136,6 +137,12 @@ impl MeshSolver {
         self.regions.iter().map(Region::unknown_count).sum()
     }
 
+    /// Begins the next step of what is done. Each region keeps the system that it has now, where that is not large: undo comes
+    /// back to it. It goes at the end of a step that does not change it.
+    pub fn begin_step(&mut self) {
+        self.regions.iter_mut().for_each(Region::begin_step);
+    }
+
     /// Sets up the systems of the regions whose gaps or set of coloured sides changed.
     pub fn analyse(&mut self, boundary: &Boundary) {
         now(Slices::new(self.analysing(boundary)));
@@ -144,7 +151,7 @@ impl MeshSolver {
     async fn analysing(&mut self, boundary: &Boundary) {
         self.close_gaps(&boundary.closed_gaps).await;
         let reaches = self.reaches(&boundary.sources).await;
-        let (mut pace, mut are_other) = (Pace::default(), Vec::with_capacity(self.regions.len()));
+        let mut pace = Pace::default();
         for (i, region) in (0..).zip(&mut self.regions) {
             let mut sources = Vec::new();
             for (source, reach) in boundary.sources.iter().zip(&reaches) {
@@ -153,13 +160,8 @@ impl MeshSolver {
                 }
                 pace.work(region.triangles().len()).await;
             }
-            are_other.push(region.analyse(&self.mesh, &boundary.sides, &sources).await);
+            region.analyse(&self.mesh, &boundary.sides, &sources).await;
             pace.work(region.triangles().len()).await;
-        }
-        // What undo may come back to is what the last change was of.
-        if are_other.contains(&true) {
-            let rest = self.regions.iter_mut().zip(are_other).filter(|(_, is_other)| !is_other);
-            rest.for_each(|(region, _)| region.forget_before());
         }
     }
 
@@ -454,25 +456,32 @@ mod tests {
     }
 
     #[test]
-    fn the_factor_before_the_last_change_is_kept_and_none_that_is_older() {
+    fn factors_are_kept_from_before_the_last_step_and_none_that_are_older() {
         let map = map();
         let all: Vec<_> = (0..map.side_count()).map(|i| Some([[i as f64; 4]; 3])).collect();
-        let without_half_of = |curves: &[usize]| {
+        let without_part_of = |curves: &[(usize, usize)]| {
             let mut sides = all.clone();
-            for steps in curves.iter().map(|&curve| map.steps(curve)) {
-                steps[steps.len() / 2..].iter().for_each(|step| sides[step.left.index()] = None);
+            for &(curve, parts) in curves {
+                let steps = map.steps(curve);
+                steps[steps.len() / parts..].iter().for_each(|step| sides[step.left.index()] = None);
             }
             Boundary::from(sides)
         };
-        let [none, first, both, second] = [&[][..], &[0], &[0, 1], &[1]].map(without_half_of);
+        let [none, less, first, both, second] =
+            [&[][..], &[(0, 3)], &[(0, 2)], &[(0, 2), (1, 2)], &[(1, 2)]].map(without_part_of);
         let mut solver = MeshSolver::new(map.refined().clone());
-        let mut factored_for = |boundary: &Boundary| {
-            solver.analyse(boundary);
-            let count = solver.regions.iter().filter(|region| region.is_factored()).count();
-            solver.factor().expect("factors");
+        let mut factored_for = |frames: &[&Boundary]| {
+            solver.begin_step();
+            let mut count = 0;
+            for boundary in frames {
+                solver.analyse(boundary);
+                count = solver.regions.iter().filter(|region| region.is_factored()).count();
+                solver.factor().expect("factors");
+            }
             count
         };
-        let counts = [&none, &first, &none, &first, &both, &first, &both, &second].map(&mut factored_for);
-        assert_eq!(counts, [0, 2, 3, 3, 2, 3, 3, 2]);
+        let steps =
+            [&[&none][..], &[&less, &first], &[&none], &[&first], &[&both], &[&first], &[&both], &[&second]];
+        assert_eq!(steps.map(&mut factored_for), [0, 2, 3, 3, 2, 3, 3, 2]);
     }
 }

@@ -1,6 +1,7 @@
 //! All that is derived from a document: map, labels, colour points, field. Kept, and redone where the source
 //! changed.
 
+use std::mem;
 use std::sync::Arc;
 
 use kurbo::Rect;
@@ -31,6 +32,8 @@ pub struct Picture {
     engine: Box<dyn Engine>,
     settings: Settings,
     boundary: KnownBoundary,
+    /// Number of scribbles of the last boundary.
+    scribble_count: usize,
     solver: Option<MeshSolver>,
 }
 
@@ -90,7 +93,8 @@ impl Picture {
     }
 
     fn of(map: PlanarMap, settings: Settings) -> Self {
-        Self { map, engine: settings.engine(), settings, boundary: KnownBoundary::default(), solver: None }
+        let boundary = KnownBoundary::default();
+        Self { map, engine: settings.engine(), settings, boundary, scribble_count: 0, solver: None }
     }
 
     /// The settings of the last labels.
@@ -152,7 +156,7 @@ impl Picture {
 
     async fn labelling(&mut self, scribbles: &[Scribble], settings: &Settings) -> Labels {
         let settings = settings.clamped();
-        let before = std::mem::replace(&mut self.settings, settings);
+        let before = mem::replace(&mut self.settings, settings);
         let is_other_map =
             before.gap_closing != settings.gap_closing && self.map.closing_gaps(settings.gap_closing).await;
         if is_other_map {
@@ -200,6 +204,10 @@ impl Picture {
     ) -> Slices<'a, ()> {
         Slices::new(async {
             let labels = self.labelling(scribbles, settings).await;
+            // While one is drawn, there are as many in each frame.
+            if mem::replace(&mut self.scribble_count, scribbles.len()) != scribbles.len() {
+                self.solver.iter_mut().for_each(MeshSolver::begin_step);
+            }
             self.boundary.following(&self.map, &labels, scribbles, by_hand, settings.blend).await;
         })
     }

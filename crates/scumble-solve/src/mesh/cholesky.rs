@@ -75,6 +75,10 @@ impl Factor {
         Ok(Self { columns })
     }
 
+    pub(super) fn column_count(&self) -> usize {
+        self.columns.len()
+    }
+
     pub(super) fn into_memory(self) -> Vec<TileColumn> {
         self.columns
     }

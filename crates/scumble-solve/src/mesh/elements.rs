@@ -11,13 +11,18 @@ use super::singular::{self, Powers};
 use super::substitution::TileColumn;
 use super::system::System;
 
+/// Largest factor that is kept for undo, in columns of tiles: 16 MB.
+const MOST_KEPT_COLUMNS: usize = 1 << 20;
+
 /// Elements, and their system once one is needed.
 #[derive(Debug)]
 pub(super) struct Elements {
     pub(super) dofs: Dofs,
     analysis: Option<Analysis>,
-    /// The one before, which undo comes back to.
+    /// What there was before the first change of this step, or of the last one where this one has none.
     before: Option<Analysis>,
+    /// Whether this step has changed it.
+    is_changed: bool,
 }
 
 /// What there is for one set of coloured sides.
@@ -30,29 +35,34 @@ struct Analysis {
 
 impl Elements {
     pub(super) fn new(dofs: Dofs) -> Self {
-        Self { dofs, analysis: None, before: None }
+        Self { dofs, analysis: None, before: None, is_changed: false }
     }
 
-    /// Has the system for some coloured sides, which is set up if it is neither the last one nor the one before; says whether
-    /// it is not the last one.
-    pub(super) async fn analyse(&mut self, is_colored: &[bool]) -> bool {
-        if self.is_for(is_colored) {
-            return false;
+    /// Keeps the system of the moment until the end of the step that begins.
+    pub(super) fn begin_step(&mut self) {
+        if !mem::take(&mut self.is_changed) {
+            self.before = None;
         }
-        mem::swap(&mut self.analysis, &mut self.before);
-        if !self.is_for(is_colored) {
-            self.analysis = Some(Analysis::new(&self.dofs, is_colored).await);
+    }
+
+    /// Has the system for some coloured sides, which is set up if it is neither the last one nor the one that is kept.
+    pub(super) async fn analyse(&mut self, is_colored: &[bool]) {
+        let is_other = |it: &Option<Analysis>| it.as_ref().is_none_or(|it| it.is_colored != is_colored);
+        if !is_other(&self.analysis) {
+            return;
         }
-        true
-    }
-
-    fn is_for(&self, is_colored: &[bool]) -> bool {
-        self.analysis.as_ref().is_some_and(|analysis| analysis.is_colored == is_colored)
-    }
-
-    /// Forgets the system before.
-    pub(super) fn forget_before(&mut self) {
-        self.before = None;
+        let is_first = !mem::replace(&mut self.is_changed, true);
+        if !is_other(&self.before) {
+            mem::swap(&mut self.analysis, &mut self.before);
+            return;
+        }
+        let is_small = |last: &mut Analysis| last.system.column_count() <= MOST_KEPT_COLUMNS;
+        if is_first {
+            self.before = self.analysis.take_if(is_small);
+        }
+        // What is not kept goes before more memory is asked for.
+        self.analysis = None;
+        self.analysis = Some(Analysis::new(&self.dofs, is_colored).await);
     }
 
     /// The system as of the last analysis.

@@ -79,14 +79,19 @@ impl Region {
         self.base.system().is_some_and(super::system::System::is_factored)
     }
 
-    /// Takes in the colours and the sources that shade it; sets up the systems that are needed and are not there. Says whether
-    /// it has another system for its colours now.
+    /// See [`super::MeshSolver::begin_step`].
+    pub(super) fn begin_step(&mut self) {
+        self.base.begin_step();
+    }
+
+    /// Takes in the colours and the sources that shade it; sets up the systems that are needed and are not those of
+    /// the last time.
     pub(super) async fn analyse(
         &mut self,
         mesh: &Triangulation,
         colors: &SideColors,
         sources: &[SoftSource],
-    ) -> bool {
+    ) {
         let sides = &self.base.dofs.sides;
         let color = |side: &Side| colors.get(side.id.index()).and_then(Option::as_ref);
         let given = || sides.iter().enumerate().filter_map(|(i, side)| Some((i, color(side)?)));
@@ -94,22 +99,15 @@ impl Region {
             self.given = given().map(|(i, colors)| (i, *colors)).collect();
             self.is_solved = false;
         }
-        let mut is_other = false;
         if !self.is_solved {
             self.coloring = coloring(self.given_colors());
             if self.coloring == Coloring::Blended {
                 let mut is_colored = vec![false; sides.len()];
                 self.given.iter().for_each(|(i, _)| is_colored[*i] = true);
-                is_other = self.base.analyse(&is_colored).await;
+                self.base.analyse(&is_colored).await;
             }
         }
         self.shade(mesh, sources).await;
-        is_other
-    }
-
-    /// Forgets the system that it had before the last one.
-    pub(super) fn forget_before(&mut self) {
-        self.base.forget_before();
     }
 
     async fn shade(&mut self, mesh: &Triangulation, sources: &[SoftSource]) {

@@ -38,6 +38,11 @@ impl System {
         Self { place_of, couplings: Couplings::default(), fronts, rows, factor: None }
     }
 
+    /// The size of its factor, in columns of tiles; 0 before it is factored.
+    pub(super) fn column_count(&self) -> usize {
+        self.factor.as_ref().map_or(0, Factor::column_count)
+    }
+
     /// The memory of its factor.
     pub(super) fn into_memory(self) -> Option<Vec<TileColumn>> {
         self.factor.map(Factor::into_memory)
