@@ -77,8 +77,7 @@ export class Colors {
   }
 
   async #load() {
-    await haveStyle();
-    const { Panels } = await import("./color_panels.js");
+    const [{ Panels }] = await Promise.all([import("./color_panels.js"), haveStyle()]);
     return new Panels(this.#shell());
   }
 

@@ -11,5 +11,7 @@ export function openDialog(dialog) {
 }
 
 export function closeOpen() {
-  /** @type {HTMLDialogElement | null} */ (document.querySelector("dialog[open]"))?.close();
+  // What was asked for twice may be there one over the other.
+  const open = document.querySelector("dialog:focus-within") ?? document.querySelector("dialog[open]");
+  /** @type {HTMLDialogElement | null} */ (open)?.close();
 }

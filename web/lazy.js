@@ -8,17 +8,18 @@ import { failed } from "./toolbar.js";
 let style;
 
 /** Has the style of such parts, which comes with the first one. */
-export async function haveStyle() {
+export function haveStyle() {
   style ??= new Promise((resolve, reject) => {
     const href = new URL("later.css", import.meta.url).href;
-    document.head.append(make("link", { rel: "stylesheet", href, onload: resolve, onerror: reject }));
+    const onerror = () => {
+      link.remove();
+      style = undefined;
+      reject();
+    };
+    const link = make("link", { rel: "stylesheet", href, onload: resolve, onerror });
+    document.head.append(link);
   });
-  try {
-    await style;
-  } catch (fault) {
-    style = undefined;
-    throw fault;
-  }
+  return style;
 }
 
 /**
@@ -30,8 +31,7 @@ export function lazily(fetch) {
   let loading;
   const load = async () => {
     try {
-      await haveStyle();
-      part.now = await fetch();
+      [part.now] = await Promise.all([fetch(), haveStyle()]);
     } catch (fault) {
       console.warn(fault);
       loading = undefined;

@@ -206,8 +206,7 @@ const exporting = lazily(async () => {
 
 const help = lazily(async () => {
   const { Help } = await import("./help.js");
-  const labelAll = () => label(document);
-  return new Help({ say, label: labelAll, openDialog, shortcuts: SHORTCUTS, written, haveSingles, setSingles });
+  return new Help({ say, label: () => label(document), openDialog, shortcuts: SHORTCUTS, written, haveSingles, setSingles });
 });
 
 const keyboardPen = lazily(async () => {

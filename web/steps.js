@@ -36,8 +36,7 @@ export class Steps {
   async #load() {
     if (this.#panel) return;
     try {
-      await haveStyle();
-      const { History } = await import("./history.js");
+      const [{ History }] = await Promise.all([import("./history.js"), haveStyle()]);
       this.#panel ??= new History({ say, history: () => this.#engine.history(), go: (place) => this.#go(place) });
       this.#panel.open();
     } catch (fault) {

@@ -34,7 +34,10 @@ const STATES = {
     await editor.click("Help");
     await editor.tab.waitFor(`document.getElementById("help").open`);
   },
-  export: (editor) => editor.click("Export"),
+  export: async (editor) => {
+    await editor.click("Export");
+    await editor.tab.waitFor(`document.getElementById("export").open`);
+  },
 };
 
 /** @typedef {{renderer?: "webgpu" | "webgl", size?: readonly [number, number], isDark?: boolean, isFirst?: boolean}} Window */

@@ -5,7 +5,7 @@
 //! | `index.html` | as in the repository, but for indentation and comments, and that it names files of the version's folder |
 //! | `worker.js` | the service worker, which keeps all files of this version |
 //! | `v-…/` | the version's folder, with all of the following; see [`version`] |
-//! | `web/` | icons, what makes the page installable, style sheet, and all scripts, minified: as one, but for those that are fetched when they are needed |
+//! | `web/` | icons, what makes the page installable, style sheets and scripts, minified: one of each, but for those that are fetched when they are needed |
 //! | `pkg/webgpu/`, `pkg/webgl/` | the editor as wasm, built twice, each with its JavaScript |
 //! | `pkg/files/` | what only files and links need, likewise |
 //! | `samples/` | the drawings that the page offers, bare and coloured, with thumbnails, `index.json` and licences |
