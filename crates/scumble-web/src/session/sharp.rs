@@ -13,16 +13,11 @@ use crate::solver::{HALF_STEP, WHOLE_PX};
 /// What is seen is followed so much farther on each side, as a part of its size, for the next steps of a pan.
 const AHEAD: f64 = 0.125;
 
-/// Curves bend finely enough for a canvas that is so many times as close.
-const CLOSER: f64 = 1.5;
-
 /// A part of the page.
 #[derive(Debug)]
 pub(super) struct Sharp {
     pub(super) problem: GridProblem,
     px_per_du: f64,
-    /// What curves bend for: pixels of the canvas in a du.
-    seen_px_per_du: f64,
     /// It serves while what is seen lies within.
     within_du: Rect,
 }
@@ -46,16 +41,12 @@ impl Session {
         let page_du = self.document().drawing.frame();
         let seen_du = self.viewport.view().seen_du();
         let within_du = ahead(seen_du, AHEAD).intersect(page_du);
-        let seen_px_per_du = self.moment().px_per_du;
-        let serves = |it: &Sharp| {
-            Some(it.px_per_du) == px_per_du
-                && seen_px_per_du <= CLOSER * it.seen_px_per_du
-                && holds(it.within_du, seen_du.intersect(page_du))
-        };
+        let serves =
+            |it: &Sharp| Some(it.px_per_du) == px_per_du && holds(it.within_du, seen_du.intersect(page_du));
         if self.sharp.as_ref().map_or(px_per_du.is_none(), serves) {
             return;
         }
-        let sharp = px_per_du.and_then(|px_per_du| self.made_sharp(within_du, px_per_du, seen_px_per_du));
+        let sharp = px_per_du.and_then(|px_per_du| self.made_sharp(within_du, px_per_du));
         if sharp.is_some() || self.sharp.is_some() {
             self.changed.part = true;
             self.changed.add_everywhere();
@@ -64,18 +55,18 @@ impl Session {
         self.sharp = sharp;
     }
 
-    fn made_sharp(&self, within_du: Rect, px_per_du: f64, seen_px_per_du: f64) -> Option<Sharp> {
+    fn made_sharp(&self, within_du: Rect, px_per_du: f64) -> Option<Sharp> {
         let (whole, page) = (self.problem.as_ref()?, self.page(px_per_du));
         let around_du = AROUND_PX / whole.view.px_from_du.as_coeffs()[0];
         let part_du = within_du.inflate(around_du, around_du);
         let (view, picture) = (page.part(&part_px(part_du, &page)?), &self.sheet.picture);
-        // Lines that have gone on from their map bend elsewhere.
+        // Lines that have gone on from their map bend elsewhere. Edges are as sharp as the canvas', however wide the pixels are.
         let bends = if self.sheet.has_stale_map() {
             Bends::default()
         } else {
-            picture.bends(&self.document().drawing, part_du, seen_px_per_du)
+            picture.bends(&self.document().drawing, part_du, self.moment().px_per_du)
         };
         let problem = whole.part(picture.map(), &bends, picture.boundary(), &view);
-        Some(Sharp { problem, px_per_du, seen_px_per_du, within_du })
+        Some(Sharp { problem, px_per_du, within_du })
     }
 }
