@@ -287,3 +287,50 @@ fn compare(a: &Scribble, b: &Scribble) -> Ordering {
         pairs.find_map(|(p, q)| Some(p.x.total_cmp(&q.x).then(p.y.total_cmp(&q.y))).filter(|o| o.is_ne()));
     points.unwrap_or(a.points.len().cmp(&b.points.len())).then(a.color.cmp(&b.color))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::drawing::Drawing;
+    use crate::planar_map::Sampling;
+    use crate::scribble::ScribbleKind;
+    use kurbo::{Point, Rect};
+
+    fn scribble(x: f64) -> Scribble {
+        let points = vec![Point::new(x, 10.0), Point::new(x, 20.0)];
+        Scribble { color: Paint::Clear, kind: ScribbleKind::Fill, width_du: 4.0, points }
+    }
+
+    #[test]
+    fn what_scribbles_have_that_are_still_there_is_kept() {
+        let drawing = Drawing::new(Rect::new(0.0, 0.0, 1024.0, 1024.0));
+        let map = PlanarMap::build(&drawing, &Sampling::default()).expect("a map");
+        let [a, b, c, d] = [100.0, 300.0, 500.0, 700.0].map(scribble);
+        let mut longer = b.clone();
+        longer.points.push(Point::new(310.0, 30.0));
+        for (scribbles, expected) in [
+            (vec![a.clone(), b.clone(), c.clone()], [0, 1, 2]),
+            (vec![a.clone(), b.clone()], [0, 1, NONE]),
+            (vec![a.clone(), c.clone()], [0, NONE, 1]),
+            (vec![a.clone(), d, longer, c.clone()], [0, 2, 3]),
+            (vec![c, a, b], [1, 2, NONE]),
+        ] {
+            let mut engine = Global::new(false);
+            engine.label(&map, &[100.0, 300.0, 500.0].map(scribble));
+            assert_eq!(engine.kept(&scribbles, &ranks(&scribbles)), expected);
+        }
+    }
+
+    #[test]
+    fn only_what_is_gone_is_dried_and_flooded_from_around_it() {
+        let drawing = Drawing::new(Rect::new(0.0, 0.0, 1024.0, 1024.0));
+        let map = PlanarMap::build(&drawing, &Sampling::default()).expect("a map");
+        let mut engine = Global::new(false);
+        engine.label(&map, &[100.0, 900.0].map(scribble));
+        let before = engine.flood.labels.clone();
+        engine.flood.withdraw(&map, &[0, NONE], Cost::MAX);
+        let is_gone = |label: u32| if label == 1 { NONE } else { label };
+        assert!(before.contains(&0) && before.contains(&1));
+        assert_eq!(engine.flood.labels, before.into_iter().map(is_gone).collect::<Vec<_>>());
+    }
+}
