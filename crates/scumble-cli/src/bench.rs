@@ -15,7 +15,7 @@ use std::path::Path;
 use anyhow::Context;
 use kurbo::{Affine, Vec2};
 use scumble_core::pace::now;
-use scumble_core::{Blend, Boundary, Drawing, Paint, PlanarMap, Scribble, Settings};
+use scumble_core::{Boundary, Drawing, Paint, PlanarMap, Scribble, Settings};
 use scumble_solve::Picture;
 
 use crate::clock::{Times, print_head, print_row, timed};
@@ -177,12 +177,12 @@ impl Report {
     /// The same colours by multigrid on pixels and, from scratch, by ours.
     fn baseline(&mut self, opened: &mut Opened, boundary: &Boundary) -> anyhow::Result<()> {
         let view = stages::page_view(&opened.document.drawing, SIZE_PX);
-        let both = Both::new(&mut opened.picture, boundary, &view)?;
+        let both = Both::new(&mut opened.picture, boundary, Settings::default().blend, &view)?;
         self.baseline.push(both.grid_ms);
         self.differences.add(&both.differences());
         let mut fresh = scumble_solve::MeshSolver::new(opened.picture.map().refined().clone());
         let (painted, ours_ms) = timed(|| {
-            let field = fresh.solve(boundary, Blend::Oklab)?;
+            let field = fresh.solve(boundary, Settings::default().blend)?;
             Ok::<_, scumble_solve::SolveError>(stages::paint_page(field, &[], &view, Some(PAPER)))
         });
         painted?;

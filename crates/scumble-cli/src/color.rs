@@ -72,7 +72,7 @@ pub(crate) fn run(options: &ColorOptions) -> anyhow::Result<()> {
     Ok(())
 }
 
-/// Checks that what is written is not what is read, and has a folder.
+/// Checks that the drawing may be an SVG, and that what is written is not what is read, nor one file for both, and has a folder.
 fn check_files(options: &ColorOptions) -> anyhow::Result<()> {
     for input in [&options.drawing, &options.scribbles] {
         let is_same = |output: &std::path::Path| files::is_same(input, output);
@@ -80,6 +80,8 @@ fn check_files(options: &ColorOptions) -> anyhow::Result<()> {
         let is_saved_over = options.save.as_deref().is_some_and(is_same);
         ensure!(!is_saved_over, "{} is read; name another file to save", input.display());
     }
+    let is_both = options.save.as_deref().is_some_and(|save| files::is_same(save, &options.output));
+    ensure!(!is_both, "{} is the picture; name another file to save", options.output.display());
     let is_work = matches!(&*works::extension(&options.drawing), "scumble" | "json");
     let name = options.drawing.display();
     ensure!(!is_work, "{name} is no SVG; `scumble render` makes the picture of a .scumble file");

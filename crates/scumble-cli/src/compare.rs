@@ -30,9 +30,6 @@ pub(crate) use levels::Spread;
 /// Size of the pictures.
 const SIZE_PX: u32 = 1024;
 
-/// Colours are mixed where drawings have them mixed at first.
-const BLEND: Blend = Blend::Oklab;
-
 /// Steps of Jeschke's solver: as in the paper, and many more.
 const JESCHKE_STEPS: [usize; 2] = [8, 64];
 
@@ -105,8 +102,9 @@ fn row(
     if options.half {
         uncolor_half(picture.map(), &mut boundary);
     }
-    let mut both = Both::new(picture, &boundary, view)?;
-    let referee = options.referee.then(|| graded::field(picture.map(), &boundary, BLEND)).transpose()?;
+    let blend = Settings::default().blend;
+    let mut both = Both::new(picture, &boundary, blend, view)?;
+    let referee = options.referee.then(|| graded::field(picture.map(), &boundary, blend)).transpose()?;
     let finer = finer::changes(picture.map(), &boundary, view, &both.mesh)?;
     Ok(Row {
         steps: both.steps,
@@ -115,18 +113,18 @@ fn row(
         special: both.between(Zone::Special, &both.grid, &both.mesh),
         finer,
         jeschke: JESCHKE_STEPS
-            .map(|steps| both.between(Zone::Away, &jeschke(&both.constraints, steps), &both.mesh)),
+            .map(|steps| both.between(Zone::Away, &jeschke(&both.constraints, steps, blend), &both.mesh)),
         errors: referee.map(|field| {
-            let right = levels(&centers::colors(&field, view), BLEND);
+            let right = levels(&centers::colors(&field, view), blend);
             [&both.mesh, &both.grid].map(|picture| both.between(Zone::Away, picture, &right))
         }),
     })
 }
 
-fn jeschke(constraints: &Constraints, steps: usize) -> Vec<Levels> {
+fn jeschke(constraints: &Constraints, steps: usize, blend: Blend) -> Vec<Levels> {
     let mut solver = JeschkeSolver::new(constraints);
     (0..steps).for_each(|_| solver.step());
-    levels(solver.pixels(), BLEND)
+    levels(solver.pixels(), blend)
 }
 
 /// Takes their colours from about half of the sides of curves, whole sides at a time.

@@ -27,14 +27,17 @@ pub(crate) fn write(path: &Path, bytes: &[u8]) -> anyhow::Result<()> {
     write_together(&[(path, bytes)])
 }
 
-/// Writes files under other names beside them and renames them once all are there, so that none is ever there in part, or
-/// without the others. A link is followed; what is no file, such as a pipe or a device, is written to as it is.
+/// Writes files under other names beside them and renames them once all are there, so that none is ever there in part, nor
+/// without the others, unless renaming fails. A link is followed; what is no file, such as a pipe or a device, is written to as
+/// it is, before any file is renamed.
 ///
 /// # Errors
-/// When one cannot be written; then nothing is left behind.
+/// When one cannot be written; then no file is there in part.
 pub(crate) fn write_together(files: &[(&Path, &[u8])]) -> anyhow::Result<()> {
     let unfinished = files.iter().map(|(path, bytes)| Unfinished::new(path, bytes));
-    unfinished.collect::<anyhow::Result<Vec<_>>>()?.iter().try_for_each(Unfinished::finish)
+    let mut unfinished = unfinished.collect::<anyhow::Result<Vec<_>>>()?;
+    unfinished.sort_by_key(|file| file.places.is_some());
+    unfinished.iter().try_for_each(Unfinished::finish)
 }
 
 /// Checks, before long work, that there is a folder for a file, and none in its place.

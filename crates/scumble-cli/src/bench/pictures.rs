@@ -1,4 +1,4 @@
-//! How long the picture of a drawing takes: opened, with one more scribble, and with another colour.
+//! How long the picture of a drawing takes: opened, with one more scribble, with another colour, and without it again.
 
 use scumble_core::pace::Slices;
 use scumble_core::{Document, Drawing, Paint, Scribble, Settings};
@@ -14,7 +14,7 @@ const SIZE_PX: u32 = 1024;
 const TURNS: usize = 12;
 
 /// What is timed, in the order of [`PictureTimes::rows`].
-pub(super) const ROWS: [&str; 10] = [
+pub(super) const ROWS: [&str; 11] = [
     "drawing to picture, one scribble",
     "drawing to picture, all scribbles",
     "  … the longest slice of it, with spread",
@@ -25,6 +25,7 @@ pub(super) const ROWS: [&str; 10] = [
     "  … of which factor",
     "it is recoloured (color to solve)",
     "  … of which solve",
+    "it is taken back (color to solve)",
 ];
 
 /// Times of one drawing.
@@ -58,7 +59,7 @@ impl PictureTimes {
         Ok(times)
     }
 
-    /// The last scribble comes, and gets another colour.
+    /// The last scribble comes, gets another colour, and goes.
     fn last(&mut self, picture: &mut Picture, scribbles: &mut [Scribble]) -> anyhow::Result<()> {
         let others = scribbles.len().saturating_sub(1);
         let mut spread =
@@ -69,6 +70,7 @@ impl PictureTimes {
             color.0[1] ^= 0x40;
         }
         let recolored = spread(scribbles)?;
+        let undone = spread(&scribbles[..others])?;
         let times_ms = [
             drawn.total_ms(),
             drawn.color_ms,
@@ -76,6 +78,7 @@ impl PictureTimes {
             drawn.factor_ms,
             recolored.total_ms(),
             recolored.solve_ms,
+            undone.total_ms(),
         ];
         self.rows[4..].iter_mut().zip(times_ms).for_each(|(row, ms)| row.push(ms));
         Ok(())

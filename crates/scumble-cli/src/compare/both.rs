@@ -1,10 +1,9 @@
 //! The pictures that the mesh solver and the grid solver make of the same boundary.
 
-use scumble_core::{Bends, Boundary};
+use scumble_core::{Bends, Blend, Boundary};
 use scumble_solve::grid::{Constraints, GridSolver, TOLERANCE};
 use scumble_solve::{Picture, View, centers};
 
-use super::BLEND;
 use super::levels::{Levels, Spread, levels};
 use super::zones::{self, Zone};
 use crate::clock::timed;
@@ -26,15 +25,21 @@ pub(crate) struct Both {
     pub(super) mesh: Vec<Levels>,
     pub(super) grid: Vec<Levels>,
     zones: Vec<Zone>,
+    blend: Blend,
 }
 
 impl Both {
-    /// Has both solvers make their picture.
+    /// Has both solvers make their picture; colours are in the space `blend`.
     ///
     /// # Errors
     /// When one fails.
-    pub(crate) fn new(picture: &mut Picture, boundary: &Boundary, view: &View) -> anyhow::Result<Self> {
-        let mesh = levels(&centers::colors(picture.mesh().solve(boundary, BLEND)?, view), BLEND);
+    pub(crate) fn new(
+        picture: &mut Picture,
+        boundary: &Boundary,
+        blend: Blend,
+        view: &View,
+    ) -> anyhow::Result<Self> {
+        let mesh = levels(&centers::colors(picture.mesh().solve(boundary, blend)?, view), blend);
         let (map, bends) = (picture.map(), Bends::default());
         let constraints = Constraints::new(map, boundary, view)?.fitted(map, &bends, boundary, view);
         let ((solver, steps), grid_ms) = timed(|| {
@@ -42,9 +47,9 @@ impl Both {
             let steps = solver.solve(TOLERANCE);
             (solver, steps)
         });
-        let grid = levels(&solver.pixels(), BLEND);
+        let grid = levels(&solver.pixels(), blend);
         let zones = zones::zones(map, boundary, view, SPECIAL_PX);
-        Ok(Self { constraints, solver, steps, grid_ms, mesh, grid, zones })
+        Ok(Self { constraints, solver, steps, grid_ms, mesh, grid, zones, blend })
     }
 
     /// How far they are from each other away from curves, from their ends and junctions, and from changes of what a side is.
@@ -60,6 +65,6 @@ impl Both {
     /// The most that further steps of the grid solver change.
     pub(super) fn change_by_further_steps(&mut self) -> f64 {
         (0..FURTHER_STEPS).for_each(|_| self.solver.step());
-        Spread::of(&self.grid, &levels(&self.solver.pixels(), BLEND), |_| true).largest()
+        Spread::of(&self.grid, &levels(&self.solver.pixels(), self.blend), |_| true).largest()
     }
 }
