@@ -292,6 +292,7 @@ fn compare(a: &Scribble, b: &Scribble) -> Ordering {
 mod tests {
     use super::*;
     use crate::drawing::Drawing;
+    use crate::pace::now;
     use crate::planar_map::Sampling;
     use crate::scribble::ScribbleKind;
     use kurbo::{Point, Rect};
@@ -325,12 +326,17 @@ mod tests {
     fn only_what_is_gone_is_dried_and_flooded_from_around_it() {
         let drawing = Drawing::new(Rect::new(0.0, 0.0, 1024.0, 1024.0));
         let map = PlanarMap::build(&drawing, &Sampling::default()).expect("a map");
-        let mut engine = Global::new(false);
+        let [mut engine, mut alone] = [(); 2].map(|()| Global::new(false));
         engine.label(&map, &[100.0, 900.0].map(scribble));
+        alone.label(&map, &[scribble(100.0)]);
         let before = engine.flood.labels.clone();
+        assert!(before.contains(&0) && before.contains(&1));
         engine.flood.withdraw(&map, &[0, NONE], Cost::MAX);
         let is_gone = |label: u32| if label == 1 { NONE } else { label };
-        assert!(before.contains(&0) && before.contains(&1));
         assert_eq!(engine.flood.labels, before.into_iter().map(is_gone).collect::<Vec<_>>());
+        let costs = &engine.ground.as_ref().expect("ways").ways.costs;
+        now(Slices::new(engine.flood.run(&map, costs, &[0])));
+        assert!(!engine.flood.labels.contains(&NONE));
+        assert_eq!((engine.flood.labels, engine.flood.costs), (alone.flood.labels, alone.flood.costs));
     }
 }
