@@ -204,14 +204,10 @@ impl Report {
             ("first scribble: solve", &self.solve),
             ("paint at 1024 px", &self.paint),
             ("file to first picture at 1024 px", &self.first_picture),
-            ("a new scribble (color to solve)", &self.new_scribble),
-            ("a scribble recoloured (color to solve)", &self.recolor),
-            ("a scribble taken back (color to solve)", &self.undo),
-            ("a curve moved: map and color", &self.drag),
-            ("… and let go: from scratch (map to solve)", &self.scratch),
-            ("paint at 1024 px with all scribbles", &self.repaint),
-            ("paint at 4096 px with all scribbles", &self.repaint_large),
-        ] {
+        ]
+        .into_iter()
+        .chain(self.changes())
+        {
             print_row(name, times);
         }
         self.print_ratio();
@@ -219,6 +215,19 @@ impl Report {
             shades::print(times, width_du);
         }
         labels::print(&format!("labels, {} drawings", self.import.len()), &self.labels);
+    }
+
+    /// What comes after the first picture.
+    fn changes(&self) -> [(&'static str, &Times); 7] {
+        [
+            ("a new scribble (color to solve)", &self.new_scribble),
+            ("a scribble recoloured (color to solve)", &self.recolor),
+            ("a scribble taken back (color to solve)", &self.undo),
+            ("a curve moved: map and color", &self.drag),
+            ("… and let go: from scratch (map to solve)", &self.scratch),
+            ("paint at 1024 px with all scribbles", &self.repaint),
+            ("paint at 4096 px with all scribbles", &self.repaint_large),
+        ]
     }
 
     fn print_ratio(&self) {
@@ -229,16 +238,10 @@ impl Report {
         println!("between the two, in levels: mean, 99 %, largest {}", self.differences);
         println!();
         println!("{:<46} {:>9} {:>12}", "of medians: baseline / ours", "multigrid", "from scratch");
-        for (name, times) in [
-            ("analyse, factor, solve, paint at 1024 px", &self.beside_baseline),
-            ("a new scribble", &self.new_scribble),
-            ("a scribble recoloured", &self.recolor),
-            ("a scribble taken back", &self.undo),
-            ("a curve moved: map and color", &self.drag),
-            ("… and let go: from scratch (map to solve)", &self.scratch),
-            ("paint at 1024 px with all scribbles", &self.repaint),
-            ("paint at 4096 px with all scribbles", &self.repaint_large),
-        ] {
+        for (name, times) in [("analyse, factor, solve, paint at 1024 px", &self.beside_baseline)]
+            .into_iter()
+            .chain(self.changes())
+        {
             let [multigrid, scratch] =
                 [&self.baseline, &self.scratch].map(|baseline| baseline.median() / times.median());
             println!("{name:<46} {multigrid:9.1} {scratch:12.1}");
