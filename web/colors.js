@@ -3,7 +3,7 @@
 
 import { download } from "./files.js";
 import { formats } from "./formats.js";
-import { haveStyle } from "./lazy.js";
+import { haveRest } from "./lazy.js";
 import { say } from "./messages.js";
 import { currentColor, nameOf, swatches, used } from "./swatches.js";
 import { done, failed } from "./toolbar.js";
@@ -77,7 +77,7 @@ export class Colors {
   }
 
   async #load() {
-    const [{ Panels }] = await Promise.all([import("./color_panels.js"), haveStyle()]);
+    const [{ Panels }] = await Promise.all([import("./color_panels.js"), haveRest()]);
     return new Panels(this.#shell());
   }
 

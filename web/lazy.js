@@ -1,14 +1,18 @@
 // Parts of the page that are fetched at their first use.
 
 import { make } from "./elements.js";
-import { say } from "./messages.js";
+import { haveWords, say } from "./messages.js";
 import { failed } from "./toolbar.js";
 
 /** @type {Promise<unknown> | undefined} */
 let style;
 
-/** Has the style of such parts, which comes with the first one. */
-export function haveStyle() {
+/** Has the style and the words of such parts, which come with the first one. */
+export function haveRest() {
+  return Promise.all([haveStyle(), haveWords()]);
+}
+
+function haveStyle() {
   style ??= new Promise((resolve, reject) => {
     const href = new URL("later.css", import.meta.url).href;
     const onerror = () => {
@@ -31,7 +35,7 @@ export function lazily(fetch) {
   let loading;
   const load = async () => {
     try {
-      [part.now] = await Promise.all([fetch(), haveStyle()]);
+      [part.now] = await Promise.all([fetch(), haveRest()]);
     } catch (fault) {
       console.warn(fault);
       loading = undefined;

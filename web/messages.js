@@ -1,5 +1,5 @@
 // Every word that the page shows: a table from keys to texts. A text that needs values is a function of them. English is
-// here; what is spoken in its place is fetched.
+// here, but for what the parts say that are fetched later; what is spoken in its place is fetched, too.
 
 import { keysOf, nameKeys } from "./keys.js";
 
@@ -18,13 +18,6 @@ export const english = {
   "save": "Save",
   "recent": "Recent drawings",
   "recent-short": "Recent",
-  "recent-none": "The drawings that you work on are kept here, in this browser alone",
-  "open-kept": ({ name }) => `Open ${name}`,
-  "open-now": "Open now",
-  "damaged": "Damaged, or from a newer Scumble",
-  "delete": ({ name }) => `Delete ${name}`,
-  "delete-really": ({ name }) => `Delete ${name} from this browser? This cannot be undone.`,
-  "delete-not": "It could not be deleted: it may be open in another tab",
   "samples": "Samples",
   "export": "Export",
   "format": "Format",
@@ -32,57 +25,23 @@ export const english = {
   "svg": "SVG",
   "pdf": "PDF",
   "export-size": "Longer side in pixels",
-  "export-size-fault": "The longer side takes a whole number of pixels, from 1 to 16,384",
   "lines": "Lines",
   "transparent": "Transparent",
   "save-export": "Save file",
   "copy-picture": "Copy picture",
-  "painting": "Painting the picture",
   "cancel": "Cancel",
-  "export-stopped": "Cancelled",
   "share": "Share",
   "link": "Link",
-  "link-length": "Length of the link",
-  "link-short": ({ length }) => `${figure(length)} characters: the link fits nearly everywhere`,
-  "link-middling": ({ length }) => `${figure(length)} characters: some programs cut such links off`,
-  "link-long": ({ length }) => `${figure(length)} characters: many programs cut such links off; a file is safer`,
-  "link-too-long": "The drawing is too large for a link: save it as a file, and send that",
   "copy-link": "Copy",
   "send-link": "Send…",
   "as-file": "Save as a file",
-  "share-tracing": "The tracing image stays here: no link has it, but a file does",
-  "qr-code": "The link as a QR code",
-  "copied": "Copied",
-  "copy-yourself": "The browser does not let the page copy; the link is selected: press Ctrl+C",
   "shared-drawing": "Shared drawing",
   "opened-beside": ({ before }) => `Opened the link; Undo goes back to ${before}`,
   "undo": "Undo",
   "redo": "Redo",
   "history": "History",
   "history-start": "As opened",
-  "step-undone": ({ text }) => `${text}, undone`,
   "went-to": ({ text }) => `At: ${text}`,
-  "did-add": "Scribble added",
-  "did-shade": "Shade added",
-  "did-erase": "Erased",
-  "did-rub": "Erased in part",
-  "did-move": "Moved",
-  "did-resize": "Resized",
-  "did-reshade": "Shaded otherwise",
-  "did-recolour": "Recoloured",
-  "did-duplicate": "Duplicated",
-  "did-forward": "Brought forward",
-  "did-backward": "Sent backward",
-  "did-delete": "Deleted",
-  "did-hide": "Lines hidden",
-  "did-show": "Lines shown again",
-  "did-repaint": "Swatch recoloured",
-  "did-add-swatch": "Swatch added",
-  "did-remove-swatch": "Swatch removed",
-  "did-name-swatch": "Swatch renamed",
-  "did-order-swatches": "Palette in another order",
-  "did-take-palette": "Palette taken",
-  "did-fade": "Tracing image faded",
   "show-lines": "Show lines",
   "show-scribbles": "Show scribbles",
   "tracing": "Tracing image",
@@ -173,60 +132,12 @@ export const english = {
   "edit-palette": "Edit palette",
   "recent-colours": "Recent",
   "recent-colour": ({ color }) => `Recent: ${color}`,
-  "colour-model": "Colour model",
-  "oklch": "OKLCH",
-  "hsv": "HSV",
-  "lightness": "Lightness",
-  "chroma": "Chroma",
-  "hue": "Hue",
-  "saturation": "Saturation",
-  "square": "Saturation and value",
-  "two-dimensional": "two-dimensional slider",
-  "value": "Value",
-  "degrees": ({ degrees }) => `${degrees}°`,
-  "not-srgb": ({ text }) => `${text}, more than screens have`,
-  "hex": "Hex",
-  "hex-fault": "A colour is three or six hexadecimal digits, as #f80 or #ff8800",
-  "colour-before": "Before",
-  "eyedropper": "Pick from the screen",
-  "shades": "Shades",
-  "shade": ({ color }) => `Shade ${color}`,
-  "harmonies": "Harmonies",
-  "complementary": ({ color }) => `Complementary ${color}`,
-  "analogous": ({ color }) => `Analogous ${color}`,
-  "triadic": ({ color }) => `Triadic ${color}`,
-  "add-swatch": "Add to palette",
-  "swatches": "Swatches",
-  "swatches-note": "What is painted with a swatch follows its colour. Drag to sort, or Shift and arrow keys.",
-  "swatch-name": "Name",
-  "remove-swatch": "Remove swatch",
-  "earlier": "Move earlier",
-  "later": "Move later",
-  "sort-hue": "Sort by hue",
-  "sort-lightness": "Sort by lightness",
-  "import": "Import",
-  "import-palette": "Import palette",
-  "export-palette": "Export palette",
-  "palette-format": "Format",
-  "gpl": "GIMP (.gpl)",
-  "ase": "Adobe (.ase)",
-  "hex-list": "Hex list (.hex)",
-  "swatch-added": ({ name }) => `${name} has been added to the palette`,
-  "swatch-there": ({ name }) => `${name} was in the palette already`,
-  "swatch-removed": ({ name }) => `${name} removed from the palette`,
-  "palette-sorted": "Palette sorted",
-  "swatch-renamed": ({ name }) => `${name} is the name of the swatch now`,
-  "swatch-moved": ({ name, place }) => `${name} is number ${place} of the palette`,
-  "swatch-recoloured": ({ name }) => `Recoloured to ${name}: the swatch, and all that is painted with it`,
   "brush-size": "Brush size",
   "canvas": "Canvas",
   "canvas-instructions":
     "Draw with the pointer to scribble a colour, to shade, or to erase scribbles. Enter shows cross hairs for the keyboard, which the arrow keys move, and puts the pen down there and lifts it. N selects one scribble after the other. The arrow keys move what is selected, or the picture; Escape drops what the pointer has done since it came down, or deselects.",
   "guide": "Wheel or Space-drag moves, Ctrl+wheel zooms, ? shows all shortcuts",
   "help": "Help",
-  "guide-1": "Pick a colour and scribble inside a shape: the colour fills it. Nothing need be neat. Shade adds soft light and shadow where you draw.",
-  "guide-2": "Where a colour goes wrong, scribble there in the right one, or erase what led astray, or move it (Select). Gap closing, in Settings, is for lines with gaps.",
-  "guide-3": "The wheel or two fingers move the picture; Ctrl and the wheel, or a pinch, zoom. Undo, or a tap of two fingers, takes back anything; three fingers bring it back. Your work is kept in this browser; Export makes the picture.",
   "show-steps": "Show the first steps",
   "first-steps": "First steps",
   "step": ({ place, text }) => `Step ${place} of 3: ${text}`,
@@ -248,8 +159,6 @@ export const english = {
   "brush-smaller": "Smaller brush",
   "brush-larger": "Larger brush",
   "pen": "Draw with the keyboard: cross hairs",
-  "pen-shown": "Arrows move the cross hairs, Enter puts the pen down and lifts it, Escape leaves",
-  "pen-down": "Pen down",
   "drop": "Drop the stroke, or deselect",
   "swatch-": "Swatch",
   "swatch-0": "No colour",
@@ -262,14 +171,6 @@ export const english = {
   "reload": "Reload",
   "later-update": "Not now",
   "close": "Close",
-  "samples-credit": "Drawings marked OpenMoji are by openmoji.org, licence CC BY-SA 4.0, and so are their colourings. The others are Scumble’s own.",
-  "lines-only": "Lines only",
-  "lines-of": ({ name }) => `${name}: lines only`,
-  "kind-fruit": "Fruit and flowers",
-  "kind-animal": "Animals",
-  "kind-object": "Objects",
-  "kind-portrait": "Portraits",
-  "kind-scene": "Scenes",
 
   "red": "Red",
   "orange": "Orange",
@@ -352,7 +253,6 @@ export const english = {
   "failed": ({ sentence }) => `${sentence.charAt(0).toUpperCase()}${sentence.slice(1)}.`,
   "error-image":
     "the picture is damaged, or coded as this browser does not know it; save it again as PNG or JPEG",
-  "error-export": "the picture could not be made here; try a smaller size, or close other tabs",
   "error-read": "the file could not be read; try opening it again",
   "error-write": "the file could not be written; save again to choose another place",
   "error-formats": "what opens and saves files could not be loaded; check the connection and try again",
@@ -393,11 +293,6 @@ function things({ scribbles = 0, lines = 0 }) {
   return lines > 0 ? of(lines, "line") : "Nothing";
 }
 
-/** @param {number} number */
-function figure(number) {
-  return number.toLocaleString("en");
-}
-
 /** The table that is spoken. @type {Table} */
 let table = english;
 
@@ -410,6 +305,12 @@ export async function speak(language) {
   table = spoken.german;
   nameKeys(spoken.keys);
   document.documentElement.lang = language;
+}
+
+/** Has the words of what is fetched later, too, and puts them into the dialogs. */
+export async function haveWords() {
+  Object.assign(english, (await import("./later_messages.js")).later);
+  document.querySelectorAll("dialog").forEach(label);
 }
 
 /**

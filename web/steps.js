@@ -1,6 +1,6 @@
 // The way to the panel of the history, which is fetched when it is opened first.
 
-import { haveStyle } from "./lazy.js";
+import { haveRest } from "./lazy.js";
 import { say } from "./messages.js";
 import { done, failed } from "./toolbar.js";
 
@@ -36,7 +36,7 @@ export class Steps {
   async #load() {
     if (this.#panel) return;
     try {
-      const [{ History }] = await Promise.all([import("./history.js"), haveStyle()]);
+      const [{ History }] = await Promise.all([import("./history.js"), haveRest()]);
       this.#panel ??= new History({ say, history: () => this.#engine.history(), go: (place) => this.#go(place) });
       this.#panel.open();
     } catch (fault) {

@@ -27,7 +27,13 @@ const page = () => readFile(new URL("../../index.html", import.meta.url), "utf8"
 test("both tables have the same keys, and every label of the page", async () => {
   // The tables tell the keys of a Mac by the browser.
   Object.assign(globalThis, { navigator: globalThis.navigator ?? { platform: "" } });
-  const [{ english }, { german }] = await Promise.all([import("../../web/messages.js"), import("../../web/german.js")]);
+  const [first, { later }, { german }] = await Promise.all([
+    import("../../web/messages.js"),
+    import("../../web/later_messages.js"),
+    import("../../web/german.js"),
+  ]);
+  const english = { ...first.english, ...later };
+  assert.equal(Object.keys(english).length, Object.keys(first.english).length + Object.keys(later).length);
   assert.deepEqual(Object.keys(german).sort(), Object.keys(english).sort());
   for (const [key, text] of Object.entries(english)) assert.equal(typeof german[key], typeof text, key);
   const used = [...(await page()).matchAll(/data-(?:text|label)="([^"]+)"/g)].map(([, key]) => key);

@@ -23,6 +23,7 @@ mod fronts;
 mod layer;
 mod limit;
 mod numbering;
+mod once;
 mod order;
 mod pattern;
 mod refine;
@@ -36,13 +37,15 @@ use std::mem;
 use std::sync::Arc;
 
 use scumble_core::pace::{self, Pace, Slices, now};
-use scumble_core::{Blend, Boundary, SoftSource, Triangulation, bounds, sort};
+use scumble_core::{Blend, Boundary, SoftSource, Triangulation, sort};
 use thiserror::Error;
 
 use crate::barriers::Barriers;
 use crate::field::{Field, FieldChange, FieldTriangle, Others};
 use crate::reach::{Reach, Regions};
 use numbering::Numbering;
+pub(crate) use once::Once;
+use once::bounds_du;
 use region::Region;
 use substitution::TileColumn;
 
@@ -87,19 +90,16 @@ impl MeshSolver {
         now(Self::meshing(mesh.into(), None))
     }
 
-    /// The same in slices; if `only` for one boundary, in less time. With another it is of no use.
-    pub(crate) fn meshing(mesh: Arc<Triangulation>, only: Option<&Boundary>) -> Slices<'_, Self> {
-        Slices::new(Self::meshed(mesh, only))
+    /// The same in slices; for what is needed once in less time. For anything else that one is of no use.
+    pub(crate) fn meshing(mesh: Arc<Triangulation>, once: Option<Once<'_>>) -> Slices<'_, Self> {
+        Slices::new(Self::meshed(mesh, once))
     }
 
-    async fn meshed(mesh: Arc<Triangulation>, only: Option<&Boundary>) -> Self {
-        let closed_gaps = only.map(|boundary| boundary.closed_gaps.clone()).unwrap_or_default();
-        let colors = only.map(|boundary| &boundary.sides);
-        // Regions without colours stay paper, unless something shades them.
-        let needed = colors.filter(|_| only.is_some_and(|boundary| boundary.sources.is_empty()));
+    async fn meshed(mesh: Arc<Triangulation>, once: Option<Once<'_>>) -> Self {
+        let closed_gaps = once.map(|once| once.boundary.closed_gaps.clone()).unwrap_or_default();
         let barriers = Barriers { mesh: &mesh, closed_gaps: &closed_gaps };
-        let mut regions = numbering::regions(barriers, needed).await;
-        let numbering = Numbering::new(&mesh, &mut regions, colors).await;
+        let mut regions = numbering::regions(barriers, once).await;
+        let numbering = Numbering::new(&mesh, &mut regions, once).await;
         Self {
             mesh,
             numbering,
@@ -152,7 +152,7 @@ impl MeshSolver {
         self.close_gaps(&boundary.closed_gaps).await;
         let reaches = self.reaches(&boundary.sources).await;
         let mut pace = Pace::default();
-        for (i, region) in (0..).zip(&mut self.regions) {
+        for (i, region) in (0..).zip(&mut self.regions).filter(|(_, region)| region.is_needed()) {
             let mut sources = Vec::new();
             for (source, reach) in boundary.sources.iter().zip(&reaches) {
                 if reach.meets(&self.mesh, i, region.triangles()) {
@@ -297,8 +297,8 @@ impl MeshSolver {
                 let mut change = region.emit(barriers, is_new, places.start, own).await;
                 if is_new && are_same_regions {
                     // What was at these places is elsewhere by now.
-                    let corners = region.triangles().iter().flat_map(|&t| self.mesh.corners(t as usize));
-                    change = FieldChange { places: places.start..usize::MAX, within_du: bounds::of(corners) };
+                    let within_du = bounds_du(&self.mesh, region.triangles());
+                    change = FieldChange { places: places.start..usize::MAX, within_du };
                 }
                 self.change.add(change);
             }
@@ -352,6 +352,8 @@ mod tests {
     use kurbo::{Circle, Line, Rect, Shape};
     use scumble_core::{BlendColor, Curve, Drawing, Gap, PlanarMap, Sampling};
 
+    use crate::field::EVERYWHERE;
+
     /// A circle with two lines in it, with a gap between them, and a circle elsewhere.
     pub(super) fn map() -> PlanarMap {
         let circles = [(300.0, 300.0), (800.0, 800.0)].map(|at| Circle::new(at, 200.0).to_path(1e-6));
@@ -392,8 +394,9 @@ mod tests {
             let mut sides: Vec<_> = (0..map.side_count()).map(|i| Some([[i as f64; 4]; 3])).collect();
             map.steps(1).iter().for_each(|step| sides[step.left.index()] = disc);
             let boundary = Boundary { closed_gaps: vec![true], ..sides.into() };
-            let fields = [None, Some(&boundary)].map(|only| {
-                let mut solver = now(MeshSolver::meshing(map.refined().clone(), only));
+            let once = Once { boundary: &boundary, part_du: EVERYWHERE };
+            let fields = [None, Some(once)].map(|once| {
+                let mut solver = now(MeshSolver::meshing(map.refined().clone(), once));
                 solver.solve(&boundary, Blend::Oklab).expect("a field").triangles.clone()
             });
             assert!(!fields[0].is_empty());

@@ -11,8 +11,8 @@ use scumble_core::{
     Sampling, Scribble, Settings,
 };
 
-use crate::field::{Field, FieldChange};
-use crate::mesh::{MeshSolver, SolveError};
+use crate::field::{EVERYWHERE, Field, FieldChange};
+use crate::mesh::{MeshSolver, Once, SolveError};
 
 /// Up to here nobody sees that pieces of a curve are chords of it.
 const CLOSE_PX_PER_DU: f64 = 3.0;
@@ -35,6 +35,8 @@ pub struct Picture {
     /// Number of scribbles of the last boundary.
     scribble_count: usize,
     solver: Option<MeshSolver>,
+    /// Where it is a preview.
+    part_du: Option<Rect>,
 }
 
 impl Picture {
@@ -68,18 +70,28 @@ impl Picture {
     /// triangles give a few sides another label. Nothing but the map is known then.
     pub fn roughen(&mut self) {
         self.set_rough(true);
+        self.narrow(Some(EVERYWHERE));
     }
 
-    /// Makes a rough picture from a fine mesh again, and gives the rough field. Nothing but the map is known then.
-    pub fn refine(&mut self) -> Arc<Field> {
-        let rough = self.solver.as_mut().map(MeshSolver::take_field);
-        self.set_rough(false);
-        rough.unwrap_or_default()
+    /// Has the next field be that of the regions alone that reach into a part of the plane, in less time, if there is one.
+    pub fn narrow(&mut self, part_du: Option<Rect>) {
+        self.part_du = part_du;
     }
 
-    /// Whether it is rough.
-    pub fn is_rough(&self) -> bool {
-        self.map.is_rough()
+    /// Whether the next field is rough, or that of a part.
+    pub fn is_preview(&self) -> bool {
+        self.part_du.is_some()
+    }
+
+    /// Makes a preview a whole picture again, from a fine mesh, and gives its field and where that is. Of a rough one nothing but
+    /// the map is known then, of another no mesh.
+    pub fn complete(&mut self) -> Option<(Rect, Arc<Field>)> {
+        let part_du = self.part_du.take()?;
+        let field = self.solver.take().map(|mut solver| solver.take_field());
+        if self.map.is_rough() {
+            self.set_rough(false);
+        }
+        field.map(|field| (part_du, field))
     }
 
     fn set_rough(&mut self, is_rough: bool) {
@@ -94,7 +106,15 @@ impl Picture {
 
     fn of(map: PlanarMap, settings: Settings) -> Self {
         let boundary = KnownBoundary::default();
-        Self { map, engine: settings.engine(), settings, boundary, scribble_count: 0, solver: None }
+        Self {
+            map,
+            engine: settings.engine(),
+            settings,
+            boundary,
+            scribble_count: 0,
+            solver: None,
+            part_du: None,
+        }
     }
 
     /// The settings of the last labels.
@@ -113,7 +133,7 @@ impl Picture {
         &self.map
     }
 
-    /// The solver on the refined map; meshes at the first call, or if the picture is rough at each.
+    /// The solver on the refined map; meshes at the first call, or of a preview at each.
     pub fn mesh(&mut self) -> &mut MeshSolver {
         self.mesh_and_boundary().0
     }
@@ -223,12 +243,12 @@ impl Picture {
     }
 
     async fn ready(&mut self) -> (&mut MeshSolver, &Boundary) {
-        let only = self.is_rough().then(|| self.boundary.get());
-        let solver = match self.solver.take().filter(|_| only.is_none()) {
+        let once = self.part_du.map(|part_du| Once { boundary: self.boundary.get(), part_du });
+        let solver = match self.solver.take().filter(|_| once.is_none()) {
             Some(solver) => solver,
             None => {
                 self.map.refining().await;
-                MeshSolver::meshing(self.map.refined().clone(), only).await
+                MeshSolver::meshing(self.map.refined().clone(), once).await
             }
         };
         (self.solver.insert(solver), self.boundary.get())
@@ -305,8 +325,8 @@ mod tests {
         let [mut rough, mut fine] = [(); 2].map(|()| Picture::new(&document.drawing).expect("a map"));
         rough.roughen();
         rough.update(&document).expect("a field");
-        assert!(rough.is_rough());
-        let field = rough.refine();
+        let (_, field) = rough.complete().expect("a preview");
+        assert!(!rough.is_preview());
         let expected = fine.update(&document).expect("a field");
         assert!((1..expected.triangles.len()).contains(&field.triangles.len()));
         assert!(field.triangles.iter().all(|triangle| triangle.colors == expected.triangles[0].colors));
@@ -323,9 +343,55 @@ mod tests {
         picture.roughen();
         picture.update(&document).expect("a field");
         let is_beyond = |triangle: &FieldTriangle| triangle.corners.iter().all(|corner| corner[0] > 600.0);
-        let field = picture.refine();
+        let (_, field) = picture.complete().expect("a preview");
         let mut beyond = field.triangles.iter().filter(|triangle| is_beyond(triangle));
         assert!(beyond.any(|triangle| triangle.colors.iter().any(|color| color[3] > 0.1)));
+    }
+
+    /// Three discs in a row, of which the middle one is shaded: by a stroke that begins in the first one and ends in the last one.
+    #[test]
+    fn the_regions_of_a_part_are_as_in_the_whole_picture() {
+        let circles = [200.0, 500.0, 800.0].map(|x| Circle::new((x, 500.0), 100.0).to_path(1e-6));
+        let mut document = disc();
+        document.drawing.curves = circles.map(|path| Curve { path, line: None }).into();
+        let scribble = document.scribbles[0].clone();
+        let stroke = |kind, ends: [f64; 2], level| {
+            let points = ends.map(|x| Point::new(x, 500.0)).to_vec();
+            Scribble { kind, points, color: Srgb8([level; 3]).into(), ..scribble.clone() }
+        };
+        let shade = |crosses| ScribbleKind::Shade(Shading { crosses, ..Shading::default() });
+        document.scribbles = vec![
+            stroke(ScribbleKind::Fill, [250.0, 320.0], 200),
+            stroke(ScribbleKind::Fill, [480.0, 520.0], 100),
+            stroke(ScribbleKind::Fill, [780.0, 820.0], 50),
+            stroke(shade(false), [295.0, 550.0], 0),
+            stroke(shade(true), [550.0, 850.0], 255),
+        ];
+        let mut picture = Picture::new(&document.drawing).expect("a map");
+        let whole = picture.update(&document).expect("a field").triangles.clone();
+        let mut part = |x: [f64; 2]| {
+            picture.narrow(Some(Rect::new(x[0], 490.0, x[1], 510.0)));
+            picture.solve().expect("a field");
+            let (_, field) = picture.complete().expect("a preview");
+            field.triangles.clone()
+        };
+        for (x, center) in [([480.0, 520.0], 500.0), ([870.0, 890.0], 800.0)] {
+            let is_within = |triangle: &&FieldTriangle| {
+                triangle
+                    .corners
+                    .iter()
+                    .all(|&[x, y]| (f64::from(x) - center).hypot(f64::from(y) - 500.0) < 100.1)
+            };
+            let (part, whole) = (part(x), whole.iter().filter(is_within).collect::<Vec<_>>());
+            assert!(part.len() > 10);
+            assert_eq!(part.len(), whole.len());
+            for (part, whole) in part.iter().zip(whole) {
+                assert_eq!((part.corners, part.side_edges), (whole.corners, whole.side_edges));
+                let pairs = part.colors.as_flattened().iter().zip(whole.colors.as_flattened());
+                pairs.for_each(|(a, b)| assert!((a - b).abs() < 1e-4, "{a} {b}"));
+            }
+        }
+        assert_eq!(part([2.0, 1020.0]).len(), whole.len());
     }
 
     #[test]

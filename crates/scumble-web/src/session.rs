@@ -31,6 +31,7 @@ mod making;
 mod opening;
 mod picker;
 mod pointing;
+mod preview;
 mod selecting;
 mod sharp;
 mod sheet;
@@ -40,6 +41,7 @@ use close::CloseUp;
 use gestures::{Held, Stroke};
 use making::Making;
 use opening::Coming;
+use preview::Preview;
 use sharp::Sharp;
 use sheet::{Sheet, Shelf};
 
@@ -60,8 +62,10 @@ pub struct Session {
     making: Option<Making>,
     /// How many drawings have been opened.
     opened: u32,
-    /// What is shown until the picture has been made.
-    rough: Arc<Field>,
+    /// What is shown until the picture has been made: of several the last one that serves.
+    previews: Vec<Preview>,
+    /// Which of them was shown in the last frame.
+    preview: Option<usize>,
     /// The picture from close by, as far as it is seen.
     close_up: Option<CloseUp>,
     /// What the grid solver is given, once it is to make the picture.
@@ -137,7 +141,8 @@ impl Session {
             coming: None,
             making: None,
             opened: 0,
-            rough: Arc::default(),
+            previews: Vec::new(),
+            preview: None,
             close_up: None,
             problem: None,
             sharp: None,
@@ -259,6 +264,7 @@ impl Session {
     /// Derives what is stale and shows it; does nothing where nothing has changed. Tells whether there is more to show.
     pub fn frame(&mut self, painter: &mut dyn Painter) -> bool {
         self.refresh_colors();
+        self.refresh_preview();
         self.refresh_close_up();
         self.refresh_regions();
         self.refresh_ink();
@@ -268,7 +274,7 @@ impl Session {
             let is_result = self.result_shown && regions.is_none() && !self.is_before;
             let problem = self.problem.as_ref().filter(|_| self.source == Source::Grid && is_result);
             let painting = Painting {
-                field: if is_result { self.field_shown() } else { regions.unwrap_or(&blank) },
+                field: if is_result { self.field_shown() } else { regions }.unwrap_or(&blank),
                 problem,
                 part: problem.and(self.sharp.as_ref()).map(|sharp| &sharp.problem),
                 layers: &self.layers,

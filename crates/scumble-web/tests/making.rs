@@ -3,10 +3,10 @@
 
 use std::iter;
 
-use kurbo::{BezPath, PathEl, Point, Rect};
+use kurbo::{BezPath, PathEl, Point, Rect, Vec2};
 use scumble_core::{Curve, Document, Drawing, EngineKind, Srgb8, Tone, Work, exact};
 use scumble_io::import_svg;
-use scumble_solve::{Field, Picture};
+use scumble_solve::{Field, FieldTriangle, Picture};
 use scumble_web::brush::Ink;
 use scumble_web::command::{Arranging, Command, Phase, Setting, Tool, ViewChange};
 use scumble_web::effect::{Effect, Wanted};
@@ -61,15 +61,24 @@ impl Page {
     fn of(work: Vec<u8>) -> Self {
         let session = Session::new(Srgb8([90; 3])).expect("a blank page");
         let mut page = Self { session, screen: Screen::default() };
-        page.session.command(Command::View(ViewChange::Resize {
-            size_px: [1200, 900],
-            px_per_css: 1.0,
-            corner_css: Point::ZERO,
-        }));
+        page.resize([1200, 900]);
         page.lay(work);
         page.session.command(Command::View(ViewChange::ZoomReset));
         page.rest();
         page
+    }
+
+    fn resize(&mut self, size_px: [u32; 2]) {
+        let corner_css = Point::ZERO;
+        self.session.command(Command::View(ViewChange::Resize { size_px, px_per_css: 1.0, corner_css }));
+    }
+
+    /// Has a small part of the page in view.
+    fn go_close(&mut self) {
+        self.resize([600, 450]);
+        self.session.command(Command::View(ViewChange::ZoomReset));
+        let place = self.session.css_from_du() * Point::new(100.0, 229.0);
+        self.session.command(Command::View(ViewChange::ZoomAt(place, 2.0)));
     }
 
     fn lay(&mut self, work: Vec<u8>) {
@@ -314,6 +323,97 @@ fn a_rough_picture_of_a_large_drawing_is_there_before_the_right_one_and_stays_wh
     assert!(page.screen.field == rough);
     page.rest();
     assert!(page.screen.field.triangles.len() > rough.triangles.len());
+    page.assert_right();
+}
+
+/// A page on which a drawing with regions takes long, with a scribble in view, from close by, and one elsewhere.
+fn close_by() -> Page {
+    let ends = r#"<path d="M12 90V1300M993 90V1300" fill="none" stroke="black"/></svg>"#;
+    let svg = zigzags(100).replace("</svg>", ends);
+    let drawing = import_svg(svg.as_bytes()).expect("a drawing").drawing;
+    let mut page = Page::of(exact::write(&Work::new(Document::new(drawing))));
+    page.stroke([(40.0, 685.0), (80.0, 685.0)]);
+    page.stroke([(40.0, 229.0), (80.0, 229.0)]);
+    page.go_close();
+    page.rest();
+    page
+}
+
+impl Page {
+    /// Other settings, and frames until another picture is seen; that one, and the one before.
+    fn other_field(&mut self) -> [Field; 2] {
+        let before = self.screen.field.clone();
+        self.set_spread(true);
+        while self.screen.field == before {
+            assert!(self.frame());
+        }
+        [self.screen.field.clone(), before]
+    }
+}
+
+#[test]
+fn what_is_in_view_from_close_by_is_there_before_the_rest_and_is_the_same() {
+    let mut page = close_by();
+    let [part, before] = page.other_field();
+    let away = |page: &mut Page, way: f64| {
+        page.session.command(Command::View(ViewChange::Pan(Vec2::new(0.0, way))));
+        assert!(page.session.frame(&mut page.screen), "the rest is on its way");
+    };
+    away(&mut page, -900.0);
+    assert!(page.screen.field == before);
+    away(&mut page, 900.0);
+    assert!(page.screen.field == part);
+    page.rest();
+    let whole = &page.screen.field;
+    assert!(whole.triangles.len() > part.triangles.len());
+    let canvas = Rect::new(0.0, 0.0, 600.0, 450.0);
+    let seen_du = page.session.css_from_du().inverse().transform_rect_bbox(canvas);
+    let seen = |field: &Field| -> Vec<FieldTriangle> {
+        let is_seen =
+            |triangle: &&FieldTriangle| triangle.corners.iter().any(|&[x, y]| seen_du.contains((x, y)));
+        field.triangles.iter().filter(is_seen).copied().collect()
+    };
+    let (part, whole) = (seen(&part), seen(whole));
+    assert!(part.len() > 10_000);
+    assert_eq!(part.len(), whole.len());
+    for (part, whole) in part.iter().zip(&whole) {
+        assert_eq!((part.corners, part.side_edges), (whole.corners, whole.side_edges));
+        let pairs = part.colors.as_flattened().iter().zip(whole.colors.as_flattened());
+        pairs.for_each(|(a, b)| assert!((a - b).abs() < 1e-4, "{a} {b}"));
+    }
+}
+
+#[test]
+fn who_scribbles_before_the_rest_is_there_sees_it_in_the_picture_before() {
+    let mut page = close_by();
+    let [part, before] = page.other_field();
+    page.stroke([(100.0, 241.0), (140.0, 241.0)]);
+    assert!(page.session.frame(&mut page.screen));
+    assert!(page.screen.field != part && page.screen.field.triangles.len() > before.triangles.len());
+    page.session.command(Command::Undo);
+    assert!(page.session.frame(&mut page.screen));
+    assert!(page.screen.field == part);
+    page.session.command(Command::StopMaking);
+    page.rest();
+    assert!(page.screen.field == before);
+}
+
+#[test]
+fn what_comes_into_view_while_a_large_drawing_is_opened_is_there_first() {
+    let mut page = Page::open();
+    page.lay(close_by().session.work());
+    let rough = page.first_colors();
+    page.go_close();
+    while page.screen.field == rough {
+        assert!(page.frame());
+    }
+    assert!(page.session.take_effects().contains(&Effect::Making(Wanted::Picture)));
+    let part = page.screen.field.clone();
+    page.rest();
+    assert_eq!(page.told(), Some(false));
+    page.session.command(Command::View(ViewChange::Fit));
+    page.rest();
+    assert!(page.screen.field.triangles.len() > part.triangles.len());
     page.assert_right();
 }
 

@@ -1,5 +1,6 @@
 //! How long the picture of a drawing takes: opened, with one more scribble, with another colour, and without it again.
 
+use kurbo::Rect;
 use scumble_core::pace::Slices;
 use scumble_core::{Document, Drawing, Paint, Scribble, Settings};
 use scumble_solve::Picture;
@@ -14,11 +15,12 @@ const SIZE_PX: u32 = 1024;
 const TURNS: usize = 12;
 
 /// What is timed, in the order of [`PictureTimes::rows`].
-pub(super) const ROWS: [&str; 11] = [
+pub(super) const ROWS: [&str; 12] = [
     "drawing to picture, one scribble",
     "drawing to picture, all scribbles",
     "  … the longest slice of it, with spread",
     "drawing to rough picture, all scribbles",
+    "drawing to what is in view at 400 %",
     "one more scribble (color to solve)",
     "  … of which color",
     "  … of which analyse",
@@ -48,9 +50,11 @@ impl PictureTimes {
         });
         let mut picture = opened?;
         times.rows[0].push(open_ms);
-        times.rows[1].push(picture_ms(drawing, scribbles, false)?);
+        times.rows[1].push(picture_ms(drawing, scribbles, |_| ())?);
         times.rows[2].push(longest_slice_ms(drawing, scribbles)?);
-        times.rows[3].push(picture_ms(drawing, scribbles, true)?);
+        times.rows[3].push(picture_ms(drawing, scribbles, Picture::roughen)?);
+        let in_view_du = middle(drawing.frame());
+        times.rows[4].push(picture_ms(drawing, scribbles, |picture| picture.narrow(Some(in_view_du)))?);
         let mut scribbles = scribbles.to_vec();
         for _ in 0..scribbles.len().min(TURNS) {
             scribbles.rotate_left(1);
@@ -80,25 +84,32 @@ impl PictureTimes {
             recolored.solve_ms,
             undone.total_ms(),
         ];
-        self.rows[4..].iter_mut().zip(times_ms).for_each(|(row, ms)| row.push(ms));
+        self.rows[5..].iter_mut().zip(times_ms).for_each(|(row, ms)| row.push(ms));
         Ok(())
     }
 }
 
-/// How long a picture takes, painted.
-fn picture_ms(drawing: &Drawing, scribbles: &[Scribble], is_rough: bool) -> anyhow::Result<f64> {
+/// How long a picture takes, painted, of which the map may be told what is wanted.
+fn picture_ms(
+    drawing: &Drawing,
+    scribbles: &[Scribble],
+    ask_for: impl Fn(&mut Picture),
+) -> anyhow::Result<f64> {
     let document = Document { scribbles: scribbles.to_vec(), ..Document::new(drawing.clone()) };
     let view = stages::page_view(drawing, SIZE_PX);
     let (made, picture_ms) = timed(|| {
         let mut picture = Picture::new(&document.drawing)?;
-        if is_rough {
-            picture.roughen();
-        }
+        ask_for(&mut picture);
         stages::paint_page(picture.update(&document)?, &[], &view, Some(PAPER));
         // What it takes to drop all of it is no part of the time.
         Ok::<_, anyhow::Error>(picture)
     });
     made.map(|_| picture_ms)
+}
+
+/// A sixteenth of a page.
+fn middle(page: Rect) -> Rect {
+    Rect::from_center_size(page.center(), 0.25 * page.size())
 }
 
 /// How long a page that makes the picture in slices does not answer at most, where all regions get colours.

@@ -20,7 +20,7 @@ pub(super) const NONE: u32 = u32::MAX;
 /// The triangles of one region and their unknowns, counted from 0 in each region.
 #[derive(Debug)]
 pub(super) struct Dofs {
-    /// Triangles of the mesh, in ascending order; each is an element.
+    /// Triangles of the mesh, in ascending order; each is an element, or none is.
     pub(super) triangles: Vec<u32>,
     pub(super) unknowns: Unknowns,
     /// The sides of curves that bound the region.
@@ -59,7 +59,7 @@ pub(super) struct Corner {
 }
 
 impl Dofs {
-    /// A region of so many triangles with these unknowns: finds what bounds it.
+    /// A region of so many triangles with these unknowns: finds what bounds it, if it has any.
     pub(super) async fn new(barriers: Barriers<'_>, triangles: Vec<u32>, unknowns: Unknowns) -> Self {
         let (mut sides, mut gaps, mut walls) = (Vec::new(), Vec::new(), Vec::new());
         pace::for_each(triangles.iter().zip(&unknowns.of_element), |(&t, dofs)| {

@@ -8,37 +8,30 @@ use std::mem;
 use std::sync::Arc;
 
 use scumble_core::pace::{self, Pace};
-use scumble_core::{HalfEdge, SideColors, SideId, Triangulation};
+use scumble_core::{HalfEdge, Triangulation};
 
 use super::dissection;
 use super::dofs::{Dofs, NONE, Unknowns, half_edges};
+use super::once::Once;
 use super::pattern::{Pattern, Tree};
 use crate::barriers::Barriers;
 
 /// So many triangles are copied, or marked, in the time that other things take with one.
 const CHUNK: usize = 8;
 
-/// Finds the regions of a mesh, all or those alone that get colours; their unknowns are in no order, but those at corners come first.
-pub(super) async fn regions(barriers: Barriers<'_>, only: Option<&SideColors>) -> Vec<Dofs> {
+/// Finds the regions of a mesh; those that are not needed have no elements. Unknowns are in no order, but those at corners come first.
+pub(super) async fn regions(barriers: Barriers<'_>, once: Option<Once<'_>>) -> Vec<Dofs> {
     let triangles: Vec<_> = (0..barriers.mesh.triangle_count() as u32).collect();
     let mut numbers = Numbers { barriers, of_triangle: vec![[NONE; 6]; triangles.len()], first: 0, next: 0 };
     let (mut regions, mut pace) = (Vec::new(), Pace::default());
     for triangles in barriers.regions(&triangles).await {
         pace.work(triangles.len()).await;
-        if only.is_some_and(|colors| !have_colors(barriers.mesh, &triangles, colors)) {
-            continue;
-        }
+        let is_needed = once.is_none_or(|once| once.needs(barriers.mesh, &triangles));
         numbers.next = 0;
-        let unknowns = numbers.unknowns(&triangles).await;
+        let unknowns = numbers.unknowns(if is_needed { &triangles } else { &[] }).await;
         regions.push(Dofs::new(barriers, triangles, unknowns).await);
     }
     regions
-}
-
-/// Whether any side of some triangles has a colour.
-fn have_colors(mesh: &Triangulation, triangles: &[u32], colors: &SideColors) -> bool {
-    let sides = triangles.iter().flat_map(|&t| half_edges(t)).filter_map(|h| mesh.side(h));
-    sides.map(SideId::index).any(|side| colors.get(side).is_some_and(Option::is_some))
 }
 
 /// The unknowns of a mesh of which all gaps are open, numbered in the order of elimination, region after region.
@@ -55,14 +48,14 @@ pub(super) struct Numbering {
 }
 
 impl Numbering {
-    /// Puts the unknowns of the regions of a mesh in order, all gaps being open. If `only` for these colours, those of the regions
-    /// alone where several run into each other, as gaps are: gaps and colours must stay so.
-    pub(super) async fn new(mesh: &Triangulation, regions: &mut [Dofs], only: Option<&SideColors>) -> Self {
+    /// Puts the unknowns of the regions of a mesh in order, all gaps being open. If they are needed once, those of the
+    /// regions alone where several colours run into each other, as gaps are.
+    pub(super) async fn new(mesh: &Triangulation, regions: &mut [Dofs], once: Option<Once<'_>>) -> Self {
         let mut of_triangle = vec![[NONE; 6]; mesh.triangle_count()];
         let (mut firsts, mut patterns) = (Vec::new(), Vec::new());
         let (mut first, mut pace) = (0, Pace::default());
         for region in regions {
-            if only.is_some_and(|colors| !region.blends(colors)) {
+            if once.is_some_and(|once| !region.blends(&once.boundary.sides)) {
                 continue;
             }
             let ends = region.order(&dissection::corner_rank(mesh, region).await);

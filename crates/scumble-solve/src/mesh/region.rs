@@ -70,6 +70,11 @@ impl Region {
         self.base.dofs.gaps.iter().any(|&gap| is_marked.get(gap as usize).copied().unwrap_or(false))
     }
 
+    /// Whether it is to be solved.
+    pub(super) fn is_needed(&self) -> bool {
+        self.base.dofs.unknowns.count > 0
+    }
+
     pub(super) fn unknown_count(&self) -> usize {
         self.base.dofs.unknowns.count + self.layer.as_ref().map_or(0, Layer::unknown_count)
     }

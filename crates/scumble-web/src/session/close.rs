@@ -10,7 +10,7 @@ use crate::solver::Source;
 pub(super) const CHORDS_OFF_DU: f64 = 1.0;
 
 /// What is seen is followed so much farther on each side, as a part of its size, for the next steps of a pan.
-const AHEAD: f64 = 0.25;
+pub(super) const AHEAD: f64 = 0.25;
 
 /// The colour field of a part of the page, for views up to a scale.
 #[derive(Debug)]
@@ -22,9 +22,10 @@ pub(super) struct CloseUp {
 
 impl Session {
     /// The colours as they are seen at the scale of the canvas.
-    pub(super) fn field_shown(&self) -> &Field {
-        let close_up = self.close_up.as_ref().map(|close_up| &close_up.field);
-        close_up.unwrap_or_else(|| self.sheet.picture.field().unwrap_or(&self.rough))
+    pub(super) fn field_shown(&self) -> Option<&Field> {
+        let close_up = || self.close_up.as_ref().map(|close_up| &close_up.field);
+        let whole = || self.sheet.picture.field().map(|field| &**field);
+        self.preview_shown().or_else(close_up).or_else(whole)
     }
 
     /// Follows the colours and the view. The part stays as long as it serves, so that what is seen does not change under a

@@ -1,11 +1,10 @@
 //! The colours of the picture: those of the sides, and what a solver makes of them.
 
 use std::mem::take;
-use std::sync::Arc;
 
 use scumble_core::Document;
+use scumble_solve::FieldChange;
 use scumble_solve::grid::GridProblem;
-use scumble_solve::{Field, FieldChange};
 
 use super::Session;
 use super::close::CHORDS_OFF_DU;
@@ -101,9 +100,9 @@ impl Session {
         }
     }
 
-    /// Another picture is shown; a rough one until the right one has been made.
-    pub(super) fn show_other(&mut self, rough: Arc<Field>) {
-        self.rough = rough;
+    /// Another picture is shown.
+    pub(super) fn show_other(&mut self) {
+        self.previews.clear();
         self.changed.field = FieldChange::ALL;
         self.stale.view = true;
     }

@@ -1,42 +1,51 @@
 //! Another picture of the drawing in work, for other lines, another map or another engine. Where that takes long it is made in
 //! slices, beside the one that is shown: the page goes on, and can go back to what was.
 
-use std::sync::Arc;
+use std::rc::Rc;
 
 use scumble_core::pace::Slices;
 use scumble_core::{Document, MapError, Settings};
 use scumble_solve::Picture;
 
 use super::Session;
+use super::preview::{Part, Preview, State};
 use super::sheet::Sheet;
 use crate::effect::{Effect, Wanted};
 use crate::solver::{Moment, PIECES_IN_HAND, Source};
 
-/// The picture of a drawing with more pieces takes so long that a rough one is shown before it.
-const ROUGH_FIRST_PIECES: usize = 30_000;
+/// The picture of a drawing with more pieces takes so long that others are shown before it.
+const MANY_PIECES: usize = 30_000;
 
 /// Makes all that the first picture of a document takes, from a map: its boundary, and where it comes from a mesh, its field.
 /// What fails is told of when the picture is shown, with the lines.
-pub(super) async fn make(picture: &mut Picture, document: &Document, is_meshed: bool) {
+pub(super) async fn make(picture: &mut Picture, document: &Document, is_meshed: bool, part: &Part) {
     let Document { scribbles, color_points, settings, .. } = document;
     picture.coloring(scribbles, color_points, settings).await;
     if is_meshed {
+        if !picture.is_preview() && !picture.has_mesh() && has_many_pieces(picture) {
+            picture.narrow(part.get());
+        }
         let _ = picture.solving().await;
     }
 }
 
-fn has_colors(document: &Document) -> bool {
+fn has_many_pieces(picture: &Picture) -> bool {
+    picture.map().pieces().len() > MANY_PIECES
+}
+
+pub(super) fn has_colors(document: &Document) -> bool {
     !(document.scribbles.is_empty() && document.color_points.is_empty())
 }
 
 /// A picture on its way.
 #[derive(Debug)]
 pub(super) struct Making {
-    /// The revisions of the lines, and of the document, that it is for.
+    /// The revision of the lines that it is for.
     lines: u32,
-    revision: u32,
-    /// Whether a gesture was in hand then, whose states have no revisions.
-    is_in_hand: bool,
+    /// And that of the document.
+    state: State,
+    /// What of it is to be made first.
+    part: Rc<Part>,
     picture: Slices<'static, Result<Picture, MapError>>,
 }
 
@@ -45,21 +54,21 @@ impl Making {
     fn new(sheet: &Sheet, known: Option<Picture>, is_meshed: impl Fn(&Picture) -> bool + 'static) -> Self {
         let document = sheet.editor.document().clone();
         let is_first = known.is_none() && !sheet.is_made() && has_colors(&document);
+        let part = Rc::<Part>::default();
+        let first = part.clone();
         let picture = Slices::new(async move {
             let mut picture = match known {
                 Some(picture) => picture,
                 None => Picture::mapping(&document.drawing).await?,
             };
-            if is_first && picture.map().pieces().len() > ROUGH_FIRST_PIECES {
+            if is_first && has_many_pieces(&picture) {
                 picture.roughen();
             }
-            let is_meshed = picture.is_rough() || is_meshed(&picture);
-            make(&mut picture, &document, is_meshed).await;
+            let is_meshed = picture.is_preview() || is_meshed(&picture);
+            make(&mut picture, &document, is_meshed, &first).await;
             Ok(picture)
         });
-        let editor = &sheet.editor;
-        let (lines, revision) = (editor.lines_revision(), editor.revision());
-        Self { lines, revision, is_in_hand: editor.is_in_hand(), picture }
+        Self { lines: sheet.editor.lines_revision(), state: State::of(&sheet.editor), part, picture }
     }
 }
 
@@ -120,10 +129,13 @@ impl Session {
                 self.make_from(known);
             }
             None => {}
-            Some(Making { revision, is_in_hand, picture, .. }) => match picture.go_on() {
-                Err(picture) => self.making = Some(Making { lines, revision, is_in_hand, picture }),
-                Ok(picture) => self.end_making(picture, revision, is_in_hand),
-            },
+            Some(Making { state, part, picture, .. }) => {
+                part.set(self.part_first());
+                match picture.go_on() {
+                    Err(picture) => self.making = Some(Making { lines, state, part, picture }),
+                    Ok(picture) => self.end_making(picture, state),
+                }
+            }
         }
         self.making.is_some()
     }
@@ -134,18 +146,17 @@ impl Session {
         self.making = Some(Making::new(&self.sheet, known, is_meshed));
     }
 
-    fn end_making(&mut self, picture: Result<Picture, MapError>, revision: u32, is_in_hand: bool) {
+    fn end_making(&mut self, picture: Result<Picture, MapError>, state: State) {
         match picture {
-            Ok(mut picture) if picture.is_rough() => {
-                let rough = picture.refine();
-                if has_colors(self.document()) {
-                    self.show_other(rough);
+            Ok(mut picture) if picture.is_preview() => {
+                if let Some((part_du, field)) = picture.complete() {
+                    self.previews.push(Preview { state, part_du, field });
                 }
                 self.make_from(Some(picture));
             }
             // What was done meanwhile may take as long.
-            Ok(picture) if revision != self.sheet.editor.revision() => self.make_from(Some(picture)),
-            Ok(picture) => self.show_made(picture, is_in_hand),
+            Ok(picture) if state.revision != self.sheet.editor.revision() => self.make_from(Some(picture)),
+            Ok(picture) => self.show_made(picture, state.is_in_hand),
             Err(error) => self.take_back(&error),
         }
     }
@@ -179,6 +190,7 @@ impl Session {
             self.find_pictured();
         }
         (self.held, self.making) = (None, None);
+        self.show_other();
         self.scribbles_changed();
         self.forget_missing();
         self.tell(Effect::MakingStopped);
@@ -199,8 +211,7 @@ impl Session {
         let lines = self.sheet.editor.lines_revision();
         let is_solved = picture.take_change().is_any();
         self.sheet.take_picture(picture, lines);
-        // A rough one goes, also where the right one cannot be solved.
-        self.show_other(Arc::default());
+        self.show_other();
         self.scribbles_changed();
         if !was_in_hand && !self.sheet.editor.is_in_hand() {
             (self.stale.boundary, self.stale.field) = (false, !is_solved);

@@ -7,6 +7,7 @@ use scumble_solve::Picture;
 
 use super::Session;
 use super::making;
+use super::preview::Part;
 use super::sheet::Sheet;
 use crate::effect::Effect;
 
@@ -43,7 +44,7 @@ async fn sheet_of(
     }
     let mut picture = Picture::mapping(&work.document.drawing).await?;
     let is_meshed = is_meshed(&picture);
-    making::make(&mut picture, &work.document, is_meshed).await;
+    making::make(&mut picture, &work.document, is_meshed, &Part::default()).await;
     Ok(Box::new(Sheet::new(number, work, picture)))
 }
 

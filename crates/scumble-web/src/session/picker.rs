@@ -34,7 +34,9 @@ impl Session {
         }
         self.refresh_field();
         self.refresh_close_up();
-        color_at(place, &Scene { paper: Some(PAPER), field: self.field_shown(), shapes: &[] }).0
+        let blank = Field::default();
+        let field = self.field_shown().unwrap_or(&blank);
+        color_at(place, &Scene { paper: Some(PAPER), field, shapes: &[] }).0
     }
 
     /// The colours under the first points of some scribbles, by their indices in ascending order, in the picture without all
@@ -70,7 +72,7 @@ impl Session {
         self.refresh_ink();
         let (shapes, blank) = (self.layers.ink(), Field::default());
         let (_, ink) = color_at(place, &Scene { paper: None, field: &blank, shapes });
-        let field = if self.result_shown { self.field_shown() } else { &blank };
+        let field = self.field_shown().filter(|_| self.result_shown).unwrap_or(&blank);
         let (painted, _) = color_at(place, &Scene { paper: Some(PAPER), field, shapes });
         self.scribble_shown(place).filter(|_| ink < HALF).unwrap_or(painted.into())
     }

@@ -1,7 +1,6 @@
 //! The drawing in work, and those that it was opened over.
 
 use std::mem::{replace, take};
-use std::sync::Arc;
 
 use scumble_core::work::Item;
 use scumble_core::{Document, Drawing, Editor, MapError, PlanarMap, Work};
@@ -165,7 +164,7 @@ impl Session {
         (self.held, self.making) = (None, None);
         self.select(Selection::default());
         self.viewport.show_page(sheet.editor.document().drawing.frame());
-        self.show_other(Arc::default());
+        self.show_other();
         self.stale = Stale::ALL;
         let before = replace(&mut self.sheet, sheet);
         if self.lacks_map() {
