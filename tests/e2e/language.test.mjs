@@ -41,6 +41,25 @@ test("both tables have the same keys, and every label of the page", async () => 
   assert.deepEqual(used.filter((key) => !(key in english)), []);
 });
 
+test("no word that is fetched later is said before", async () => {
+  const { later } = await import("../../web/later_messages.js");
+  const outside = (await page()).replace(/<dialog[^]*?<\/dialog>/g, "");
+  const said = [outside, ...(await firstModules())].flatMap((text) => [...text.matchAll(/"([^"\n]+)"/g)].map(([, key]) => key));
+  assert.ok(["undo", "degrees", "step-1"].every((key) => said.includes(key)));
+  assert.deepEqual(said.filter((key) => key in later), []);
+});
+
+/** The modules that the page has from the start: those that they import by name. */
+async function firstModules(found = new Map(), file = "main.js") {
+  const text = await readFile(new URL(`../../web/${file}`, import.meta.url), "utf8");
+  found.set(file, text);
+  for (const [, next] of text.matchAll(/^import .* from "\.\/(.+)";$/gm)) {
+    if (!found.has(next)) await firstModules(found, next);
+  }
+  found.delete("messages.js");
+  return found.values();
+}
+
 test("each sample has a name in the tables", async () => {
   const { english } = await import("../../web/messages.js");
   const samples = JSON.parse(await readFile(`${DIST}/${await version()}/samples/index.json`, "utf8"));

@@ -90,7 +90,7 @@ impl MeshSolver {
         now(Self::meshing(mesh.into(), None))
     }
 
-    /// The same in slices; for what is needed once in less time. For anything else that one is of no use.
+    /// The same in slices. For what is needed once it takes less time, and the solver is of no use for anything else.
     pub(crate) fn meshing(mesh: Arc<Triangulation>, once: Option<Once<'_>>) -> Slices<'_, Self> {
         Slices::new(Self::meshed(mesh, once))
     }

@@ -35,7 +35,7 @@ pub struct Picture {
     /// Number of scribbles of the last boundary.
     scribble_count: usize,
     solver: Option<MeshSolver>,
-    /// Where it is a preview.
+    /// See [`Picture::part_du`].
     part_du: Option<Rect>,
 }
 
@@ -73,14 +73,14 @@ impl Picture {
         self.narrow(Some(EVERYWHERE));
     }
 
-    /// Has the next field be that of the regions alone that reach into a part of the plane, in less time, if there is one.
+    /// Has the next field be that of the regions alone that come near a part of the plane, in du, in less time; or of all.
     pub fn narrow(&mut self, part_du: Option<Rect>) {
         self.part_du = part_du;
     }
 
-    /// Whether the next field is rough, or that of a part.
-    pub fn is_preview(&self) -> bool {
-        self.part_du.is_some()
+    /// Which part of the plane the next field is that of, in du, where it is to be a preview.
+    pub fn part_du(&self) -> Option<Rect> {
+        self.part_du
     }
 
     /// Makes a preview a whole picture again, from a fine mesh, and gives its field and where that is. Of a rough one nothing but
@@ -326,7 +326,7 @@ mod tests {
         rough.roughen();
         rough.update(&document).expect("a field");
         let (_, field) = rough.complete().expect("a preview");
-        assert!(!rough.is_preview());
+        assert_eq!(rough.part_du(), None);
         let expected = fine.update(&document).expect("a field");
         assert!((1..expected.triangles.len()).contains(&field.triangles.len()));
         assert!(field.triangles.iter().all(|triangle| triangle.colors == expected.triangles[0].colors));

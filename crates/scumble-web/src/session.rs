@@ -66,6 +66,8 @@ pub struct Session {
     previews: Vec<Preview>,
     /// Which of them was shown in the last frame.
     preview: Option<usize>,
+    /// How often what colours the picture has changed.
+    colorings: u32,
     /// The picture from close by, as far as it is seen.
     close_up: Option<CloseUp>,
     /// What the grid solver is given, once it is to make the picture.
@@ -143,6 +145,7 @@ impl Session {
             opened: 0,
             previews: Vec::new(),
             preview: None,
+            colorings: 0,
             close_up: None,
             problem: None,
             sharp: None,
@@ -264,8 +267,8 @@ impl Session {
     /// Derives what is stale and shows it; does nothing where nothing has changed. Tells whether there is more to show.
     pub fn frame(&mut self, painter: &mut dyn Painter) -> bool {
         self.refresh_colors();
-        self.refresh_preview();
         self.refresh_close_up();
+        self.refresh_previews();
         self.refresh_regions();
         self.refresh_ink();
         if take(&mut self.stale.view) {
@@ -344,7 +347,7 @@ impl Session {
         let before = editor.document().settings;
         editor.set_settings(setting.put_into(before));
         if editor.document().settings != before {
-            self.stale.colors();
+            self.colors_changed();
         }
     }
 
@@ -400,8 +403,13 @@ impl Session {
     }
 
     fn scribbles_changed(&mut self) {
-        self.stale.colors();
+        self.colors_changed();
         self.stale.scribbles = true;
+    }
+
+    fn colors_changed(&mut self) {
+        self.colorings += 1;
+        self.stale.colors();
     }
 
     fn px_per_du(&self) -> f64 {

@@ -340,10 +340,17 @@ fn close_by() -> Page {
 }
 
 impl Page {
-    /// Other settings, and frames until another picture is seen; that one, and the one before.
-    fn other_field(&mut self) -> [Field; 2] {
+    /// See [`Page::assert_right`].
+    fn assert_right_from_afar(&mut self) {
+        self.session.command(Command::View(ViewChange::Fit));
+        self.rest();
+        self.assert_right();
+    }
+
+    /// Another setting, and frames until another picture is seen; that one, and the one before.
+    fn other_field(&mut self, setting: Setting) -> [Field; 2] {
         let before = self.screen.field.clone();
-        self.set_spread(true);
+        self.session.command(Command::Set(setting));
         while self.screen.field == before {
             assert!(self.frame());
         }
@@ -354,7 +361,7 @@ impl Page {
 #[test]
 fn what_is_in_view_from_close_by_is_there_before_the_rest_and_is_the_same() {
     let mut page = close_by();
-    let [part, before] = page.other_field();
+    let [part, before] = page.other_field(Setting::Spread(true));
     let away = |page: &mut Page, way: f64| {
         page.session.command(Command::View(ViewChange::Pan(Vec2::new(0.0, way))));
         assert!(page.session.frame(&mut page.screen), "the rest is on its way");
@@ -386,16 +393,43 @@ fn what_is_in_view_from_close_by_is_there_before_the_rest_and_is_the_same() {
 #[test]
 fn who_scribbles_before_the_rest_is_there_sees_it_in_the_picture_before() {
     let mut page = close_by();
-    let [part, before] = page.other_field();
+    let [part, before] = page.other_field(Setting::Spread(true));
     page.stroke([(100.0, 241.0), (140.0, 241.0)]);
     assert!(page.session.frame(&mut page.screen));
     assert!(page.screen.field != part && page.screen.field.triangles.len() > before.triangles.len());
     page.session.command(Command::Undo);
     assert!(page.session.frame(&mut page.screen));
-    assert!(page.screen.field == part);
-    page.session.command(Command::StopMaking);
-    page.rest();
     assert!(page.screen.field == before);
+    page.rest();
+    page.assert_right_from_afar();
+}
+
+#[test]
+fn what_is_in_view_of_another_picture_is_there_once_for_each_and_goes_with_what_asked_for_it() {
+    let mut page = close_by();
+    let before = page.screen.field.clone();
+    for leave in [Command::StopMaking, Command::Undo] {
+        let [part, _] = page.other_field(Setting::Spread(true));
+        assert!(part.triangles.len() > before.triangles.len());
+        page.session.command(leave);
+        assert!(!page.session.frame(&mut page.screen));
+        assert!(page.screen.field == before);
+    }
+}
+
+#[test]
+fn a_slider_that_stops_shows_what_is_in_view_and_goes_on_showing_it_when_let_go_of() {
+    let mut page = close_by();
+    let [part, _] = page.other_field(Setting::GapClosing(1.0));
+    page.session.command(Command::Settle);
+    assert!(page.session.frame(&mut page.screen));
+    assert!(page.screen.field == part);
+    page.session.command(Command::Set(Setting::GapClosing(0.25)));
+    assert!(page.session.frame(&mut page.screen));
+    assert!(page.screen.field != part);
+    page.session.command(Command::Settle);
+    page.rest();
+    page.assert_right_from_afar();
 }
 
 #[test]
@@ -411,10 +445,8 @@ fn what_comes_into_view_while_a_large_drawing_is_opened_is_there_first() {
     let part = page.screen.field.clone();
     page.rest();
     assert_eq!(page.told(), Some(false));
-    page.session.command(Command::View(ViewChange::Fit));
-    page.rest();
     assert!(page.screen.field.triangles.len() > part.triangles.len());
-    page.assert_right();
+    page.assert_right_from_afar();
 }
 
 #[test]

@@ -59,7 +59,7 @@ pub(super) struct Corner {
 }
 
 impl Dofs {
-    /// A region of so many triangles with these unknowns: finds what bounds it, if it has any.
+    /// A region of so many triangles with these unknowns: finds what bounds it, if it has unknowns.
     pub(super) async fn new(barriers: Barriers<'_>, triangles: Vec<u32>, unknowns: Unknowns) -> Self {
         let (mut sides, mut gaps, mut walls) = (Vec::new(), Vec::new(), Vec::new());
         pace::for_each(triangles.iter().zip(&unknowns.of_element), |(&t, dofs)| {

@@ -48,8 +48,8 @@ pub(super) struct Numbering {
 }
 
 impl Numbering {
-    /// Puts the unknowns of the regions of a mesh in order, all gaps being open. If they are needed once, those of the
-    /// regions alone where several colours run into each other, as gaps are.
+    /// Puts the unknowns of the regions of a mesh in order, all gaps being open. For what is needed once, those of the
+    /// regions alone where several of its colours run into each other, its gaps being closed.
     pub(super) async fn new(mesh: &Triangulation, regions: &mut [Dofs], once: Option<Once<'_>>) -> Self {
         let mut of_triangle = vec![[NONE; 6]; mesh.triangle_count()];
         let (mut firsts, mut patterns) = (Vec::new(), Vec::new());

@@ -1,14 +1,15 @@
 //! Another picture of the drawing in work, for other lines, another map or another engine. Where that takes long it is made in
 //! slices, beside the one that is shown: the page goes on, and can go back to what was.
 
+use std::cell::Cell;
 use std::rc::Rc;
 
+use kurbo::Rect;
 use scumble_core::pace::Slices;
 use scumble_core::{Document, MapError, Settings};
 use scumble_solve::Picture;
 
 use super::Session;
-use super::preview::{Part, Preview, State};
 use super::sheet::Sheet;
 use crate::effect::{Effect, Wanted};
 use crate::solver::{Moment, PIECES_IN_HAND, Source};
@@ -16,13 +17,16 @@ use crate::solver::{Moment, PIECES_IN_HAND, Source};
 /// The picture of a drawing with more pieces takes so long that others are shown before it.
 const MANY_PIECES: usize = 30_000;
 
-/// Makes all that the first picture of a document takes, from a map: its boundary, and where it comes from a mesh, its field.
-/// What fails is told of when the picture is shown, with the lines.
+/// The part of the plane that is to be made first of very many pieces, if any is, in du.
+pub(super) type Part = Cell<Option<Rect>>;
+
+/// Makes all that the first picture of a document takes, from a map: its boundary, and where it comes from a mesh, its field, or
+/// a preview of that. What fails is told of when the picture is shown, with the lines.
 pub(super) async fn make(picture: &mut Picture, document: &Document, is_meshed: bool, part: &Part) {
     let Document { scribbles, color_points, settings, .. } = document;
     picture.coloring(scribbles, color_points, settings).await;
     if is_meshed {
-        if !picture.is_preview() && !picture.has_mesh() && has_many_pieces(picture) {
+        if picture.part_du().is_none() && !picture.has_mesh() && has_many_pieces(picture) {
             picture.narrow(part.get());
         }
         let _ = picture.solving().await;
@@ -40,18 +44,25 @@ pub(super) fn has_colors(document: &Document) -> bool {
 /// A picture on its way.
 #[derive(Debug)]
 pub(super) struct Making {
-    /// The revision of the lines that it is for.
+    /// The revisions of the lines, and of the document, that it is for.
     lines: u32,
-    /// And that of the document.
-    state: State,
-    /// What of it is to be made first.
+    revision: u32,
+    /// Whether a gesture was in hand then, whose states have no revisions.
+    is_in_hand: bool,
+    /// How often colours had changed.
+    pub(super) colorings: u32,
     part: Rc<Part>,
     picture: Slices<'static, Result<Picture, MapError>>,
 }
 
 impl Making {
     /// From a picture of the same lines, if there is one; the first one of very many pieces is to be rough.
-    fn new(sheet: &Sheet, known: Option<Picture>, is_meshed: impl Fn(&Picture) -> bool + 'static) -> Self {
+    fn new(
+        sheet: &Sheet,
+        colorings: u32,
+        known: Option<Picture>,
+        is_meshed: impl Fn(&Picture) -> bool + 'static,
+    ) -> Self {
         let document = sheet.editor.document().clone();
         let is_first = known.is_none() && !sheet.is_made() && has_colors(&document);
         let part = Rc::<Part>::default();
@@ -64,11 +75,13 @@ impl Making {
             if is_first && has_many_pieces(&picture) {
                 picture.roughen();
             }
-            let is_meshed = picture.is_preview() || is_meshed(&picture);
+            let is_meshed = picture.map().is_rough() || is_meshed(&picture);
             make(&mut picture, &document, is_meshed, &first).await;
             Ok(picture)
         });
-        Self { lines: sheet.editor.lines_revision(), state: State::of(&sheet.editor), part, picture }
+        let editor = &sheet.editor;
+        let (lines, revision) = (editor.lines_revision(), editor.revision());
+        Self { lines, revision, is_in_hand: editor.is_in_hand(), colorings, part, picture }
     }
 }
 
@@ -121,6 +134,18 @@ impl Session {
 
     /// Goes on by one slice with what is wanted, and tells whether there are more.
     pub fn make_on(&mut self) -> bool {
+        self.ask_for_part(self.part_first());
+        self.make_further();
+        self.making.is_some()
+    }
+
+    fn ask_for_part(&self, part_du: Option<Rect>) {
+        if let Some(making) = &self.making {
+            making.part.set(part_du);
+        }
+    }
+
+    fn make_further(&mut self) {
         let is_wanted = self.wanted() != Wanted::Nothing;
         let lines = self.sheet.editor.lines_revision();
         match self.making.take().filter(|making| is_wanted && making.lines == lines) {
@@ -129,34 +154,30 @@ impl Session {
                 self.make_from(known);
             }
             None => {}
-            Some(Making { state, part, picture, .. }) => {
-                part.set(self.part_first());
-                match picture.go_on() {
-                    Err(picture) => self.making = Some(Making { lines, state, part, picture }),
-                    Ok(picture) => self.end_making(picture, state),
+            Some(Making { picture, part, revision, is_in_hand, colorings, .. }) => match picture.go_on() {
+                Err(picture) => {
+                    self.making = Some(Making { lines, revision, is_in_hand, colorings, part, picture });
                 }
-            }
+                Ok(Ok(mut picture)) if picture.part_du().is_some() => {
+                    self.take_preview(&mut picture, colorings);
+                    self.make_from(Some(picture));
+                }
+                Ok(picture) => self.end_making(picture, revision, is_in_hand),
+            },
         }
-        self.making.is_some()
     }
 
     /// Begins with a picture of the same lines, if there is one.
     fn make_from(&mut self, known: Option<Picture>) {
         let is_meshed = self.is_meshed(!self.sheet.has_stale_map());
-        self.making = Some(Making::new(&self.sheet, known, is_meshed));
+        self.making = Some(Making::new(&self.sheet, self.colorings, known, is_meshed));
     }
 
-    fn end_making(&mut self, picture: Result<Picture, MapError>, state: State) {
+    fn end_making(&mut self, picture: Result<Picture, MapError>, revision: u32, is_in_hand: bool) {
         match picture {
-            Ok(mut picture) if picture.is_preview() => {
-                if let Some((part_du, field)) = picture.complete() {
-                    self.previews.push(Preview { state, part_du, field });
-                }
-                self.make_from(Some(picture));
-            }
             // What was done meanwhile may take as long.
-            Ok(picture) if state.revision != self.sheet.editor.revision() => self.make_from(Some(picture)),
-            Ok(picture) => self.show_made(picture, state.is_in_hand),
+            Ok(picture) if revision != self.sheet.editor.revision() => self.make_from(Some(picture)),
+            Ok(picture) => self.show_made(picture, is_in_hand),
             Err(error) => self.take_back(&error),
         }
     }
@@ -172,8 +193,9 @@ impl Session {
 
     /// Makes at once what is wanted, for what cannot wait.
     pub(super) fn finish_making(&mut self) {
+        self.ask_for_part(None);
         while self.wanted() != Wanted::Nothing {
-            self.make_on();
+            self.make_further();
         }
     }
 
@@ -190,7 +212,6 @@ impl Session {
             self.find_pictured();
         }
         (self.held, self.making) = (None, None);
-        self.show_other();
         self.scribbles_changed();
         self.forget_missing();
         self.tell(Effect::MakingStopped);

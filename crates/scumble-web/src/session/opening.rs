@@ -6,8 +6,7 @@ use scumble_core::{Drawing, MapError, Work, exact};
 use scumble_solve::Picture;
 
 use super::Session;
-use super::making;
-use super::preview::Part;
+use super::making::{self, Part};
 use super::sheet::Sheet;
 use crate::effect::Effect;
 
