@@ -37,7 +37,8 @@ const palette = async (editor) => (await names(editor, "Palette")).slice(0, -1);
 /** Opens a panel, and waits for it. @param {Editor} editor @param {"Colour" | "Edit palette"} button */
 const openPanel = async (editor, button) => {
   await editor.tab.click("button", button);
-  await editor.tab.waitFor(`document.querySelector(".colors:popover-open") !== null`);
+  // The panel takes the focus some time after it is there.
+  await editor.tab.waitFor(`document.querySelector(".colors:popover-open:focus-within") !== null`);
 };
 
 /** Whatever is in the panel that is open. */

@@ -382,16 +382,18 @@ mod tests {
                     .iter()
                     .all(|&[x, y]| (f64::from(x) - center).hypot(f64::from(y) - 500.0) < 100.1)
             };
-            let (part, whole) = (part(x), whole.iter().filter(is_within).collect::<Vec<_>>());
+            let part = part(x);
+            let [part, whole] = [&part, &whole].map(|all| all.iter().filter(is_within).collect::<Vec<_>>());
             assert!(part.len() > 10);
             assert_eq!(part.len(), whole.len());
-            for (part, whole) in part.iter().zip(whole) {
+            for (part, whole) in part.into_iter().zip(whole) {
                 assert_eq!((part.corners, part.side_edges), (whole.corners, whole.side_edges));
                 let pairs = part.colors.as_flattened().iter().zip(whole.colors.as_flattened());
                 pairs.for_each(|(a, b)| assert!((a - b).abs() < 1e-4, "{a} {b}"));
             }
         }
         assert_eq!(part([2.0, 1020.0]).len(), whole.len());
+        assert!(part([480.0, 520.0]).len() < whole.len());
     }
 
     #[test]
