@@ -9,6 +9,9 @@ const ONE_PX = 1024;
 /** Those of the shades in an SVG: as of the whole, within this range, which is `RASTER_PX` of `scumble-export`. */
 const RASTER_PX = { least: 2048, most: 4096 };
 
+/** Curves bend in SVG and PDF as in a picture of so many pixels: those of 1024 du at `PX_PER_DU` of `scumble-export`. */
+const BENT_PX = 16_384;
+
 /** Work that takes longer than this shows that it goes on, and can be stopped. */
 const PATIENCE_MS = 100;
 
@@ -140,18 +143,19 @@ export class Export {
     const isPng = kind === "png";
     await engine.made();
     const raster_px = Math.min(Math.max(size_px, RASTER_PX.least), RASTER_PX.most);
-    const picture = engine.export(isPng ? size_px : raster_px, isPng && lines);
+    const pictures = (isPng ? [size_px] : [BENT_PX, raster_px]).map((px) => engine.export(px, isPng && lines));
+    const [picture, shades = picture] = pictures;
     const work = engine.work();
-    if (!picture || !work) throw new Error(say("error-export"));
+    if (!picture || !shades || !work) throw new Error(say("error-export"));
     const signal = this.#job?.signal;
     try {
       if (isPng) return await painted(picture, transparent, signal);
       const wanted = /** @type {const} */ ([work, picture.field(), size_px, lines, transparent]);
       if (kind === "pdf") return new Blob([await written(formats.pdf(signal, ...wanted))], { type: TYPES.pdf });
-      const raster = await painted(picture, transparent, signal).then((png) => png.arrayBuffer());
+      const raster = await painted(shades, transparent, signal).then((png) => png.arrayBuffer());
       return new Blob([await written(formats.svg(signal, ...wanted, new Uint8Array(raster)))], { type: TYPES.svg });
     } finally {
-      picture.free();
+      for (const each of pictures) each?.free();
     }
   }
 }

@@ -3,7 +3,7 @@
 use anyhow::ensure;
 use scumble_core::drawing::LONGER_SIDE_DU;
 use scumble_core::{Document, Drawing};
-use scumble_export::Export;
+use scumble_export::{Export, PX_PER_DU};
 use scumble_io::write_png;
 use scumble_solve::{Field, Picture, Pixmap, Shape, SolveError, line_shapes};
 
@@ -31,7 +31,7 @@ pub(crate) fn run(options: &RenderOptions) -> anyhow::Result<()> {
         let pixmap = paint(drawing, &mut picture, look)?;
         write_png(pixmap.width_px, pixmap.height_px, &pixmap.rgba)?
     } else {
-        let field = picture.solve()?;
+        let field = &field_at(drawing, &mut picture, PX_PER_DU)?;
         let paper = (!look.transparent).then_some(PAPER);
         let look = scumble_export::Look { size_px: look.size_px, lines: look.lines, paper };
         written(&Export::new(&work, field, look), field, options.format)?
@@ -58,10 +58,14 @@ fn written(export: &Export<'_>, field: &Field, format: Format) -> anyhow::Result
 pub(crate) fn paint(drawing: &Drawing, picture: &mut Picture, look: &Look) -> Result<Pixmap, SolveError> {
     let view = stages::page_view(drawing, look.size_px);
     let shapes = shapes(drawing, picture, look);
-    let field = picture.solve()?.clone();
-    let px_per_du = f64::from(look.size_px) / LONGER_SIDE_DU;
-    let field = picture.close_up(drawing, drawing.frame(), px_per_du).unwrap_or(field);
+    let field = field_at(drawing, picture, f64::from(look.size_px) / LONGER_SIDE_DU)?;
     Ok(stages::paint_page(&field, &shapes, &view, (!look.transparent).then_some(PAPER)))
+}
+
+/// The field of the whole page as it is seen at a scale.
+fn field_at(drawing: &Drawing, picture: &mut Picture, px_per_du: f64) -> Result<Field, SolveError> {
+    let field = picture.solve()?.clone();
+    Ok(picture.close_up(drawing, drawing.frame(), px_per_du).unwrap_or(field))
 }
 
 /// What is painted over the colours.

@@ -16,6 +16,9 @@ use crate::{pdf, svg};
 /// closer, too; but shades need no more pixels, and a file with more of them could not be opened again.
 pub const RASTER_PX: RangeInclusive<u32> = 2048..=4096;
 
+/// The scale of the field that a picture is made of: its edges bend as curves do that are seen at so many pixels of a du.
+pub const PX_PER_DU: f64 = 16.0;
+
 /// How a picture is to look.
 #[derive(Clone, Copy, Debug)]
 pub struct Look {
@@ -37,7 +40,7 @@ pub struct Export<'a> {
 }
 
 impl<'a> Export<'a> {
-    /// The picture of some work, of which this is the field.
+    /// The picture of some work, of which this is the field, as it is seen at [`PX_PER_DU`].
     pub fn new(work: &'a Work, field: &Field, look: Look) -> Self {
         let tint = Tint { blend: field.blend, paper: look.paper };
         Self { work, look, tint, regions: Regions::new(field, &tint) }

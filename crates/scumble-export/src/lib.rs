@@ -24,4 +24,4 @@ mod regions;
 mod svg;
 mod tint;
 
-pub use export::{Export, Look, RASTER_PX};
+pub use export::{Export, Look, PX_PER_DU, RASTER_PX};

@@ -1,5 +1,7 @@
 //! What `scumble render` writes for other programs.
 
+use kurbo::{BezPath, ParamCurve, ParamCurveNearest, Point};
+
 use crate::folder::{CIRCLE, Folder, INSIDE, stderr};
 use crate::share::refused;
 
@@ -37,6 +39,30 @@ fn an_svg_has_colours_and_lines_as_paths() {
     let bare = text(&folder, "bare.svg");
     assert!(bare.contains(r#"width="300" height="300""#) && !bare.contains("<rect"), "{bare}");
     assert!(!bare.contains("stroke="), "{bare}");
+}
+
+#[test]
+fn colours_in_an_svg_follow_their_curves() {
+    let small = CIRCLE.replace("r=\"24\"", "r=\"2\"");
+    let scribbles = INSIDE.replace("[[38,50],[46,54]]", "[[41.5,52],[42.5,52]]");
+    let folder = Folder::new("export-bent").with("d.svg", small).with("s.json", scribbles);
+    run(&folder, &["color", "d.svg", "--scribbles", "s.json", "-o", "o.png", "--save", "w.scumble"]);
+    run(&folder, &["render", "w.scumble", "-o", "o.svg"]);
+    let path = |name: &str, before: &[&str]| {
+        let text = text(&folder, name);
+        let behind = before.iter().fold(&text[..], |text, before| text.split_once(before).expect(before).1);
+        BezPath::from_svg(behind.split('"').next().expect("a value")).expect("a path")
+    };
+    let curve = path("w.scumble", &[r#""path": ""#]);
+    let fill = path("o.svg", &[r##"<path fill="#e6194b""##, r#" d=""#]);
+    let off_du = |at: Point| {
+        curve.segments().map(|segment| segment.nearest(at, 1e-6).distance_sq).fold(f64::MAX, f64::min).sqrt()
+    };
+    let points: Vec<_> = fill.segments().flat_map(|segment| [segment.start(), segment.eval(0.5)]).collect();
+    assert!(points.len() > 20);
+    for point in points {
+        assert!(off_du(point) < 0.04, "{point} is {} du off its curve", off_du(point));
+    }
 }
 
 #[test]
