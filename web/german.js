@@ -230,7 +230,7 @@ export const german = {
   "canvas": "Leinwand",
   "canvas-instructions":
     "Zeichne mit dem Zeiger, um eine Farbe zu kritzeln, zu tönen oder Kritzel zu radieren. Eingabe zeigt ein Fadenkreuz für die Tastatur, das die Pfeiltasten bewegen, und setzt dort den Stift auf und hebt ihn ab. N wählt einen Kritzel nach dem anderen aus. Die Pfeiltasten bewegen, was ausgewählt ist, oder das Bild; Esc verwirft, was der Zeiger getan hat, seit er aufgesetzt hat, oder hebt die Auswahl auf.",
-  "guide": "Rad oder Leertaste und Ziehen bewegt, Strg+Rad zoomt, ? zeigt alle Kürzel",
+  "guide": ({ help }) => `Rad oder Leertaste und Ziehen bewegt, Strg+Rad zoomt${help ? `, ${help} zeigt alle Kürzel` : ""}`,
   "help": "Hilfe",
   "guide-1": "Nimm eine Farbe und kritzle in eine Form: die Farbe füllt sie. Es muss nicht sauber sein. Tönen gibt weiches Licht und Schatten, wo du zeichnest.",
   "guide-2": "Wo eine Farbe falsch läuft, kritzle dort in der richtigen, oder radiere, was sie irregeführt hat, oder verschiebe es (Auswählen). Lücken schließen, in den Einstellungen, ist für Linien mit Lücken.",

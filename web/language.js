@@ -20,20 +20,23 @@ const list = /** @type {HTMLSelectElement} */ (document.getElementById("language
  */
 export async function connectLanguage(labelAll) {
   list.value = LANGUAGES.find((language) => language === remembered(CHOSEN)) ?? AUTO;
-  list.addEventListener("change", () => follow(labelAll));
-  await speak(wanted()).catch(console.warn);
+  list.addEventListener("change", async () => {
+    remember(CHOSEN, list.value);
+    await follow();
+    labelAll();
+  });
+  await follow();
 }
 
-/** @param {() => void} labelAll */
-async function follow(labelAll) {
-  remember(CHOSEN, list.value);
+async function follow() {
   try {
     await speak(wanted());
   } catch (fault) {
     console.warn(fault);
-    return failed(new Error(say("error-language")));
+    // So that it can be chosen again.
+    list.value = document.documentElement.lang;
+    failed(new Error(say("error-language")));
   }
-  labelAll();
 }
 
 function wanted() {

@@ -16,7 +16,7 @@ import { Keeper } from "./keeper.js";
 import { SHORTCUTS, haveSingles, listen, setSingles, written } from "./keys.js";
 import { connectLanguage } from "./language.js";
 import { lazily } from "./lazy.js";
-import { label, name, say } from "./messages.js";
+import { name, say } from "./messages.js";
 import { Opening } from "./opening.js";
 import { Pointers } from "./pointer.js";
 import { FOLDER, sampleList, sampleName } from "./samples.js";
@@ -206,7 +206,7 @@ const exporting = lazily(async () => {
 
 const help = lazily(async () => {
   const { Help } = await import("./help.js");
-  return new Help({ say, label: () => label(document), openDialog, shortcuts: SHORTCUTS, written, haveSingles, setSingles });
+  return new Help({ say, label: labelNames, openDialog, shortcuts: SHORTCUTS, written, haveSingles, setSingles });
 });
 
 const keyboardPen = lazily(async () => {
@@ -349,10 +349,15 @@ function followSize() {
   tellSize();
 }
 
-/** Says everything that is there in the language of the page. */
-function labelAll() {
+/** Names all controls, with the shortcuts that are on. */
+function labelNames() {
   labelControls();
   labelSwatches();
+}
+
+/** Says everything that is there in the language of the page. */
+function labelAll() {
+  labelNames();
   colors.forget();
   steps.forget();
   nameShown();

@@ -140,7 +140,7 @@ export const english = {
   "canvas": "Canvas",
   "canvas-instructions":
     "Draw with the pointer to scribble a colour, to shade, or to erase scribbles. Enter shows cross hairs for the keyboard, which the arrow keys move, and puts the pen down there and lifts it. N selects one scribble after the other. The arrow keys move what is selected, or the picture; Escape drops what the pointer has done since it came down, or deselects.",
-  "guide": "Wheel or Space-drag moves, Ctrl+wheel zooms, ? shows all shortcuts",
+  "guide": ({ help }) => `Wheel or Space-drag moves, Ctrl+wheel zooms${help ? `, ${help} shows all shortcuts` : ""}`,
   "help": "Help",
   "show-steps": "Show the first steps",
   "first-steps": "First steps",
@@ -300,12 +300,17 @@ function things({ scribbles = 0, lines = 0 }) {
 /** The table that is spoken. @type {Table} */
 let table = english;
 
+/** The language that was asked for last. */
+let wanted = "en";
+
 /**
  * Has the page say everything in a language from now on.
  * @param {string} language en or de
  */
 export async function speak(language) {
+  wanted = language;
   const spoken = language === "de" ? await import("./german.js") : { german: english, keys: [] };
+  if (language !== wanted) return;
   table = spoken.german;
   nameKeys(spoken.keys);
   document.documentElement.lang = language;
@@ -333,7 +338,7 @@ export function say(key, values = {}) {
  */
 export function label(root) {
   for (const element of /** @type {NodeListOf<HTMLElement>} */ (root.querySelectorAll("[data-text]"))) {
-    element.textContent = say(element.dataset.text ?? "");
+    element.textContent = say(element.dataset.text ?? "", { help: keysOf("help") });
   }
   for (const element of /** @type {NodeListOf<HTMLElement>} */ (root.querySelectorAll("[data-label]"))) {
     name(element, say(element.dataset.label ?? ""));

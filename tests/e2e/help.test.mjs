@@ -138,7 +138,8 @@ for (const browser of /** @type {const} */ (["chromium", "firefox"])) {
       const editor = await open();
       const tool = () => editor.tab.evaluate(`document.querySelector('input[name="tool"]:checked').value`);
       const tooltip = () => editor.tab.evaluate(`document.querySelector('[value="erase"]').title`);
-      assert.equal(await tooltip(), "Erase (E)");
+      const swatch = () => editor.tab.evaluate(`document.querySelector("#palette button").title`);
+      assert.deepEqual([await tooltip(), await swatch()], ["Erase (E)", "Red (1)"]);
       await editor.tab.press("?");
       await editor.tab.waitFor(`document.getElementById("help").open`);
       await editor.tab.click("checkbox", "Shortcuts of a single key");
@@ -148,9 +149,10 @@ for (const browser of /** @type {const} */ (["chromium", "firefox"])) {
         for (const key of ["e", "s", "3", "[", "?"]) await page.tab.press(key);
         await page.tab.hold("Shift", () => page.tab.press("L"));
         assert.equal(await tool(), "scribble");
-        assert.equal(await tooltip(), "Erase");
+        assert.deepEqual([await tooltip(), await swatch()], ["Erase", "Red"]);
         assert.equal(await page.tab.evaluate(`document.querySelector('[data-setting="lines"]').checked`), true);
         assert.equal(await page.tab.evaluate(`document.querySelector("dialog[open]")`), null);
+        assert.equal(await page.tab.evaluate(`document.getElementById("guide").textContent`), "Wheel or Space-drag moves, Ctrl+wheel zooms");
       };
       await areOff(editor);
       await editor.until("Undone", () => editor.tab.hold("Control", () => editor.tab.press("z")));
@@ -162,7 +164,7 @@ for (const browser of /** @type {const} */ (["chromium", "firefox"])) {
       await again.click("Close");
       await again.tab.press("e");
       assert.equal(await tool(), "erase");
-      assert.equal(await tooltip(), "Erase (E)");
+      assert.deepEqual([await tooltip(), await swatch()], ["Erase (E)", "Red (1)"]);
       assert.deepEqual(again.tab.faults, []);
     });
 
