@@ -89,7 +89,7 @@ impl PictureTimes {
     }
 }
 
-/// How long a picture takes, painted, of which the map may be told what is wanted.
+/// How long a picture takes, painted. Once it has its map it is asked for something in place of the whole, or for nothing.
 fn picture_ms(
     drawing: &Drawing,
     scribbles: &[Scribble],
