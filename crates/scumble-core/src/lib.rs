@@ -66,7 +66,7 @@ mod refinement;
 mod rub;
 mod sample;
 pub mod scribble;
-mod sets;
+pub mod sets;
 pub mod settings;
 pub mod sight;
 mod small_map;

@@ -2,16 +2,16 @@
 
 /// Sets of the numbers from 0 on, each known by one of its members.
 #[derive(Clone, Debug)]
-pub(crate) struct Sets(Vec<u32>);
+pub struct Sets(Vec<u32>);
 
 impl Sets {
     /// Each number alone.
-    pub(crate) fn new(count: usize) -> Self {
+    pub fn new(count: usize) -> Self {
         Self((0..count as u32).collect())
     }
 
     /// The member that stands for the set of a number, halving the way to it for the next time.
-    pub(crate) fn find(&mut self, mut number: u32) -> u32 {
+    pub fn find(&mut self, mut number: u32) -> u32 {
         while self.0[number as usize] != number {
             let next = self.0[self.0[number as usize] as usize];
             self.0[number as usize] = next;
@@ -21,7 +21,7 @@ impl Sets {
     }
 
     /// Adds the set that `from` stands for to that of `to`, which stands for both then.
-    pub(crate) fn join(&mut self, from: u32, to: u32) {
+    pub fn join(&mut self, from: u32, to: u32) {
         self.0[from as usize] = to;
     }
 }

@@ -1,5 +1,9 @@
 //! The equations of pixels that are not like all others: those at curves, at gaps and at the border.
 
+use std::iter;
+
+use scumble_core::sets::Sets;
+
 use super::constraints::Constraints;
 use super::cut_links::{Cut, Link};
 use super::texture::{Texel, plus, times};
@@ -50,30 +54,14 @@ impl Constraints {
         list.equations
     }
 
-    /// Whether each pixel hangs together with one that is held to a colour.
-    pub(super) fn reached(&self) -> Vec<bool> {
-        let (width, count) = (self.width_px as usize, self.width_px as usize * self.height_px as usize);
-        let (mut leads_on, mut is_reached, mut open) =
-            (vec![[true; 2]; count], vec![false; count], Vec::new());
-        for Equation { pixel, east, south, hold, .. } in self.equations() {
-            leads_on[pixel as usize] = [east > 0.0, south > 0.0];
-            if hold > 0.0 {
-                is_reached[pixel as usize] = true;
-                open.push(pixel as usize);
-            }
+    /// Whether each pixel hangs together with none that is held to a colour.
+    pub(super) fn unreached(&self) -> Vec<bool> {
+        let Runs { ends, mut sets } = Runs::new(&self.equations(), self.width_px);
+        let mut is_unreached = Vec::new();
+        for (run, end) in (1..).zip(ends) {
+            is_unreached.resize(end as usize, sets.find(run) != sets.find(COLORED));
         }
-        while let Some(i) = open.pop() {
-            let mut visit = |is_linked: bool, next: usize| {
-                if is_linked && !std::mem::replace(&mut is_reached[next], true) {
-                    open.push(next);
-                }
-            };
-            visit(leads_on[i][0], i + 1);
-            visit(leads_on[i][1], i + width);
-            visit(i >= 1 && leads_on[i - 1][0], i.wrapping_sub(1));
-            visit(i >= width && leads_on[i - width][1], i.wrapping_sub(width));
-        }
-        is_reached
+        is_unreached
     }
 
     fn last_column(&self) -> impl Iterator<Item = u32> + use<> {
@@ -84,6 +72,59 @@ impl Constraints {
     fn last_row(&self) -> impl Iterator<Item = u32> + use<> {
         let count = self.width_px * self.height_px;
         count - self.width_px..count
+    }
+}
+
+/// Pixels beside each other in a row that hang together, as far as they do, and which of these runs hang together.
+struct Runs {
+    /// The pixel after the last of each.
+    ends: Vec<u32>,
+    /// Of runs by their numbers, and of [`COLORED`].
+    sets: Sets,
+}
+
+/// What pixels hang together with that are held to a colour; runs are numbered from 1 on.
+const COLORED: u32 = 0;
+
+impl Runs {
+    fn new(equations: &[Equation], width_px: u32) -> Self {
+        let mut runs = Self { ends: Vec::new(), sets: Sets::new(equations.len() + 1) };
+        let mut closed = Vec::new();
+        for equation in equations {
+            if equation.hold > 0.0 {
+                runs.join(runs.ends.len() as u32 + 1, COLORED);
+            }
+            if equation.south == 0.0 {
+                closed.push(equation.pixel);
+            }
+            if equation.east == 0.0 {
+                runs.ends.push(equation.pixel + 1);
+            }
+        }
+        runs.join_rows(&closed, width_px);
+        runs
+    }
+
+    /// Joins runs with those in the row below, but where all links that lead there are closed, which are those of these pixels.
+    fn join_rows(&mut self, closed: &[u32], width_px: u32) {
+        let mut closed = closed.iter().peekable();
+        let ([mut upper, mut lower], mut start) = ([0; 2], 0);
+        while let Some(&below) = self.ends.get(lower) {
+            let [above, below] = [self.ends[upper], below.saturating_sub(width_px)];
+            let end = above.min(below);
+            let closed_count = iter::from_fn(|| closed.next_if(|&&pixel| pixel < end)).count();
+            if closed_count < (end - start) as usize {
+                self.join(upper as u32 + 1, lower as u32 + 1);
+            }
+            upper += usize::from(above == end);
+            lower += usize::from(below == end);
+            start = end;
+        }
+    }
+
+    fn join(&mut self, a: u32, b: u32) {
+        let [a, b] = [a, b].map(|run| self.sets.find(run));
+        self.sets.join(a, b);
     }
 }
 
@@ -129,5 +170,71 @@ impl List {
     fn link(&mut self, pixel: u32, link: Link) -> &mut f32 {
         let equation = self.at(pixel);
         if link == Link::East { &mut equation.east } else { &mut equation.south }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use proptest::collection::vec;
+    use proptest::prelude::*;
+
+    use super::*;
+
+    const WIDTH: u32 = 7;
+    const HEIGHT: u32 = 5;
+    const COUNT: u32 = WIDTH * HEIGHT;
+
+    fn cut(pixel: u32, link: Link, color: Option<Texel>) -> Cut {
+        Cut { pixel, link, fraction: 0.5, color }
+    }
+
+    fn constraints(cuts: Vec<Cut>) -> Constraints {
+        Constraints {
+            width_px: WIDTH,
+            height_px: HEIGHT,
+            cuts,
+            faces: Vec::new(),
+            pulls: Vec::new(),
+            sources: Vec::new(),
+            exits: Vec::new(),
+            covers: None,
+        }
+    }
+
+    /// Goes from pixel to pixel as long as there is a way.
+    fn reached(constraints: &Constraints) -> Vec<bool> {
+        let mut is_reached = [false; COUNT as usize];
+        let is_open = |pixel, link| constraints.cuts.iter().all(|cut| (cut.pixel, cut.link) != (pixel, link));
+        for cut in constraints.cuts.iter().filter(|cut| cut.color.is_some()) {
+            is_reached[cut.pixel as usize] = true;
+        }
+        for _ in 0..COUNT {
+            for pixel in 0..COUNT {
+                let east = (pixel % WIDTH + 1 < WIDTH && is_open(pixel, Link::East)).then_some(pixel + 1);
+                let south = (pixel + WIDTH < COUNT && is_open(pixel, Link::South)).then_some(pixel + WIDTH);
+                for other in [east, south].into_iter().flatten().map(|other| other as usize) {
+                    let pair = is_reached[pixel as usize] || is_reached[other];
+                    (is_reached[pixel as usize], is_reached[other]) = (pair, pair);
+                }
+            }
+        }
+        is_reached.into()
+    }
+
+    proptest! {
+        #[test]
+        fn a_pixel_is_unreached_if_there_is_no_way_from_one_with_a_colour(
+            walls in vec(any::<[bool; 2]>(), COUNT as usize),
+            colored in vec(0..COUNT, 0..3),
+        ) {
+            let mut cuts = Vec::new();
+            for (pixel, [east, south]) in (0..).zip(walls) {
+                cuts.extend(east.then(|| cut(pixel, Link::East, None)));
+                cuts.extend(south.then(|| cut(pixel, Link::South, None)));
+                cuts.extend(colored.contains(&pixel).then(|| cut(pixel, Link::North, Some([1.0; 4]))));
+            }
+            let constraints = constraints(cuts);
+            prop_assert!(constraints.unreached().iter().zip(reached(&constraints)).all(|(a, b)| *a != b));
+        }
     }
 }

@@ -29,12 +29,12 @@ impl JeschkeSolver {
         let (level, right) = Level::finest(constraints);
         let nearest = nearest_of(constraints, |cut| cut.color.is_some() || constraints.leads_within(cut));
         let nearest_given = nearest_of(constraints, |cut| cut.color.is_some());
-        let is_reached = constraints.reached();
+        let is_unreached = constraints.unreached();
         let mut values = right.clone();
         values.draw(|x, y| {
             let [column, row, ..] = nearest_given.load(x, y).map(|c| c as i32);
-            let is_reached = is_reached[y as usize * level.columns + x as usize];
-            if is_reached { given(&level, &right, column, row) } else { [0.0; 4] }
+            let is_unreached = is_unreached[y as usize * level.columns + x as usize];
+            if is_unreached { [0.0; 4] } else { given(&level, &right, column, row) }
         });
         Self { level, right, nearest, values }
     }

@@ -10,13 +10,6 @@ use super::wall::{Segment, centers_from_du};
 use crate::barriers::Barriers;
 use crate::scene::View;
 
-/// Pixels of a row.
-#[derive(Clone, Debug)]
-pub(super) struct Span {
-    pub(super) row: i64,
-    pub(super) columns: Range<i64>,
-}
-
 /// A mesh and what its sides are, seen in a view.
 pub(super) struct PixelRegions<'a> {
     pub(super) mesh: &'a Triangulation,
@@ -48,26 +41,48 @@ impl<'a> PixelRegions<'a> {
         })
     }
 
-    /// The pixels whose centres lie in a region: by the same decisions as cuts, so that none is in two regions.
-    pub(super) fn spans(&self, triangles: &[u32]) -> Vec<Span> {
-        triangles.iter().flat_map(|&t| self.spans_of(self.mesh.corners(t as usize))).collect()
+    /// The pixels of which something holds whose centres lie in a region: by the same decisions as cuts, so that none is in two
+    /// regions.
+    pub(super) fn pixels(&self, triangles: &[u32], holds: &[bool]) -> Vec<u32> {
+        let mut pixels = Vec::new();
+        for &t in triangles {
+            let corners = self.mesh.corners(t as usize).map(|p| self.centers_from_du * p);
+            for row in rows(corners, self.size_px[1]) {
+                // Most rows of most triangles have none, and this tells it in no time.
+                if holds[self.in_row(row, columns_near(corners))].contains(&true) {
+                    let within = self.in_row(row, columns_within(corners, row));
+                    pixels.extend(within.filter(|&pixel| holds[pixel]).map(|pixel| pixel as u32));
+                }
+            }
+        }
+        pixels
     }
 
-    fn spans_of(&self, corners: [Point; 3]) -> impl Iterator<Item = Span> + use<> {
-        let [width_px, height_px] = self.size_px;
-        let [a, b, c] = corners.map(|p| self.centers_from_du * p);
-        let edges = [[a, b], [b, c], [c, a]].map(Segment);
-        let rows = edges.map(|edge| edge.rows(height_px));
-        let [first, end] = [a.y.min(b.y).min(c.y), a.y.max(b.y).max(c.y)];
-        // Columns are exact below; this is so that triangles beside the picture cost nothing.
-        let is_beside = a.x.max(b.x).max(c.x) < -1.0 || a.x.min(b.x).min(c.x) > f64::from(width_px);
-        let upright = Segment([Point::new(a.x, first), Point::new(a.x, end)]);
-        let all = if is_beside { 0..0 } else { upright.rows(height_px) };
-        all.filter_map(move |row| {
-            let crossing = edges.iter().zip(&rows).filter(|(_, rows)| rows.contains(&row));
-            let mut ends = crossing.map(|(edge, _)| edge.on_row(row).before + 1);
-            let [one, other] = [ends.next()?, ends.next()?];
-            Some(Span { row, columns: one.min(other).max(0)..one.max(other).min(width_px.into()) })
-        })
+    /// The pixels of the picture in some columns of a row.
+    fn in_row(&self, row: i64, columns: Range<i64>) -> Range<usize> {
+        let width_px = i64::from(self.size_px[0]);
+        let pixel = |column: i64| (row * width_px + column.clamp(0, width_px)) as usize;
+        pixel(columns.start)..pixel(columns.end)
     }
+}
+
+/// The rows that a triangle has centres of pixels in.
+fn rows([a, b, c]: [Point; 3], height_px: u32) -> Range<i64> {
+    let [first, end] = [a.y.min(b.y).min(c.y), a.y.max(b.y).max(c.y)];
+    Segment([Point::new(a.x, first), Point::new(a.x, end)]).rows(height_px)
+}
+
+/// Columns in which all pixels are that a triangle has, and some more.
+fn columns_near([a, b, c]: [Point; 3]) -> Range<i64> {
+    let [first, last] = [a.x.min(b.x).min(c.x), a.x.max(b.x).max(c.x)];
+    first as i64 - 1..last as i64 + 2
+}
+
+/// The columns of a row that a triangle has.
+fn columns_within([a, b, c]: [Point; 3], row: i64) -> Range<i64> {
+    let edges = [[a, b], [b, c], [c, a]].map(Segment);
+    let crossing = edges.into_iter().filter(|edge| edge.crosses_row(row));
+    let mut ends = crossing.map(|edge| edge.on_row(row).before + 1);
+    let [one, other] = [ends.next(), ends.next()].map(Option::unwrap_or_default);
+    one.min(other)..one.max(other)
 }

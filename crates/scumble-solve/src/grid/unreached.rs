@@ -9,17 +9,13 @@ use super::regions::PixelRegions;
 
 /// The pulls of these pixels, given all other constraints.
 pub(super) fn pulls(regions: &PixelRegions<'_>, bends: &Bends, constraints: &Constraints) -> Vec<Pull> {
-    let is_reached = constraints.reached();
+    let is_unreached = constraints.unreached();
     let mut pulls = Vec::new();
     for mut triangles in regions.triangles() {
         let Some(color) = mean(regions.colors(&triangles)) else { continue };
         triangles.retain(|&triangle| !is_bent(regions.mesh, bends, triangle));
-        let spans = regions.spans(&triangles);
-        let pixels = spans.iter().flat_map(|span| {
-            span.columns.clone().map(|column| (span.row * i64::from(constraints.width_px) + column) as u32)
-        });
-        let unreached = pixels.filter(|&pixel| !is_reached[pixel as usize]);
-        pulls.extend(unreached.map(|pixel| Pull { pixel, strength: 1.0, color }));
+        let pixels = regions.pixels(&triangles, &is_unreached);
+        pulls.extend(pixels.into_iter().map(|pixel| Pull { pixel, strength: 1.0, color }));
     }
     pulls
 }

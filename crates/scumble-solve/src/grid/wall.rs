@@ -84,6 +84,12 @@ impl Segment {
         whole_numbers(a.y.min(b.y).ceil(), a.y.max(b.y).ceil(), height_px)
     }
 
+    /// Whether it crosses a row.
+    pub(super) fn crosses_row(self, row: i64) -> bool {
+        let [a, b] = self.0;
+        (a.y > row as f64) != (b.y > row as f64)
+    }
+
     /// Where it crosses one of these rows.
     pub(super) fn on_row(self, row: i64) -> Place {
         let [a, b] = self.0;
