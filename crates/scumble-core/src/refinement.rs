@@ -55,17 +55,18 @@ type Face<'a> = FaceHandle<'a, InnerTag, Point2<f64>, (), CdtEdge<EdgeTag>, ()>;
 
 impl Wanted {
     fn is_met(&self, face: Face<'_>) -> bool {
-        let area_du2 = face.area();
+        let [a, b, c] = face.positions();
+        let area_du2 = 0.5 * ((b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x));
         if area_du2 > self.largest_du2 {
             return false;
         }
         if area_du2 < self.least_du2 {
             return true;
         }
-        let shortest2 =
-            face.adjacent_edges().map(|edge| edge.length_2()).into_iter().fold(f64::INFINITY, f64::min);
-        let (_, radius2) = face.circumcircle();
-        radius2 / shortest2 <= self.limit2
+        let squares = [a.distance_2(b), b.distance_2(c), c.distance_2(a)];
+        let shortest2 = squares.into_iter().fold(f64::INFINITY, f64::min);
+        // The product of all edges is four times the area times the radius of the circle.
+        squares.into_iter().product::<f64>() <= 16.0 * area_du2 * area_du2 * shortest2 * self.limit2
     }
 }
 
