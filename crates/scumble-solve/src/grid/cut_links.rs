@@ -90,6 +90,18 @@ struct Crossing {
     nearing: f64,
 }
 
+impl Crossing {
+    /// Whether another crossing, whose key is no smaller, is one of the same link. Then the one that is nearer stays, of two at one
+    /// place the one that would come nearer.
+    fn absorbs(&mut self, other: &Self) -> bool {
+        let nearing = |crossing: &Self| sort::float(crossing.nearing);
+        if other.cut.key() == self.cut.key() && nearing(other) > nearing(self) {
+            *self = *other;
+        }
+        (other.cut.pixel, other.cut.link) == (self.cut.pixel, self.cut.link)
+    }
+}
+
 /// All crossings, in no order.
 struct Crossings {
     width_px: u32,
@@ -118,10 +130,9 @@ impl Crossings {
 
     /// The crossing of each link that is nearest to its pixel.
     fn nearest(mut self) -> Vec<Cut> {
-        sort::sort_copies_by_key(&mut self.list, |crossing| !sort::float(crossing.nearing));
         sort::sort_copies_by_key(&mut self.list, |crossing| crossing.cut.key());
+        self.list.dedup_by(|crossing, nearest| nearest.absorbs(crossing));
         let mut cuts: Vec<_> = self.list.into_iter().map(|crossing| crossing.cut).collect();
-        cuts.dedup_by_key(|cut| (cut.pixel, cut.link));
         cuts.iter_mut().for_each(|cut| cut.fraction = cut.fraction.clamp(LEAST_FRACTION, 1.0));
         cuts
     }
