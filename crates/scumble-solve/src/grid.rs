@@ -55,7 +55,7 @@ pub use covers::{Covers, Shades};
 pub use curve_cells::CurveCells;
 pub use cut_links::{Cut, Face, LEAST_FRACTION, Link};
 pub use equations::Equation;
-pub use hierarchy::{Hierarchy, STEPS, WHOLE_STEP};
+pub use hierarchy::{FIRST_DEPTH, Hierarchy, STEPS, WHOLE_STEP};
 pub use jeschke::JeschkeSolver;
 pub use level::{Level, Size};
 pub use picture::GridPicture;
@@ -74,7 +74,11 @@ pub const TOLERANCE: f32 = 0.05 / 255.0;
 pub const MAX_STEPS: usize = 24;
 
 /// Steps where nobody looks at how far they have come, because that would take waiting for a GPU.
-pub const PAGE_STEPS: usize = 10;
+pub const PAGE_STEPS: usize = 9;
+
+/// Those of them that the page makes before it shows a picture for the first time. They leave real drawings with all their colours
+/// within half a level of the solution, and within four where half of the sides have none.
+pub const FRAME_STEPS: usize = 3;
 
 /// A picture on its way to the solution.
 #[derive(Clone, Debug)]

@@ -9,7 +9,7 @@ use scumble_gpu::wgpu::{self, CurrentSurfaceTexture};
 use scumble_gpu::{
     Gpu, GpuError, GpuGridSolver, GridKernels, Layer, Renderer, instance, probe, surface_format,
 };
-use scumble_solve::grid::{GridProblem, PAGE_STEPS};
+use scumble_solve::grid::{FRAME_STEPS, GridProblem, PAGE_STEPS};
 use scumble_solve::{Field, FieldChange, Pixmap, Shape, View};
 use thiserror::Error;
 use wasm_bindgen::{Clamped, JsCast};
@@ -155,9 +155,6 @@ impl Solving {
 /// Whether what goes to the GPU is copied in the page first, which takes its time.
 const IS_COPIED: bool = cfg!(feature = "webgl");
 
-/// Steps of the grid solver from one frame to the next.
-const FRAME_STEPS: usize = 5;
-
 impl GpuScreen {
     pub(crate) async fn open(
         canvas: HtmlCanvasElement,
@@ -247,14 +244,14 @@ impl GpuScreen {
         self.part = part.and_then(|part| begun(self.part.take(), part));
     }
 
-    /// The part begins anew with each picture of the whole.
+    /// The part begins with the first picture of the whole, and anew with the last.
     fn solve_on(&mut self) {
         let Some(whole) = &mut self.solving else { return };
-        let is_other = whole.go_on();
+        let is_last = whole.go_on() && whole.steps_left == 0;
         self.renderer.update_solution(&whole.solver);
         if let (Some(part), Some(kernels)) = (&mut self.part, &self.kernels) {
             let has_begun = part.steps_left < PAGE_STEPS;
-            if is_other || !has_begun {
+            if is_last || !has_begun {
                 self.renderer.begin_part(kernels, &whole.solver, &mut part.solver);
                 part.steps_left = PAGE_STEPS;
             }

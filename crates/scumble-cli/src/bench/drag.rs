@@ -6,7 +6,7 @@ use kurbo::{PathEl, Vec2};
 use scumble_core::pace::now;
 use scumble_core::{Blend, Drawing, Scribble, Settings};
 use scumble_gpu::{Gpu, GpuGridSolver, GridError, GridKernels};
-use scumble_solve::grid::{Constraints, GridProblem, PAGE_STEPS};
+use scumble_solve::grid::{Constraints, FRAME_STEPS, GridProblem};
 use scumble_solve::{Picture, View};
 
 use crate::clock::{Times, print_head, print_row, timed};
@@ -49,7 +49,7 @@ struct Report {
 pub(crate) fn run() -> anyhow::Result<()> {
     let gpu = pollster::block_on(Gpu::headless(|error| eprintln!("scumble: {error}")))?;
     let info = gpu.adapter.get_info();
-    println!("{} ({:?}), {PAGE_STEPS} steps a frame", info.name, info.device_type);
+    println!("{} ({:?}), {FRAME_STEPS} steps a frame", info.name, info.device_type);
     for size_px in SIZES_PX {
         let mut report = Report::default();
         let mut scene = Scene::new(&gpu, size_px)?;
@@ -123,7 +123,7 @@ impl Scene {
 
     /// Waits for the picture.
     fn step(&mut self) -> Result<f32, GridError> {
-        (0..PAGE_STEPS).for_each(|_| self.solver.step());
+        (0..FRAME_STEPS).for_each(|_| self.solver.step());
         Ok(pollster::block_on(self.solver.last_change())?)
     }
 }

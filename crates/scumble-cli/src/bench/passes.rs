@@ -4,7 +4,7 @@ use scumble_core::{Drawing, Scribble, Settings};
 use scumble_gpu::grid::SolverCosts;
 use scumble_gpu::{Gpu, GpuGridSolver, GridError, GridKernels};
 use scumble_solve::Picture;
-use scumble_solve::grid::{Constraints, PAGE_STEPS};
+use scumble_solve::grid::{Constraints, FRAME_STEPS, PAGE_STEPS};
 
 use super::drag;
 use crate::clock::{Times, timed};
@@ -13,8 +13,9 @@ use crate::{made, stages};
 /// Sides of the pictures.
 const SIZES_PX: [u32; 2] = [1024, 4096];
 
-/// Steps of a picture: as many as drawings with all their colours need, and those of the page.
-const STEPS: [u64; 2] = [6, PAGE_STEPS as u64];
+/// Steps of a picture: until the page shows it for the first time, as many as drawings with all their colours need, and all of
+/// the page.
+const STEPS: [u64; 3] = [FRAME_STEPS as u64, 6, PAGE_STEPS as u64];
 
 /// A step that changes nothing by more is the last: half a level of 255.
 const HALF_LEVEL: f32 = 0.5 / 255.0;

@@ -78,7 +78,7 @@ impl Gradients {
 
     /// Records a step. After two of them, what is kept lies where it lay before.
     pub(super) fn step(&mut self, recorder: &mut Recorder<'_>) {
-        self.levels.cycle_from_zero(recorder, 0);
+        self.levels.precondition(recorder);
         self.turn(recorder);
         self.advance(recorder);
     }

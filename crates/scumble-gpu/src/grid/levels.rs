@@ -1,6 +1,6 @@
 //! The levels of the grid solver on the GPU, and the passes of the ways through them: what `hierarchy` is on the CPU.
 
-use scumble_solve::grid::{STEPS, Size, WHOLE_STEP};
+use scumble_solve::grid::{FIRST_DEPTH, STEPS, Size, WHOLE_STEP};
 
 use super::equations::Equations;
 use super::kernels::{Kernel, Kernels, bind_group};
@@ -190,7 +190,7 @@ impl GpuLevels {
         self.gather(recorder);
         for depth in (1..self.levels.len()).rev() {
             self.spread(recorder, depth);
-            self.cycle_from(recorder, depth);
+            self.cycle_from(recorder, depth, depth + FIRST_DEPTH);
         }
         self.spread(recorder, 0);
     }
@@ -201,14 +201,19 @@ impl GpuLevels {
         recorder.pass_on(matrix, Kernel::Spread, &[right, coarse], values);
     }
 
-    /// Records one symmetric cycle for the right side of a level, from zero.
-    pub(crate) fn cycle_from_zero(&mut self, recorder: &mut Recorder<'_>, depth: usize) {
+    /// Records one symmetric cycle for the right side of the finest level, from zero.
+    pub(crate) fn precondition(&mut self, recorder: &mut Recorder<'_>) {
+        self.cycle_from_zero(recorder, 0, self.levels.len());
+    }
+
+    /// Down to a last level, where that is not the coarsest.
+    fn cycle_from_zero(&mut self, recorder: &mut Recorder<'_>, depth: usize, last: usize) {
         let is_coarsest = depth + 1 == self.levels.len();
         self.start(recorder, depth, &self.first_parts[usize::from(is_coarsest)]);
-        if is_coarsest {
+        if is_coarsest || depth == last {
             return;
         }
-        self.correct(recorder, depth);
+        self.correct(recorder, depth, last);
         self.relax(recorder, depth, 1);
         self.relax(recorder, depth, 0);
     }
@@ -218,11 +223,11 @@ impl GpuLevels {
         recorder.pass_on(matrix, Kernel::Start, &[right, parts], values);
     }
 
-    fn cycle_from(&mut self, recorder: &mut Recorder<'_>, depth: usize) {
+    fn cycle_from(&mut self, recorder: &mut Recorder<'_>, depth: usize, last: usize) {
         self.relax(recorder, depth, 0);
         self.relax(recorder, depth, 1);
         if depth + 1 < self.levels.len() {
-            self.correct(recorder, depth);
+            self.correct(recorder, depth, last);
         }
         self.relax(recorder, depth, 1);
         self.relax(recorder, depth, 0);
@@ -235,11 +240,11 @@ impl GpuLevels {
     }
 
     /// Records how the values of a level are corrected by those of the next.
-    fn correct(&mut self, recorder: &mut Recorder<'_>, depth: usize) {
+    fn correct(&mut self, recorder: &mut Recorder<'_>, depth: usize, last: usize) {
         let level @ GpuLevel { matrix, right, values, room, .. } = &self.levels[depth];
         recorder.pass_on(matrix, Kernel::Residual, &[values, right], room);
         level.pass_down(recorder, Kernel::Restrict, room, &self.levels[depth + 1].right);
-        self.cycle_from_zero(recorder, depth + 1);
+        self.cycle_from_zero(recorder, depth + 1, last);
         let (fine, coarse) = self.levels.split_at_mut(depth + 1);
         let GpuLevel { matrix, values, room, .. } = &mut fine[depth];
         recorder.pass_on(matrix, Kernel::Interpolate, &[values, &coarse[0].values], room);

@@ -9,6 +9,10 @@ use super::texture::Texture;
 /// of the spectrum of Jacobi's method.
 pub const STEPS: [f32; 2] = [0.561_8, 1.389_2];
 
+/// So many levels below its own a cycle goes on the way to a first picture: for what is seen on coarser ones those have had a cycle
+/// of their own. To go on costs a seventh of all passes, and saves no step on any real drawing.
+pub const FIRST_DEPTH: usize = 4;
+
 /// Steps on the coarsest level: one all the way, and none.
 pub const WHOLE_STEP: [f32; 2] = [1.0, 0.0];
 
@@ -54,7 +58,7 @@ impl Hierarchy {
         for depth in (1..self.levels.len()).rev() {
             self.rights[depth].clone_from(&self.given[depth]);
             self.spread(depth);
-            self.cycle_from(depth);
+            self.cycle_from(depth, depth + FIRST_DEPTH);
         }
         self.spread(0);
         self.values[0].clone()
@@ -71,28 +75,29 @@ impl Hierarchy {
     /// One symmetric cycle for a right side, from zero.
     pub fn precondition(&mut self, right: &Texture) -> &Texture {
         self.rights[0].texels.copy_from_slice(&right.texels);
-        self.cycle_from_zero(0);
+        self.cycle_from_zero(0, self.levels.len());
         &self.values[0]
     }
 
-    fn cycle_from_zero(&mut self, depth: usize) {
+    /// Down to a last level, where that is not the coarsest.
+    fn cycle_from_zero(&mut self, depth: usize, last: usize) {
         let (level, right) = (&self.levels[depth], &self.rights[depth]);
         let is_coarsest = depth + 1 == self.levels.len();
         let parts = if is_coarsest { WHOLE_STEP } else { STEPS };
         self.values[depth].draw(|x, y| kernels::start(level, right, parts, x, y));
-        if is_coarsest {
+        if is_coarsest || depth == last {
             return;
         }
-        self.correct(depth);
+        self.correct(depth, last);
         self.relax(depth, STEPS[1]);
         self.relax(depth, STEPS[0]);
     }
 
-    fn cycle_from(&mut self, depth: usize) {
+    fn cycle_from(&mut self, depth: usize, last: usize) {
         self.relax(depth, STEPS[0]);
         self.relax(depth, STEPS[1]);
         if depth + 1 < self.levels.len() {
-            self.correct(depth);
+            self.correct(depth, last);
         }
         self.relax(depth, STEPS[1]);
         self.relax(depth, STEPS[0]);
@@ -105,14 +110,14 @@ impl Hierarchy {
     }
 
     /// Corrects the values of a level by those of the next.
-    fn correct(&mut self, depth: usize) {
+    fn correct(&mut self, depth: usize, last: usize) {
         let (level, coarse) = (&self.levels[depth], &self.levels[depth + 1]);
         let (values, right) = (&self.values[depth], &self.rights[depth]);
         self.rooms[depth].draw(|x, y| kernels::residual(level, values, right, x, y));
         let (residual, shares) = (&self.rooms[depth], &mut self.shares[depth]);
         shares.draw(|x, y| kernels::restrict(level, residual, x, y));
         self.rights[depth + 1].draw(|x, y| kernels::collect(level, coarse, shares, x, y));
-        self.cycle_from_zero(depth + 1);
+        self.cycle_from_zero(depth + 1, last);
         let (level, values, coarse) = (&self.levels[depth], &self.values[depth], &self.values[depth + 1]);
         self.rooms[depth].draw(|x, y| kernels::interpolate(level, values, coarse, x, y));
         std::mem::swap(&mut self.values[depth], &mut self.rooms[depth]);
