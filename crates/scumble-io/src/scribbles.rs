@@ -66,7 +66,7 @@ enum PressureText {
 
 /// A point, maybe with pressure.
 #[derive(Clone, Copy, Deserialize)]
-#[serde(untagged, expecting = "points of two or three numbers")]
+#[serde(untagged, expecting = "expected points of two or three numbers")]
 enum PointText {
     Plain([f64; 2]),
     Pressed([f64; 3]),

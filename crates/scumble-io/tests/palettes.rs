@@ -75,7 +75,9 @@ fn lists_of_colours_are_read() {
         [[0x1a, 0x1c, 0x2c], [255, 0, 128], [0xaa, 0xbb, 0xcc], [0, 255, 0],]
     );
     refused("#ffffff\n#fffffff\n", PaletteError::Damaged { line: 2, expected: "a colour #rrggbb" });
-    for none in ["", "hello", "<svg/>", "{}", "; only a remark", "#ffff"] {
+    // A word alone may be anything; a name that ends in .hex says what it is meant as.
+    assert_eq!(read_palette(b"abc\n", Some(PaletteKind::Hex)).map(|palette| palette.swatches.len()), Ok(1));
+    for none in ["", "hello", "<svg/>", "{}", "; only a remark", "#ffff", "abc", "bad\n#ffffff"] {
         refused(none, PaletteError::NoPalette);
     }
 }
