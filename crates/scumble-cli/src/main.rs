@@ -100,7 +100,7 @@ scumble compare SETDIR [--every 1] [--half] [--referee]
     are from the picture on a mesh that is graded towards tips and junctions
 
 scumble bench --made
-    times labelling on made drawings of about 1,000 to 100,000 pieces
+    times maps, labelling and pictures on made drawings of about 1,000 to 100,000 pieces
 
 scumble bench --memory
     how much memory pictures of made drawings of 1,000 to 300,000 pieces take

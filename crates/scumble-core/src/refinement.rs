@@ -55,14 +55,14 @@ type Face<'a> = FaceHandle<'a, InnerTag, Point2<f64>, (), CdtEdge<EdgeTag>, ()>;
 
 impl Wanted {
     fn is_met(&self, face: Face<'_>) -> bool {
-        let [a, b, c] = face.positions();
-        let area_du2 = 0.5 * ((b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x));
+        let area_du2 = face.area();
         if area_du2 > self.largest_du2 {
             return false;
         }
         if area_du2 < self.least_du2 {
             return true;
         }
+        let [a, b, c] = face.positions();
         let squares = [a.distance_2(b), b.distance_2(c), c.distance_2(a)];
         let shortest2 = squares.into_iter().fold(f64::INFINITY, f64::min);
         // The product of all edges is four times the area times the radius of the circle.

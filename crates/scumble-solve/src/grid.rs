@@ -76,8 +76,8 @@ pub const MAX_STEPS: usize = 24;
 /// Steps where nobody looks at how far they have come, because that would take waiting for a GPU.
 pub const PAGE_STEPS: usize = 9;
 
-/// Those of them that the page makes before it shows a picture for the first time. They leave real drawings with all their colours
-/// within half a level of the solution, and within seven where half of the sides have none; the next three do with a tenth of that.
+/// Those of them that the page makes in a frame. The first ones leave real drawings with all their colours within half a level of
+/// the solution, and within seven where half of the sides have none; three more leave a tenth of that.
 pub const FRAME_STEPS: usize = 3;
 
 /// A picture on its way to the solution.

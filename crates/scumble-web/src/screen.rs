@@ -143,12 +143,12 @@ impl Solving {
         solver.ok().map(|solver| Self { solver, steps_left: PAGE_STEPS })
     }
 
-    /// Goes on for a frame; tells whether it had to.
+    /// Goes on for a frame; tells whether that was the last.
     fn go_on(&mut self) -> bool {
         let steps = FRAME_STEPS.min(self.steps_left);
         (0..steps).for_each(|_| self.solver.step());
         self.steps_left -= steps;
-        steps > 0
+        steps > 0 && self.steps_left == 0
     }
 }
 
@@ -247,7 +247,7 @@ impl GpuScreen {
     /// The part begins with the first picture of the whole, and anew with the last.
     fn solve_on(&mut self) {
         let Some(whole) = &mut self.solving else { return };
-        let is_last = whole.go_on() && whole.steps_left == 0;
+        let is_last = whole.go_on();
         self.renderer.update_solution(&whole.solver);
         if let (Some(part), Some(kernels)) = (&mut self.part, &self.kernels) {
             let has_begun = part.steps_left < PAGE_STEPS;

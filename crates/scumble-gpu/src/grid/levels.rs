@@ -206,7 +206,7 @@ impl GpuLevels {
         self.cycle_from_zero(recorder, 0, self.levels.len());
     }
 
-    /// Down to a last level, where that is not the coarsest.
+    /// Records one symmetric cycle for the right side of a level, from zero, down to the level `last` or the coarsest.
     fn cycle_from_zero(&mut self, recorder: &mut Recorder<'_>, depth: usize, last: usize) {
         let is_coarsest = depth + 1 == self.levels.len();
         self.start(recorder, depth, &self.first_parts[usize::from(is_coarsest)]);

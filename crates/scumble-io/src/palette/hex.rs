@@ -6,7 +6,7 @@ use scumble_core::Srgb8;
 use super::{ReadPalette, push};
 use crate::error::PaletteError;
 
-/// Whether a text begins as such a list: three digits without `#` may be any word. All files are asked: of what is none, however
+/// Whether a text begins as such a list: three digits without `#` may be any word, six are hardly one. All files are asked: of what is none, however
 /// large, only the beginning is read.
 pub(super) fn begins(text: &[u8]) -> bool {
     let mut lines = text.split(|byte| *byte == b'\n').map(String::from_utf8_lossy);

@@ -180,18 +180,17 @@ mod tests {
 
     use super::*;
 
-    const WIDTH: u32 = 7;
-    const HEIGHT: u32 = 5;
-    const COUNT: u32 = WIDTH * HEIGHT;
+    /// Pixels of the largest picture.
+    const MOST: usize = 35;
 
     fn cut(pixel: u32, link: Link, color: Option<Texel>) -> Cut {
         Cut { pixel, link, fraction: 0.5, color }
     }
 
-    fn constraints(cuts: Vec<Cut>) -> Constraints {
+    fn constraints([width_px, height_px]: [u32; 2], cuts: Vec<Cut>) -> Constraints {
         Constraints {
-            width_px: WIDTH,
-            height_px: HEIGHT,
+            width_px,
+            height_px,
             cuts,
             faces: Vec::new(),
             pulls: Vec::new(),
@@ -203,38 +202,41 @@ mod tests {
 
     /// Goes from pixel to pixel as long as there is a way.
     fn reached(constraints: &Constraints) -> Vec<bool> {
-        let mut is_reached = [false; COUNT as usize];
+        let (width, count) = (constraints.width_px, constraints.width_px * constraints.height_px);
+        let mut is_reached = vec![false; count as usize];
         let is_open = |pixel, link| constraints.cuts.iter().all(|cut| (cut.pixel, cut.link) != (pixel, link));
         for cut in constraints.cuts.iter().filter(|cut| cut.color.is_some()) {
             is_reached[cut.pixel as usize] = true;
         }
-        for _ in 0..COUNT {
-            for pixel in 0..COUNT {
-                let east = (pixel % WIDTH + 1 < WIDTH && is_open(pixel, Link::East)).then_some(pixel + 1);
-                let south = (pixel + WIDTH < COUNT && is_open(pixel, Link::South)).then_some(pixel + WIDTH);
+        for _ in 0..count {
+            for pixel in 0..count {
+                let east = (pixel % width + 1 < width && is_open(pixel, Link::East)).then_some(pixel + 1);
+                let south = (pixel + width < count && is_open(pixel, Link::South)).then_some(pixel + width);
                 for other in [east, south].into_iter().flatten().map(|other| other as usize) {
                     let pair = is_reached[pixel as usize] || is_reached[other];
                     (is_reached[pixel as usize], is_reached[other]) = (pair, pair);
                 }
             }
         }
-        is_reached.into()
+        is_reached
     }
 
     proptest! {
         #[test]
         fn a_pixel_is_unreached_if_there_is_no_way_from_one_with_a_colour(
-            walls in vec(any::<[bool; 2]>(), COUNT as usize),
-            colored in vec(0..COUNT, 0..3),
+            size_px in [1..8_u32, 1..6_u32],
+            walls in vec(any::<[bool; 2]>(), MOST),
+            colored in vec(0..MOST as u32, 0..3),
         ) {
             let mut cuts = Vec::new();
-            for (pixel, [east, south]) in (0..).zip(walls) {
+            for (pixel, [east, south]) in (0..size_px[0] * size_px[1]).zip(walls) {
                 cuts.extend(east.then(|| cut(pixel, Link::East, None)));
                 cuts.extend(south.then(|| cut(pixel, Link::South, None)));
                 cuts.extend(colored.contains(&pixel).then(|| cut(pixel, Link::North, Some([1.0; 4]))));
             }
-            let constraints = constraints(cuts);
-            prop_assert!(constraints.unreached().iter().zip(reached(&constraints)).all(|(a, b)| *a != b));
+            let constraints = constraints(size_px, cuts);
+            let expected: Vec<_> = reached(&constraints).into_iter().map(|is_reached| !is_reached).collect();
+            prop_assert_eq!(constraints.unreached(), expected);
         }
     }
 }

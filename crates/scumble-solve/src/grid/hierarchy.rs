@@ -79,7 +79,7 @@ impl Hierarchy {
         &self.values[0]
     }
 
-    /// Down to a last level, where that is not the coarsest.
+    /// One symmetric cycle for the right side of a level, from zero, down to the level `last` or the coarsest.
     fn cycle_from_zero(&mut self, depth: usize, last: usize) {
         let (level, right) = (&self.levels[depth], &self.rights[depth]);
         let is_coarsest = depth + 1 == self.levels.len();

@@ -75,7 +75,7 @@ fn rows([a, b, c]: [Point; 3], height_px: u32) -> Range<i64> {
 /// Columns in which all pixels are that a triangle has, and some more.
 fn columns_near([a, b, c]: [Point; 3]) -> Range<i64> {
     let [first, last] = [a.x.min(b.x).min(c.x), a.x.max(b.x).max(c.x)];
-    first as i64 - 1..last as i64 + 2
+    (first - 1.0) as i64..(last + 2.0) as i64
 }
 
 /// The columns of a row that a triangle has.
