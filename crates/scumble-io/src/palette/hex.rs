@@ -6,8 +6,8 @@ use scumble_core::Srgb8;
 use super::{ReadPalette, push};
 use crate::error::PaletteError;
 
-/// Whether a text begins as such a list: three digits without `#` may be any word, six are hardly one. All files are asked: of what is none, however
-/// large, only the beginning is read.
+/// Whether a text begins as such a list: three digits without `#` may be any word, six are hardly one. All files are asked: of
+/// what is none, however large, only the beginning is read.
 pub(super) fn begins(text: &[u8]) -> bool {
     let mut lines = text.split(|byte| *byte == b'\n').map(String::from_utf8_lossy);
     let is_meant = |word: &str| (word.starts_with('#') || word.len() == 6) && color(word).is_some();
