@@ -319,17 +319,18 @@ const FRAME_COARSENING: f64 = 4.0;
 /// The curves as stretches, and the frame after them; `None` where there are too many.
 async fn polylines(drawing: &Drawing, frame: LatticePoint, sampling: &Sampling) -> Option<Vec<Vec<Stretch>>> {
     let (mut left, mut pace) = (MAX_PIECES, Pace::default());
-    let frame_path = sample::frame_path(frame);
-    let frame = sample::frame_rect(frame);
-    let frame_sampling = Sampling { spacing_du: FRAME_COARSENING * sampling.spacing_du, ..*sampling };
+    let page = sample::frame_rect(frame);
+    let mut feet = Vec::new();
     let mut polylines = Vec::with_capacity(drawing.curves.len() + 1);
-    let curves = drawing.curves.iter().map(|curve| (&curve.path, sampling));
-    for (path, sampling) in curves.chain([(&frame_path, &frame_sampling)]) {
-        let polyline = sample::sample(path, frame, sampling, left)?;
+    for curve in &drawing.curves {
+        let polyline = sample::sample(&curve.path, page, sampling, left)?;
         left = left.checked_sub(polyline.len())?;
         pace.work(1 + polyline.len()).await;
+        sample::add_feet(frame, &polyline, &mut feet);
         polylines.push(polyline);
     }
+    let frame_sampling = Sampling { spacing_du: FRAME_COARSENING * sampling.spacing_du, ..*sampling };
+    polylines.push(sample::sample(&sample::frame_path(frame, feet), page, &frame_sampling, left)?);
     Some(polylines)
 }
 

@@ -5,11 +5,11 @@
 //! lattice of 1/1024 du, so that all later decisions about crossings are exact in integers.
 
 mod ends;
+mod frame;
 
-use kurbo::{
-    BezPath, CubicBez, Line, ParamCurve, ParamCurveArclen, ParamCurveNearest, PathSeg, Point, Rect, Shape,
-    Size,
-};
+use kurbo::{BezPath, CubicBez, Line, ParamCurve, ParamCurveArclen, ParamCurveNearest, PathSeg, Point, Rect};
+
+pub(crate) use frame::{add_feet, frame_path, frame_rect, lattice_frame};
 
 use crate::clamp::nearest_in;
 use crate::grading::graded;
@@ -45,17 +45,6 @@ pub(crate) struct Stretch {
     pub(crate) arc_du: [f64; 2],
 }
 
-/// The frame's size in lattice units: the next whole one, so that the border itself lies on the lattice.
-pub(crate) fn lattice_frame(size_du: Size) -> LatticePoint {
-    let up = |du: f64| ((du * LATTICE_PER_DU).ceil() as i32).max(1);
-    LatticePoint { x: up(size_du.width), y: up(size_du.height) }
-}
-
-/// The four edges of the frame, anticlockwise in the sense of the triangulation.
-pub(crate) fn frame_path(frame: LatticePoint) -> BezPath {
-    frame_rect(frame).to_path(0.1)
-}
-
 /// Samples one curve within a part of the frame, or gives up (`None`) above `limit` stretches.
 pub(crate) fn sample(path: &BezPath, rect: Rect, sampling: &Sampling, limit: usize) -> Option<Vec<Stretch>> {
     if !within_reach(path) {
@@ -66,10 +55,6 @@ pub(crate) fn sample(path: &BezPath, rect: Rect, sampling: &Sampling, limit: usi
         sampler.segment(segment.to_cubic(), matches!(segment, PathSeg::Line(_)), ends_du, 0)?;
     }
     Some(sampler.stretches)
-}
-
-pub(crate) fn frame_rect(frame: LatticePoint) -> Rect {
-    Rect::from_points(Point::ORIGIN, frame.to_point())
 }
 
 struct Sampler<'a> {
@@ -235,7 +220,7 @@ pub(crate) fn clip([a, b]: [Point; 2], rect: Rect) -> Option<[f64; 2]> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use kurbo::Circle;
+    use kurbo::{Circle, Shape};
 
     const FRAME: LatticePoint = LatticePoint { x: 1024 * 1024, y: 1024 * 1024 };
 

@@ -433,3 +433,75 @@ fn colours_come_through_the_wider_door_however_lines_are_cut() {
         assert!(!found.contains(&Some(1 - wider)), "{doors_du:?}");
     }
 }
+
+/// The scribbles around the inside of a shape, one after the other.
+fn around(shape: &BezPath, center: Point, strokes: &[[Point; 2]]) -> Vec<usize> {
+    let map = sampled(vec![(shape.clone(), 8.0)], 0.5, &Sampling::default());
+    let stroke = |points: &[Point; 2]| Scribble {
+        color: Paint::Clear,
+        kind: ScribbleKind::Fill,
+        width_du: 8.0,
+        points: points.to_vec(),
+    };
+    let labels = fresh(&map, false, &strokes.iter().map(stroke).collect::<Vec<_>>());
+    let mesh = map.triangulation();
+    let mut sides: Vec<_> = mesh
+        .half_edges()
+        .filter_map(|h| {
+            let [a, b, c] = mesh.corners(h.triangle()).map(Point::to_vec2);
+            let is_within = shape.contains(((a + b + c) / 3.0).to_point());
+            let [from, to] = mesh.segment(h);
+            let label = labels.sides[mesh.side(h).filter(|_| is_within)?.index()].expect("a colour");
+            Some(((from.midpoint(to) - center).atan2(), label as usize))
+        })
+        .collect();
+    sides.sort_by(|a, b| a.0.total_cmp(&b.0));
+    let mut labels: Vec<_> = sides.into_iter().map(|(_, label)| label).collect();
+    labels.dedup();
+    if labels.len() > 1 && labels.first() == labels.last() {
+        labels.pop();
+    }
+    labels
+}
+
+#[test]
+fn strokes_side_by_side_in_a_shape_part_its_outline_once_between_them() {
+    let center = Point::new(512.0, 384.0);
+    let level = |half_du: f64, y_du: f64| [-half_du, half_du].map(|x_du| center + Vec2::new(x_du, y_du));
+    let circle = Circle::new(center, 300.0).to_path(0.01);
+    let bar = Rect::from_center_size(center, (922.0, 410.0)).to_path(0.1);
+    // From the left side on, whose middle is where angles begin.
+    for (shape, half_du, levels_du, expected) in [
+        (&circle, 60.0, vec![10.0, -130.0], vec![0, 1]),
+        (&circle, 60.0, vec![10.0, -240.0], vec![0, 1]),
+        (&circle, 150.0, vec![0.0, 150.0, -150.0], vec![0, 2, 0, 1]),
+        (&bar, 307.0, vec![0.0, 107.0], vec![0, 1]),
+    ] {
+        let strokes: Vec<_> = levels_du.iter().map(|&y_du| level(half_du, y_du)).collect();
+        assert_eq!(around(shape, center, &strokes), expected, "{levels_du:?}");
+    }
+}
+
+#[test]
+fn a_line_that_ends_beside_the_border_of_the_page_reaches_it() {
+    // By how much lines fall short: rounding, or less than what their width covers.
+    for short_du in [0.0, 0.001, 0.1, 3.0] {
+        for shift_du in [0.0, 8.0] {
+            let y = 377.0 + shift_du;
+            let horizon = polyline(&[Point::new(short_du, y), Point::new(1024.0 - short_du, y)]);
+            let map = build(vec![(horizon, 8.0)], 0.5);
+            let points = [100.0, 900.0].map(|x| Point::new(x, 500.0)).to_vec();
+            let ground = Scribble { color: Paint::Clear, kind: ScribbleKind::Fill, width_du: 8.0, points };
+            let labels = fresh(&map, false, &[ground]);
+            let mesh = map.triangulation();
+            for h in mesh.half_edges() {
+                let [a, b, c] = mesh.corners(h.triangle()).map(|p| p.y);
+                let is_below = (a + b + c) / 3.0 > y;
+                let expected = is_below.then_some(0);
+                if let Some(side) = mesh.side(h) {
+                    assert_eq!(labels.sides[side.index()], expected, "{short_du} du short at {y}");
+                }
+            }
+        }
+    }
+}

@@ -16,17 +16,25 @@ const HOLD: f64 = 3.0;
 /// How long that passage is, in du.
 const START_DU: f64 = 1.0;
 
-/// What lies around a sample within this many times its distance from the drawn lines is at hand, and [`BESIDE_DU`]
-/// more: the nearest line is, so that a careful dab near a line has its say. Where two meet, the one that was drawn in
-/// the open has that much of a start: that parts a room better on the quality set. What is *nearest* is the same without
-/// a start. It comes last, so that no dab is without effect.
-const AT_HAND: f64 = 1.5;
+/// What lies around a sample within this many times its distance from the drawn lines, up to [`OPEN_FROM_DU`], is at hand,
+/// and [`BESIDE_DU`] more: the nearest line is, so that a careful dab near a line has its say. Where two meet, the one that
+/// was drawn farther from the lines has that much of a start: that parts a room better on the quality set. What is *nearest*
+/// has as much of a start as its distance from the lines. It comes last, so that no dab is without effect.
+const AT_HAND: f64 = 2.8;
+
+/// What is drawn farther from all lines than this, in du, is in the open.
+const OPEN_FROM_DU: f64 = 65.0;
+
+/// How much farther what is at hand reaches for each du from there on. With 1 or more, a scribble in the middle of a large
+/// shape would come first to all lines around it, and one between it and a line do nothing, or colour some pieces here and
+/// there.
+const AT_HAND_IN_THE_OPEN: f64 = 0.65;
 
 /// At hand around any sample, in du: about a triangle of the refined mesh.
 const BESIDE_DU: f64 = 12.0;
 
-/// More than any start, in du.
-const LONGEST_START_DU: f64 = AT_HAND * OPEN_DU;
+/// No start is longer, in du.
+const LONGEST_START_DU: f64 = OPEN_DU;
 
 /// A room counts as meant where the scribble has at least this part of the samples that it has in the room where it has
 /// most: less is a hand that slipped, or that set the pen down beside the shape. In rooms around the one that was drawn in
@@ -63,14 +71,21 @@ pub(super) struct Seed {
 
 impl Seed {
     fn new(triangle: usize, distance_du: f64) -> Self {
-        let start = |part: f64| length(LONGEST_START_DU - part * distance_du.clamp(0.0, OPEN_DU));
+        let distance_du = distance_du.clamp(0.0, OPEN_DU);
+        let claim = |start_du: f64| length(LONGEST_START_DU - start_du);
         Self {
             triangle,
             cost: cost(START_DU, HOLD * distance_du),
-            at_hand: start(AT_HAND),
-            nearest: start(1.0),
+            at_hand: claim(start_du(distance_du)),
+            nearest: claim(distance_du),
         }
     }
+}
+
+/// The start of what is at hand to a sample so far from the drawn lines, both in du.
+fn start_du(distance_du: f64) -> f64 {
+    let near_du = distance_du.min(OPEN_FROM_DU);
+    AT_HAND * near_du + AT_HAND_IN_THE_OPEN * (distance_du - near_du)
 }
 
 /// What a seed's claim and the way from there may come to for a place to be at hand.
