@@ -31,24 +31,24 @@ function haveStyle() {
  * @param {() => Promise<T>} fetch
  */
 export function lazily(fetch) {
-  /** @type {Promise<void> | undefined} */
-  let loading;
   const load = async () => {
     try {
       [part.now] = await Promise.all([fetch(), haveRest()]);
     } catch (fault) {
       console.warn(fault);
-      loading = undefined;
+      part.loading = undefined;
       throw new Error(say("error-panel"));
     }
   };
   const part = {
     /** What was fetched, if it is there. @type {T | undefined} */
     now: undefined,
+    /** Since it was wanted first. @type {Promise<void> | undefined} */
+    loading: undefined,
     /** Uses it, at once where it is there, and says what goes wrong. @param {(it: T) => unknown} act */
     async use(act) {
       try {
-        if (!part.now) await (loading ??= load());
+        if (!part.now) await (part.loading ??= load());
         if (part.now) await act(part.now);
       } catch (fault) {
         failed(fault);

@@ -317,7 +317,10 @@ const holds = {
  * @param {boolean} isFar
  */
 function moveBy(direction, isFar) {
-  if (!keyboardPen.now?.move(direction, isFar)) engine.command("arrow", [...direction, Number(isFar)]);
+  const move = () => engine.command("arrow", [...direction, Number(isFar)]);
+  // Keys stay in their order while it is fetched.
+  if (keyboardPen.loading) keyboardPen.use((pen) => pen.move(direction, isFar) || move());
+  else move();
 }
 
 /** @param {string} action */

@@ -85,6 +85,22 @@ for (const browser of /** @type {const} */ (["chromium", "firefox"])) {
       assert.deepEqual(editor.tab.faults, []);
     });
 
+    test("keys that come before the cross hairs are there do what they do later", async () => {
+      const editor = await begun();
+      const view = () => editor.tab.evaluate(`document.getElementById("canvas").dataset.view`);
+      const before = await view();
+      const keys = ["Enter", "ArrowLeft", "ArrowLeft", "Enter", "ArrowDown", "ArrowDown", "Enter"];
+      await editor.until("Scribble added, 1 in the drawing", () =>
+        editor.tab.evaluate(`for (const key of ${JSON.stringify(keys)})
+          document.activeElement.dispatchEvent(new KeyboardEvent("keydown", { key, code: key, bubbles: true }))`),
+      );
+      const [width, height] = await editor.tab.evaluate(`((stage) => [stage.clientWidth, stage.clientHeight])(
+        document.getElementById("cross").parentElement)`);
+      assert.deepEqual(await cross(editor), [Math.round(width / 2) - 16, Math.round(height / 2) + 16]);
+      assert.equal(await view(), before);
+      assert.deepEqual(editor.tab.faults, []);
+    });
+
     test("Tab lifts the pen, the mouse takes over, a colour is picked, and buttons keep Enter", async () => {
       const editor = await begun();
       await editor.tab.press("Enter");
