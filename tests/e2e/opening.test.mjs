@@ -40,6 +40,6 @@ describe("opening a drawing", () => {
 
   test("pasted text that is no drawing, of which it says so", async () => {
     await paste("Dear all,");
-    assert.match(await editor.message(), /text, neither a drawing/);
+    assert.match(await editor.message(), /text is no drawing/);
   });
 });
