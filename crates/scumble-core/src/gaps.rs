@@ -101,7 +101,7 @@ async fn find(map: &PlanarMap, clearance: &Clearance, ratio: f64) -> Vec<Gap> {
 /// The width by which a gap is wide, and the one by which it is plain. Beside the border of the page, what is at hand
 /// counts as much as a passage there counts, unless a line means to reach it.
 fn wide_widths_du(map: &PlanarMap, lengths_du: &[f64], h: HalfEdge, width_du: f64) -> [f64; 2] {
-    let counts = map.is_at_border(map.triangulation().ends(h)) && !means_to_reach(map, lengths_du, h);
+    let counts = map.is_at_border(&map.triangulation().ends(h)) && !means_to_reach(map, lengths_du, h);
     [if counts { width_du } else { clear_width_du(map, h) }, width_du]
 }
 

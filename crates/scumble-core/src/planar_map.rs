@@ -221,8 +221,8 @@ impl PlanarMap {
         self.base.half_widths_du.get(node as usize).copied().filter(|half_width_du| *half_width_du >= 0.0)
     }
 
-    /// Whether only the frame passes through one of two nodes.
-    pub(crate) fn is_at_border(&self, nodes: [u32; 2]) -> bool {
+    /// Whether only the frame passes through one of some nodes.
+    pub(crate) fn is_at_border(&self, nodes: &[u32]) -> bool {
         nodes.iter().any(|&node| self.half_width_du(node).is_none())
     }
 

@@ -505,3 +505,23 @@ fn a_line_that_ends_beside_the_border_of_the_page_reaches_it() {
         }
     }
 }
+
+#[test]
+fn of_two_strokes_in_a_sky_the_one_that_is_nearer_has_the_horizon() {
+    let horizon = polyline(&[Point::new(0.0, 650.0), Point::new(1024.0, 650.0)]);
+    let map = build(vec![(horizon, 8.0)], 0.5);
+    let stroke = |y: f64| Scribble {
+        color: Paint::Clear,
+        kind: ScribbleKind::Fill,
+        width_du: 8.0,
+        points: [250.0, 750.0].map(|x| Point::new(x, y)).to_vec(),
+    };
+    let labels = fresh(&map, false, &[80.0, 330.0, 720.0].map(stroke));
+    let mesh = map.triangulation();
+    for h in mesh.half_edges() {
+        let is_above = mesh.corners(h.triangle()).iter().any(|p| p.y < 650.0);
+        if let Some(side) = mesh.side(h).filter(|_| mesh.segment(h).iter().all(|p| p.y == 650.0)) {
+            assert_eq!(labels.sides[side.index()], Some(if is_above { 1 } else { 2 }));
+        }
+    }
+}

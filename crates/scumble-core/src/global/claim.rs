@@ -13,6 +13,10 @@ use crate::stroke::Stroke;
 /// shadows no line marks); with more, a hand that leaves its region takes another.
 const HOLD: f64 = 3.0;
 
+/// The same beside the border of the page, where passages count as wider, too: else the scribble furthest from all lines
+/// takes all of a sky.
+const HOLD_AT_BORDER: f64 = 2.0 * HOLD;
+
 /// How long that passage is, in du.
 const START_DU: f64 = 1.0;
 
@@ -70,12 +74,12 @@ pub(super) struct Seed {
 }
 
 impl Seed {
-    fn new(triangle: usize, distance_du: f64) -> Self {
+    fn new(triangle: usize, distance_du: f64, hold: f64) -> Self {
         let distance_du = distance_du.clamp(0.0, OPEN_DU);
         let claim = |start_du: f64| length(LONGEST_START_DU - start_du);
         Self {
             triangle,
-            cost: cost(START_DU, HOLD * distance_du),
+            cost: cost(START_DU, hold * distance_du),
             at_hand: claim(start_du(distance_du)),
             nearest: claim(distance_du),
         }
@@ -119,7 +123,9 @@ impl Claim {
             let room = ways.room_of[place];
             let visit = visits.entry(room);
             visit.area_du2 = ways.rooms.area_du2(room);
-            visit.seeds.push(Seed::new(place, distance_du));
+            let is_at_border = map.is_at_border(&map.triangulation().nodes(base));
+            let hold = if is_at_border { HOLD_AT_BORDER } else { HOLD };
+            visit.seeds.push(Seed::new(place, distance_du, hold));
         });
     }
 

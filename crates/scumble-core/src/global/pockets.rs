@@ -85,7 +85,7 @@ impl Rooms {
         pace::pause().await;
         let doors = doors(map, gaps, room_of, |gap, _| gap.is_wide);
         let is_within = |door: Door| !door.iter().all(|&room| areas_du2[room as usize].is_infinite());
-        let is_plain = |gap: &Gap, door| gap.is_plain && (map.is_at_border(gap.nodes) || is_within(door));
+        let is_plain = |gap: &Gap, door| gap.is_plain && (map.is_at_border(&gap.nodes) || is_within(door));
         let plain_doors = self::doors(map, gaps, room_of, is_plain);
         pace::pause().await;
         let mut are_beside_border: Vec<bool> =
