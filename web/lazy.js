@@ -43,7 +43,7 @@ export function lazily(fetch) {
   const part = {
     /** What was fetched, if it is there. @type {T | undefined} */
     now: undefined,
-    /** Since it was wanted first. @type {Promise<void> | undefined} */
+    /** Its fetching, from the first use on. @type {Promise<void> | undefined} */
     loading: undefined,
     /** Uses it, at once where it is there, and says what goes wrong. @param {(it: T) => unknown} act */
     async use(act) {

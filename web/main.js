@@ -318,7 +318,7 @@ const holds = {
  */
 function moveBy(direction, isFar) {
   const move = () => engine.command("arrow", [...direction, Number(isFar)]);
-  // Keys stay in their order while it is fetched.
+  // Arrows wait with Enter while it is fetched.
   if (keyboardPen.loading) keyboardPen.use((pen) => pen.move(direction, isFar) || move());
   else move();
 }

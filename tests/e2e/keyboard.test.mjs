@@ -85,7 +85,7 @@ for (const browser of /** @type {const} */ (["chromium", "firefox"])) {
       assert.deepEqual(editor.tab.faults, []);
     });
 
-    test("keys that come before the cross hairs are there do what they do later", async () => {
+    test("Enter and arrows that come before the cross hairs are there do what they do later", async () => {
       const editor = await begun();
       const view = () => editor.tab.evaluate(`document.getElementById("canvas").dataset.view`);
       const before = await view();

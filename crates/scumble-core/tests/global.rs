@@ -465,7 +465,7 @@ fn around(shape: &BezPath, center: Point, strokes: &[[Point; 2]]) -> Vec<usize> 
 }
 
 #[test]
-fn strokes_side_by_side_in_a_shape_part_its_outline_once_between_them() {
+fn strokes_side_by_side_in_a_shape_part_its_outline_without_scattered_pieces() {
     let center = Point::new(512.0, 384.0);
     let level = |half_du: f64, y_du: f64| [-half_du, half_du].map(|x_du| center + Vec2::new(x_du, y_du));
     let circle = Circle::new(center, 300.0).to_path(0.01);
@@ -474,6 +474,7 @@ fn strokes_side_by_side_in_a_shape_part_its_outline_once_between_them() {
     for (shape, half_du, levels_du, expected) in [
         (&circle, 60.0, vec![10.0, -130.0], vec![0, 1]),
         (&circle, 60.0, vec![10.0, -240.0], vec![0, 1]),
+        (&circle, 60.0, vec![0.0, -275.0], vec![0, 1]),
         (&circle, 150.0, vec![0.0, 150.0, -150.0], vec![0, 2, 0, 1]),
         (&bar, 307.0, vec![0.0, 107.0], vec![0, 1]),
     ] {

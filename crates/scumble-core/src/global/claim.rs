@@ -23,7 +23,7 @@ const START_DU: f64 = 1.0;
 /// What lies around a sample within this many times its distance from the drawn lines, up to [`OPEN_FROM_DU`], is at hand,
 /// and [`BESIDE_DU`] more: the nearest line is, so that a careful dab near a line has its say. Where two meet, the one that
 /// was drawn farther from the lines has that much of a start: that parts a room better on the quality set. What is *nearest*
-/// has as much of a start as its distance from the lines. It comes last, so that no dab is without effect.
+/// has as much of a start as its distance from the lines. It comes last, so that hardly any dab is without effect.
 const AT_HAND: f64 = 2.8;
 
 /// What is drawn farther from all lines than this, in du, is in the open.
@@ -31,7 +31,7 @@ const OPEN_FROM_DU: f64 = 65.0;
 
 /// How much farther what is at hand reaches for each du from there on. With 1 or more, a scribble in the middle of a large
 /// shape would come first to all lines around it, and one between it and a line do nothing, or colour some pieces here and
-/// there.
+/// there. Close to a line only what is nearest holds against it.
 const AT_HAND_IN_THE_OPEN: f64 = 0.65;
 
 /// At hand around any sample, in du: about a triangle of the refined mesh.
@@ -39,6 +39,7 @@ const BESIDE_DU: f64 = 12.0;
 
 /// No start is longer, in du.
 const LONGEST_START_DU: f64 = OPEN_DU;
+const _: () = assert!(AT_HAND * OPEN_FROM_DU + AT_HAND_IN_THE_OPEN * OPEN_DU <= LONGEST_START_DU);
 
 /// A room counts as meant where the scribble has at least this part of the samples that it has in the room where it has
 /// most: less is a hand that slipped, or that set the pen down beside the shape. In rooms around the one that was drawn in

@@ -1,12 +1,13 @@
 //! The border of the page as one more curve of the map.
 
-use kurbo::{BezPath, Rect, Size};
+use kurbo::{BezPath, Point, Rect, Size};
 
 use super::{LATTICE_PER_DU, LatticePoint, Stretch};
 use crate::sort;
 
-/// Where a curve ends as close to the frame as this, in lattice units (16 du), the frame has a node beside its end. Farther
-/// away the nodes that it has anyway tell the width of the passage between them well enough.
+/// Where a curve ends as close to the frame as this, in lattice units, the frame has a node beside its end: 16 du, as far as
+/// its nodes are from one another by default. Farther away these tell the width of the passage between the end and the frame
+/// well enough.
 const NEAR: i32 = 16 * LATTICE_PER_DU as i32;
 
 /// The frame's size in lattice units: the next whole one, so that the border itself lies on the lattice.
@@ -16,7 +17,7 @@ pub(crate) fn lattice_frame(size_du: Size) -> LatticePoint {
 }
 
 pub(crate) fn frame_rect(frame: LatticePoint) -> Rect {
-    Rect::from_points(LatticePoint::default().to_point(), frame.to_point())
+    Rect::from_points(Point::ORIGIN, frame.to_point())
 }
 
 /// The four edges of the frame by way of places on it, in lattice units from the origin along the frame: anticlockwise in
@@ -26,7 +27,7 @@ pub(crate) fn frame_path(frame: LatticePoint, mut places: Vec<u32>) -> BezPath {
     places.extend([0, width, width + height, 2 * width + height]);
     sort::sort_unique(&mut places);
     let mut path = BezPath::new();
-    path.move_to((0.0, 0.0));
+    path.move_to(Point::ORIGIN);
     places[1..].iter().for_each(|&place| path.line_to(point_at(frame, place as i32).to_point()));
     path.close_path();
     path
@@ -54,7 +55,7 @@ pub(crate) fn add_feet(frame: LatticePoint, stretches: &[Stretch], places: &mut 
     }
 }
 
-/// The places on the frame beside a point that is near it.
+/// The places on the frame beside a point that is near it, but not on it: that is a node of the frame anyway.
 fn feet(frame: LatticePoint, p: LatticePoint) -> impl Iterator<Item = u32> {
     let half = frame.x + frame.y;
     let distances_and_places = [
