@@ -5,6 +5,7 @@
 mod checks;
 mod dist;
 mod icons;
+mod order;
 mod package;
 mod process;
 mod samples;

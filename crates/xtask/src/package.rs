@@ -2,6 +2,7 @@
 //!
 //! The two know each other's functions by names that end in a hash, some hundreds, which do not compress: they get short ones.
 
+use crate::order::named_by_likeness;
 use crate::process::{cargo, command, minifier, node, output_of, root, run};
 use crate::tools;
 use anyhow::{Context, Result};
@@ -15,18 +16,17 @@ pub(crate) const FLAVOURS: [&str; 2] = ["webgpu", "webgl"];
 /// The build of `scumble-files`.
 pub(crate) const FILES: &str = "files";
 
+/// How a module is optimised first, and then once more, for what the first time left, with nothing that costs bytes. Between
+/// the two its functions get names that sort them by likeness, as neighbours that are alike compress better.
+const WASM_OPT: [&[&str]; 2] =
+    [&["-O2", "--minify-imports-and-exports-and-modules"], &["-Os", "--reorder-functions-by-name"]];
+
 /// The features of wasm that every browser with WebGPU or WebGL 2 has; `--all-features` would use others. Functions
 /// that are called once stay functions: inlined they compress worse, by 3% of the whole.
-const WASM_OPT: [&str; 15] = [
-    "-O2",
-    // Once more, for what the first time left, with nothing that costs bytes.
-    "-Os",
+const WASM_OPT_ALWAYS: [&str; 11] = [
     "--one-caller-inline-max-function-size=0",
     // A call takes as much as a body that small.
     "--always-inline-max-function-size=5",
-    // Neighbours by name are neighbours by kind, and compress better.
-    "--reorder-functions-by-name",
-    "--minify-imports-and-exports-and-modules",
     "--strip-producers",
     "--strip-target-features",
     "--enable-bulk-memory",
@@ -52,7 +52,8 @@ pub(crate) fn build(name: &str) -> Result<PathBuf> {
     let (seen, package) = (work.join("seen"), work.join("package"));
     // The tools and how they are used are part of it, so that a change of them runs the steps again.
     let tools = fs::read(root().join("package-lock.json"))?;
-    let input = [&fs::read(&wasm)?, &tools, &include_bytes!("package.rs")[..]].concat();
+    let steps = [&include_bytes!("package.rs")[..], include_bytes!("order.rs")].concat();
+    let input = [fs::read(&wasm)?, tools, steps].concat();
     if fs::read(&seen).is_ok_and(|seen| seen == input) {
         return Ok(package);
     }
@@ -114,11 +115,21 @@ fn bind(wasm: &Path, package: &Path) -> Result<()> {
 
 /// Optimises a module in its place, and gives back the short names that its imports and exports have now.
 fn optimise(wasm: &Path) -> Result<ShortNames> {
-    let optimised = wasm.with_extension("optimised");
-    let wasm_opt = "node_modules/binaryen/bin/wasm-opt";
-    let list = output_of(node().arg(wasm_opt).args(WASM_OPT).arg(wasm).arg("-o").arg(&optimised))?;
-    fs::rename(optimised, wasm)?;
+    let [first, again] = WASM_OPT;
+    let list = wasm_opt(wasm, first)?;
+    fs::write(wasm, named_by_likeness(&fs::read(wasm)?)?)?;
+    wasm_opt(wasm, again)?;
     ShortNames::read(&list)
+}
+
+/// Runs `wasm-opt` on a module in its place; what it writes to standard output.
+fn wasm_opt(wasm: &Path, passes: &[&str]) -> Result<String> {
+    let optimised = wasm.with_extension("optimised");
+    let mut tool = node();
+    tool.arg("node_modules/binaryen/bin/wasm-opt").args(passes).args(WASM_OPT_ALWAYS);
+    let written = output_of(tool.arg(wasm).arg("-o").arg(&optimised))?;
+    fs::rename(optimised, wasm)?;
+    Ok(written)
 }
 
 /// Has a script use the short names, and minifies it in its place.

@@ -1,0 +1,206 @@
+//! The order of the functions of a wasm module by likeness: `gzip` finds what is repeated within 32 KB alone.
+
+use anyhow::{Context, Result};
+use std::collections::{BTreeMap, BTreeSet, VecDeque};
+use wasm_encoder::{NameMap, NameSection, Section};
+use wasmparser::{Parser, Payload, TypeRef};
+
+/// Bytes in a row that two functions are alike by.
+const RUN: usize = 6;
+
+/// Bytes of functions that the next one is compared with: less than `gzip` remembers, as what is near takes fewer bits.
+const WINDOW_BYTES: usize = 16_000;
+
+/// Runs that more functions have say nothing: `gzip` has seen them wherever it is.
+const MOST_HOLDERS: usize = 400;
+
+/// So many more runs a function counts, lest the smallest come first.
+const HEADWAY: usize = 40;
+
+/// A module without names, with names for its functions that sort them by likeness.
+///
+/// # Errors
+/// For what is no wasm module.
+pub(crate) fn named_by_likeness(module: &[u8]) -> Result<Vec<u8>> {
+    let (mut imported, mut bodies) = (0, Vec::new());
+    for payload in Parser::new(0).parse_all(module) {
+        match payload.context("the functions of a wasm module")? {
+            Payload::ImportSection(imports) => {
+                for import in imports.into_imports() {
+                    imported += u32::from(matches!(import?.ty, TypeRef::Func(_)));
+                }
+            }
+            Payload::CodeSectionEntry(body) => bodies.push(&module[body.range()]),
+            _ => {}
+        }
+    }
+    let mut places: Vec<_> = order(&bodies).into_iter().zip(0..).collect();
+    places.sort_unstable();
+    let mut names = NameMap::new();
+    for (function, place) in places {
+        names.append(imported + function as u32, &format!("{place:06}"));
+    }
+    let (mut section, mut named) = (NameSection::new(), module.to_vec());
+    section.functions(&names);
+    section.append_to(&mut named);
+    Ok(named)
+}
+
+/// Each next is the one of which the largest part is found in those before it.
+fn order(bodies: &[&[u8]]) -> Vec<usize> {
+    let mut window = Window::new(bodies);
+    let mut left: BTreeSet<usize> = (0..bodies.len()).collect();
+    let mut order = Vec::with_capacity(bodies.len());
+    while let Some(next) =
+        left.iter().copied().reduce(|best, i| if window.is_more_like(i, best) { i } else { best })
+    {
+        left.remove(&next);
+        order.push(next);
+        window.push(next);
+    }
+    order
+}
+
+/// The last functions, and how much of each other one is found there.
+struct Window<'a> {
+    bodies: &'a [&'a [u8]],
+    /// By function: its runs, each once, by number; and how many of them there are in the window.
+    runs: Vec<Vec<usize>>,
+    found: Vec<usize>,
+    /// By run: the functions that have it, and how many of the window do.
+    holders: Vec<Vec<usize>>,
+    counts: Vec<usize>,
+    last: VecDeque<usize>,
+    bytes: usize,
+}
+
+impl<'a> Window<'a> {
+    fn new(bodies: &'a [&'a [u8]]) -> Self {
+        let mut by_run = BTreeMap::<&[u8], Vec<usize>>::new();
+        for (i, body) in bodies.iter().enumerate() {
+            let runs: BTreeSet<_> = body.windows(RUN).collect();
+            runs.into_iter().for_each(|run| by_run.entry(run).or_default().push(i));
+        }
+        let mut runs = vec![Vec::new(); bodies.len()];
+        let holders: Vec<_> = by_run.into_values().collect();
+        for (run, functions) in holders.iter().enumerate() {
+            functions.iter().for_each(|&i| runs[i].push(run));
+        }
+        let (found, counts) = (vec![0; bodies.len()], vec![0; holders.len()]);
+        Self { bodies, runs, found, holders, counts, last: VecDeque::new(), bytes: 0 }
+    }
+
+    /// Whether a larger part of one function is found here than of another.
+    fn is_more_like(&self, one: usize, other: usize) -> bool {
+        let weight = |i: usize| self.runs[i].len() + HEADWAY;
+        self.found[one] * weight(other) > self.found[other] * weight(one)
+    }
+
+    /// Takes a function in, and lets go of those that have become too far away.
+    fn push(&mut self, function: usize) {
+        self.bytes += self.bodies[function].len();
+        self.last.push_back(function);
+        for &run in &self.runs[function] {
+            if self.counts[run] == 0 {
+                telling(&self.holders[run]).iter().for_each(|&i| self.found[i] += 1);
+            }
+            self.counts[run] += 1;
+        }
+        while self.bytes > WINDOW_BYTES && self.last.len() > 1 {
+            self.let_go();
+        }
+    }
+
+    fn let_go(&mut self) {
+        let Some(function) = self.last.pop_front() else { return };
+        self.bytes -= self.bodies[function].len();
+        for &run in &self.runs[function] {
+            self.counts[run] -= 1;
+            if self.counts[run] == 0 {
+                telling(&self.holders[run]).iter().for_each(|&i| self.found[i] -= 1);
+            }
+        }
+    }
+}
+
+/// The functions that a run tells something of.
+fn telling(holders: &[usize]) -> &[usize] {
+    if holders.len() <= MOST_HOLDERS { holders } else { &[] }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use wasm_encoder::{CodeSection, Function, FunctionSection, ImportSection, Module, TypeSection};
+
+    /// A body of its own kind: the same two lines over and over.
+    fn body(kind: u8, length: usize) -> Vec<u8> {
+        (0..length).map(|i| kind.wrapping_mul(31) ^ (i % 7) as u8).collect()
+    }
+
+    #[test]
+    fn what_is_alike_comes_together() {
+        let bodies =
+            [(1, 90), (2, 80), (3, 70), (1, 60), (3, 50), (2, 40)].map(|(kind, length)| body(kind, length));
+        let bodies: Vec<&[u8]> = bodies.iter().map(Vec::as_slice).collect();
+        assert_eq!(order(&bodies), [0, 3, 1, 5, 2, 4]);
+        assert!(order(&[]).is_empty());
+    }
+
+    #[test]
+    fn what_is_far_away_counts_no_more() {
+        let mut bodies = vec![body(1, 90)];
+        bodies.extend((0..2).map(|_| body(2, WINDOW_BYTES)));
+        let bodies: Vec<&[u8]> = bodies.iter().map(Vec::as_slice).collect();
+        let mut window = Window::new(&bodies);
+        window.push(0);
+        assert!(window.found[0] > 0);
+        window.push(1);
+        assert_eq!((window.found[0], window.found[2]), (0, 7));
+    }
+
+    #[test]
+    fn functions_are_named_by_their_places() {
+        let mut types = TypeSection::new();
+        types.ty().function([], []);
+        let mut imports = ImportSection::new();
+        imports.import("m", "f", wasm_encoder::EntityType::Function(0));
+        let (mut functions, mut code) = (FunctionSection::new(), CodeSection::new());
+        for drops in [0_usize, 9, 0, 9] {
+            functions.function(0);
+            let mut function = Function::new([]);
+            (0..drops).for_each(|i| {
+                function.instructions().i32_const(i as i32).drop();
+            });
+            function.instructions().end();
+            code.function(&function);
+        }
+        let mut module = Module::new();
+        module.section(&types).section(&imports).section(&functions).section(&code);
+        let named = named_by_likeness(&module.finish()).expect("a module");
+        assert_eq!(
+            names(&named),
+            [(1, "000000"), (2, "000001"), (3, "000003"), (4, "000002")]
+                .map(|(i, name)| (i, name.to_owned()))
+        );
+        assert!(named_by_likeness(b"no module").is_err());
+    }
+
+    fn names(module: &[u8]) -> Vec<(u32, String)> {
+        let mut names = Vec::new();
+        for payload in Parser::new(0).parse_all(module) {
+            let Payload::CustomSection(section) = payload.expect("a module") else { continue };
+            let wasmparser::KnownCustom::Name(reader) = section.as_known() else { continue };
+            for part in reader {
+                if let wasmparser::Name::Function(map) = part.expect("names") {
+                    names.extend(
+                        map.into_iter()
+                            .map(|naming| naming.expect("a name"))
+                            .map(|n| (n.index, n.name.to_owned())),
+                    );
+                }
+            }
+        }
+        names
+    }
+}
