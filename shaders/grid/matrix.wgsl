@@ -3,11 +3,19 @@
 
 var<private> own: vec4<f32>;
 
-fn linked_value(place: vec2<i32>) -> vec4<f32> {
-    return value_at(place) - own;
+fn weighted(weight: f32, place: vec2<i32>) -> vec4<f32> {
+    if weight > 0.0 {
+        return weight * (value_at(place) - own);
+    }
+    return vec4(0.0);
 }
 
 fn multiplied(place: vec2<i32>) -> vec4<f32> {
     own = value_at(place);
-    return texel(holds, place).x * own - linked(place);
+    let hold = texel(holds, place);
+    // Most slots are those of no unknown, and have no links to be looked at.
+    if hold.y == 0.0 {
+        return vec4(0.0);
+    }
+    return hold.x * own - linked(place);
 }

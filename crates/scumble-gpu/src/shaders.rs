@@ -34,9 +34,9 @@ mod tests {
     ];
 
     /// Pieces of the grid solver's kernels that are none themselves.
-    const PIECES: [&str; 14] = [
+    const PIECES: [&str; 13] = [
         "block", "compute", "draw", "given", "level", "links", "load", "matrix", "merged", "parent", "pass",
-        "program", "unknowns", "weighted",
+        "program", "unknowns",
     ];
 
     fn all() -> impl Iterator<Item = (&'static str, String)> {

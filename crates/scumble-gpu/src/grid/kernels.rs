@@ -77,7 +77,6 @@ const MERGED: &str = wgsl!("grid/merged");
 const PARENT: &str = wgsl!("grid/parent");
 const PASS: &str = wgsl!("grid/pass");
 const UNKNOWNS: &str = wgsl!("grid/unknowns");
-const WEIGHTED: &str = wgsl!("grid/weighted");
 
 macro_rules! source {
     ($name:literal, $has_level:literal $(, $piece:ident)*) => {
@@ -91,12 +90,12 @@ macro_rules! source {
 
 /// In the order of [`Kernel`].
 pub(crate) const SOURCES: [Source; 20] = [
-    source!("multiply", true, LINKS, WEIGHTED, MATRIX, GIVEN),
-    source!("residual", true, LINKS, WEIGHTED, MATRIX, GIVEN),
-    source!("relax", true, LINKS, WEIGHTED, MATRIX, GIVEN),
-    source!("start", true, LINKS, WEIGHTED, MATRIX),
-    source!("restrict", true, LINKS, WEIGHTED),
-    source!("interpolate", true, LINKS, WEIGHTED, PARENT),
+    source!("multiply", true, LINKS, MATRIX, GIVEN),
+    source!("residual", true, LINKS, MATRIX, GIVEN),
+    source!("relax", true, LINKS, MATRIX, GIVEN),
+    source!("start", true, LINKS, MATRIX),
+    source!("restrict", true, LINKS, MATRIX),
+    source!("interpolate", true, LINKS, MATRIX, PARENT),
     source!("spread", true, PARENT),
     source!("dot", false, BLOCK, MERGED),
     source!("sum", false, BLOCK, MERGED),

@@ -52,20 +52,10 @@ pub fn start(level: &Level, right: &Texture, omegas: [f32; 2], x: i32, y: i32) -
     }
 }
 
-/// A residual damped as the interpolation is.
-#[inline]
-fn damped(level: &Level, residual: &Texture, x: i32, y: i32) -> Texel {
-    times(residual.load(x, y), level.holds.load(x, y)[2])
-}
-
 /// What an unknown adds to the right side of the coarser level: the transpose of [`interpolate`], applied to the residual.
 pub fn restrict(level: &Level, residual: &Texture, x: i32, y: i32) -> Texel {
-    let [_, diagonal, damping, _] = level.holds.load(x, y);
-    let mut smooth = times(residual.load(x, y), 1.0 - diagonal * damping);
-    level.for_each_link(x, y, |weight, nx, ny| {
-        smooth = plus(smooth, times(damped(level, residual, nx, ny), weight));
-    });
-    smooth
+    let damped = |x, y| times(residual.load(x, y), level.holds.load(x, y)[2]);
+    minus(residual.load(x, y), multiplied(level, damped, x, y))
 }
 
 /// The sum of what the unknowns add that one of the coarser level is made of.
@@ -83,14 +73,13 @@ fn parent_value(level: &Level, coarse: &Texture, x: i32, y: i32) -> Texel {
     }
 }
 
-/// A value with the correction of the coarser level: that of its own part, and of those that it is linked to.
+/// A value with the correction of the coarser level: that of its own part, less a damped step of Jacobi's method for what that
+/// leaves.
 pub fn interpolate(level: &Level, values: &Texture, coarse: &Texture, x: i32, y: i32) -> Texel {
-    let [_, diagonal, damping, _] = level.holds.load(x, y);
-    let mut sum = times(parent_value(level, coarse, x, y), 1.0 - diagonal * damping);
-    level.for_each_link(x, y, |weight, nx, ny| {
-        sum = plus(sum, times(parent_value(level, coarse, nx, ny), weight * damping));
-    });
-    plus(values.load(x, y), sum)
+    let [_, _, damping, _] = level.holds.load(x, y);
+    let parts = |x, y| parent_value(level, coarse, x, y);
+    let rough = times(multiplied(level, parts, x, y), damping);
+    plus(values.load(x, y), minus(parts(x, y), rough))
 }
 
 /// The given colours that an unknown adds to those of the coarser level: its own, and those of the unknowns beside it that are
