@@ -168,15 +168,19 @@ pub(crate) fn is_gabriel(mesh: &Triangulation, h: HalfEdge) -> bool {
     is_acute(h) && mesh.twin(h).is_none_or(is_acute)
 }
 
+/// Diameter of the circle through the corners of a triangle, in du: no place in it is wider.
+pub(crate) fn diameter_du(mesh: &Triangulation, triangle: usize) -> f64 {
+    let corners = mesh.corners(triangle);
+    circumcenter(corners).map_or(OPEN_DU, |center| 2.0 * (center - corners[0]).hypot())
+}
+
 /// Twice the circumradius without the lines.
 fn circle_width_du(map: &PlanarMap, triangle: usize) -> f64 {
     let mesh = map.triangulation();
-    let corners = mesh.corners(triangle);
     let halves_du = mesh.nodes(triangle).map(|node| map.half_width_du(node));
     let lines_du = 2.0 * halves_du.iter().flatten().copied().fold(0.0, f64::max);
     let factor = if halves_du.contains(&None) { BORDER_FACTOR } else { 1.0 };
-    circumcenter(corners)
-        .map_or(OPEN_DU, |center| (factor * 2.0 * (center - corners[0]).hypot() - lines_du).min(OPEN_DU))
+    (factor * diameter_du(mesh, triangle) - lines_du).min(OPEN_DU)
 }
 
 /// What the circle through the corners of a triangle counts where these are tips.

@@ -3,10 +3,13 @@
 //! Places are joined through their passages, the widest first, as in a watershed of the clearance. A passage that is
 //! much narrower than the widest places on both its sides stays closed: it is a gap. This is the persistence of a
 //! saddle (H. Edelsbrunner et al., *Topological persistence and simplification*, 2002), as a ratio.
+//!
+//! Beside the border of the page passages count as wider than they are, and so do places, for those passages. For all others
+//! a place is as wide as it is: what hangs from the border parts no sky.
 
 use kurbo::Vec2;
 
-use crate::clearance::{Clearance, clear_width_du, is_gabriel};
+use crate::clearance::{Clearance, clear_width_du, diameter_du, is_gabriel};
 use crate::pace::{self, Slices, now};
 use crate::planar_map::{Gap, PlanarMap};
 use crate::sets::Sets;
@@ -70,7 +73,12 @@ impl PlanarMap {
 /// places they join are open.
 async fn find(map: &PlanarMap, clearance: &Clearance, ratio: f64) -> Vec<Gap> {
     let mesh = map.triangulation();
-    let mut basins = Basins::new(clearance.place_widths_du.clone());
+    let mut widths_du = Vec::with_capacity(mesh.triangle_count());
+    pace::for_each(clearance.place_widths_du.iter().enumerate(), |(t, &width_du)| {
+        widths_du.push([width_du, width_du.min(diameter_du(mesh, t))]);
+    })
+    .await;
+    let mut basins = Basins { sets: Sets::new(widths_du.len()), widths_du };
     let mut gaps = Vec::new();
     let lengths_du = line_lengths_du(map);
     pace::pause().await;
@@ -80,7 +88,9 @@ async fn find(map: &PlanarMap, clearance: &Clearance, ratio: f64) -> Vec<Gap> {
     pace::pause().await;
     pace::for_each(passages, |(width_du, h, twin)| {
         let [a, b] = [h, twin].map(|h| basins.sets.find(h.triangle() as u32));
-        let narrower_du = basins.width_du(a).min(basins.width_du(b)).max(0.0);
+        let is_within = !map.is_at_border(&mesh.ends(h));
+        let [a_du, b_du] = [a, b].map(|basin| basins.widths_du[basin as usize][usize::from(is_within)]);
+        let narrower_du = a_du.min(b_du).max(0.0);
         let is_at_tip = || {
             let clear_du = clear_width_du(map, h);
             mesh.ends(h).iter().any(|&node| clearance.tips.loose(node, clear_du).is_some())
@@ -140,24 +150,19 @@ fn passages(mesh: &Triangulation, clearance: &Clearance) -> Vec<(f64, HalfEdge, 
     mesh.half_edges().filter_map(passage).collect()
 }
 
-/// Basins of a watershed: sets of triangles, each with its widest place.
+/// Basins of a watershed: sets of triangles, each with the width of its widest place, as it counts beside the border of the page,
+/// and as it is.
 struct Basins {
     sets: Sets,
-    widths_du: Vec<f64>,
+    widths_du: Vec<[f64; 2]>,
 }
 
 impl Basins {
-    fn new(widths_du: Vec<f64>) -> Self {
-        Self { sets: Sets::new(widths_du.len()), widths_du }
-    }
-
-    fn width_du(&self, basin: u32) -> f64 {
-        self.widths_du[basin as usize]
-    }
-
-    /// Joins two basins under the one with the wider place.
+    /// Joins two basins under the one that counts as wider.
     fn join(&mut self, a: u32, b: u32) {
-        let (wide, narrow) = if self.width_du(a) >= self.width_du(b) { (a, b) } else { (b, a) };
+        let [a_du, b_du] = [a, b].map(|basin| self.widths_du[basin as usize]);
+        let (wide, narrow) = if a_du[0] >= b_du[0] { (a, b) } else { (b, a) };
         self.sets.join(narrow, wide);
+        self.widths_du[wide as usize] = [a_du[0].max(b_du[0]), a_du[1].max(b_du[1])];
     }
 }

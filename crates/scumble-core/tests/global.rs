@@ -5,8 +5,8 @@ use kurbo::{Affine, Arc, BezPath, Circle, ParamCurveNearest, Point, Rect, Shape,
 use proptest::collection::vec;
 use proptest::prelude::*;
 use scumble_core::{
-    Curve, Drawing, Engine, Global, Labels, Line, Paint, PlanarMap, Rgba8, Sampling, Scribble, ScribbleKind,
-    SideId, Srgb8,
+    Curve, Drawing, Engine, Global, HalfEdge, Labels, Line, Paint, PlanarMap, Rgba8, Sampling, Scribble,
+    ScribbleKind, SideId, Srgb8,
 };
 
 #[path = "../../scumble-cli/src/made.rs"]
@@ -525,4 +525,29 @@ fn of_two_strokes_in_a_sky_the_one_that_is_nearer_has_the_horizon() {
             assert_eq!(labels.sides[side.index()], Some(if is_above { 1 } else { 2 }));
         }
     }
+}
+
+#[test]
+fn what_hangs_from_the_border_of_the_page_parts_no_sky() {
+    let horizon = polyline(&[Point::new(0.0, 650.0), Point::new(1024.0, 650.0)]);
+    let sun = Circle::new((512.0, 0.0), 85.0).to_path(0.01);
+    let cord = polyline(&[Point::new(512.0, 0.0), Point::new(512.0, 150.0)]);
+    let lamp = polyline(&[(445.0, 250.0), (512.0, 150.0), (580.0, 250.0), (445.0, 250.0)].map(Point::from));
+    let points = [150.0, 250.0].map(|x| Point::new(x, 300.0)).to_vec();
+    let sky = Scribble { color: Paint::Clear, kind: ScribbleKind::Fill, width_du: 8.0, points };
+    for hanging in [vec![sun], vec![cord, lamp]] {
+        let map = build(hanging.into_iter().chain([horizon.clone()]).map(|path| (path, 7.0)).collect(), 0.5);
+        let labels = fresh(&map, false, std::slice::from_ref(&sky));
+        let mesh = map.triangulation();
+        let is_of_horizon = |h: &HalfEdge| mesh.segment(*h).iter().all(|p| p.y == 650.0);
+        for h in mesh.half_edges().filter(is_of_horizon) {
+            let is_above = mesh.corners(h.triangle()).iter().any(|p| p.y < 650.0);
+            if let Some(side) = mesh.side(h) {
+                assert_eq!(labels.sides[side.index()], is_above.then_some(0));
+            }
+        }
+    }
+    // A hole in an outline beside it is one still.
+    let outline = Arc::new((512.0, 100.0), (90.0, 90.0), 1.4, std::f64::consts::TAU - 0.4, 0.0).to_path(0.01);
+    assert!(!build(vec![(outline, 7.0), (horizon, 7.0)], 0.5).gaps().is_empty());
 }
