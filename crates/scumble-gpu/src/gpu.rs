@@ -3,6 +3,8 @@
 use std::sync::Arc;
 
 use crate::error::GpuError;
+#[cfg(not(feature = "webgl"))]
+use crate::grid::computing;
 
 /// A device and where it came from. The handles are counted: clones are cheap and mean the same device.
 #[derive(Clone, Debug)]
@@ -66,9 +68,9 @@ impl Gpu {
         self.adapter.get_info().device_type == wgpu::DeviceType::Cpu
     }
 
-    /// Whether passes are computed. In a page, where there is no operating system, they are drawn.
+    /// Whether passes are computed. On WebGL they are drawn.
     pub(crate) fn computes(&self) -> bool {
-        cfg!(not(target_os = "unknown")) && self.device.limits().max_compute_invocations_per_workgroup > 0
+        cfg!(not(feature = "webgl")) && self.device.limits().max_compute_invocations_per_workgroup > 0
     }
 }
 
@@ -76,13 +78,15 @@ impl Gpu {
 /// its users.
 const IS_DESTROYED_IF_DROPPED: bool = !cfg!(all(target_arch = "wasm32", feature = "webgpu"));
 
-/// WebGL2's limits, but the adapter's texture size, and one colour attachment, as some adapters have few; and, outside the
-/// page, what computing takes.
+/// WebGL2's limits, but the adapter's texture size, and one colour attachment, as some adapters have few; and what computing
+/// takes, where that can be had.
 fn device_descriptor(adapter: &wgpu::Adapter) -> wgpu::DeviceDescriptor<'static> {
     let limits = wgpu::Limits::downlevel_webgl2_defaults().using_resolution(adapter.limits());
     let limits = wgpu::Limits { max_color_attachments: 1, ..limits };
+    #[cfg(all(target_os = "unknown", feature = "webgpu"))]
+    let limits = computing::limits(limits);
     #[cfg(not(target_os = "unknown"))]
-    let limits = crate::grid::computing::limits(limits, &adapter.limits());
+    let limits = computing::most_limits(limits, &adapter.limits());
     wgpu::DeviceDescriptor { label: Some("scumble"), required_limits: limits, ..Default::default() }
 }
 

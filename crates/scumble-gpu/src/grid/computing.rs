@@ -1,12 +1,16 @@
-//! Passes that are computed: outside the page, where every byte of this would be loaded, and where a device can.
+//! Passes that are computed, where a device can; programs outside the page alone, where nobody loads every byte of them.
 
+#[cfg(not(target_os = "unknown"))]
 mod fusion;
+#[cfg(not(target_os = "unknown"))]
 mod program;
 
 use super::kernels::{Pipeline, Source, compiled};
 use super::tape::Pass;
 use crate::wgsl::wgsl;
+#[cfg(not(target_os = "unknown"))]
 pub(super) use fusion::fuse;
+#[cfg(not(target_os = "unknown"))]
 pub(super) use program::Programs;
 #[cfg(test)]
 pub(crate) use program::text as program_text;
@@ -14,33 +18,27 @@ pub(crate) use program::text as program_text;
 /// Columns and rows that are computed together, as the shader has them.
 const WORKGROUP: u32 = 8;
 
-/// Texels that programs compute together, as the shader has them.
-const PROGRAM_WORKGROUP: u32 = 512;
-
-/// Bytes of the largest buffer of a program: the textures of small passes have less than half of them.
-const STORAGE_BYTES: u64 = 1 << 20;
-
 /// Computes all texels.
 pub(crate) const COMPUTE: &str = wgsl!("grid/compute");
 
-/// Limits with what computing takes, and what programs take, where an adapter has that.
-pub(crate) fn limits(limits: wgpu::Limits, most: &wgpu::Limits) -> wgpu::Limits {
-    let computing = wgpu::Limits {
+/// Limits with what computing takes. In WebGPU every adapter has that.
+pub(crate) fn limits(limits: wgpu::Limits) -> wgpu::Limits {
+    wgpu::Limits {
         max_storage_textures_per_shader_stage: 1,
         max_compute_invocations_per_workgroup: WORKGROUP * WORKGROUP,
         max_compute_workgroup_size_x: WORKGROUP,
         max_compute_workgroup_size_y: WORKGROUP,
         max_compute_workgroup_size_z: 1,
         max_compute_workgroups_per_dimension: limits.max_texture_dimension_2d.div_ceil(WORKGROUP),
-        ..limits.clone()
-    };
-    let programs = wgpu::Limits {
-        max_storage_buffers_per_shader_stage: 2,
-        max_storage_buffer_binding_size: STORAGE_BYTES,
-        max_compute_invocations_per_workgroup: PROGRAM_WORKGROUP,
-        max_compute_workgroup_size_x: PROGRAM_WORKGROUP,
-        ..computing.clone()
-    };
+        ..limits
+    }
+}
+
+/// Limits with what computing takes, and what programs take, as far as an adapter has that.
+#[cfg(not(target_os = "unknown"))]
+pub(crate) fn most_limits(limits: wgpu::Limits, most: &wgpu::Limits) -> wgpu::Limits {
+    let computing = self::limits(limits.clone());
+    let programs = program::limits(computing.clone());
     [programs, computing].into_iter().find(|limits| limits.check_limits(most)).unwrap_or(limits)
 }
 

@@ -2,7 +2,7 @@
 
 use wgpu::VertexFormat::{Float32x2, Uint32, Uint32x4};
 
-#[cfg(not(target_os = "unknown"))]
+#[cfg(not(feature = "webgl"))]
 use super::computing;
 use super::layer;
 use super::texels::{FORMAT, THIN_FORMAT};
@@ -130,7 +130,7 @@ pub(super) fn bindings(gpu: &Gpu) -> usize {
 #[derive(Clone, Debug)]
 pub(super) enum Pipeline {
     Draws(wgpu::RenderPipeline),
-    #[cfg(not(target_os = "unknown"))]
+    #[cfg(not(feature = "webgl"))]
     Computes(wgpu::ComputePipeline),
 }
 
@@ -161,7 +161,7 @@ impl Kernels {
         let both = [Some(&operands_layout), Some(&level_layout)];
         let pipelines = SOURCES.iter().map(|source| {
             let layouts = if source.has_level { &both[..] } else { &both[..1] };
-            #[cfg(not(target_os = "unknown"))]
+            #[cfg(not(feature = "webgl"))]
             if gpu.computes() {
                 return Pipeline::Computes(computing::kernel(device, source, layouts));
             }

@@ -3,7 +3,6 @@
 use bytemuck::{Pod, Zeroable};
 use wgpu::util::DeviceExt;
 
-use super::PROGRAM_WORKGROUP;
 use crate::gpu::Gpu;
 use crate::grid::kernels::{LEVEL, LOAD, RESULT, SOURCES, Source, TEXELS, bind_group, bind_group_layout};
 use crate::grid::texels::{FORMAT, target};
@@ -11,6 +10,23 @@ use crate::wgsl::wgsl;
 
 /// Textures that a program takes texels from, at most, as the shader has them.
 pub(super) const INLETS: usize = 8;
+
+/// Texels that programs compute together, as the shader has them.
+const WORKGROUP: u32 = 512;
+
+/// Bytes of the largest buffer of a program: the textures of small passes have less than half of them.
+const STORAGE_BYTES: u64 = 1 << 20;
+
+/// Limits of computing with what programs take.
+pub(super) fn limits(computing: wgpu::Limits) -> wgpu::Limits {
+    wgpu::Limits {
+        max_storage_buffers_per_shader_stage: 2,
+        max_storage_buffer_binding_size: STORAGE_BYTES,
+        max_compute_invocations_per_workgroup: WORKGROUP,
+        max_compute_workgroup_size_x: WORKGROUP,
+        ..computing
+    }
+}
 
 /// The number of an instruction that takes the texels of the inlet that the offset of its first operand names.
 pub(super) const TAKE: u32 = SOURCES.len() as u32;
@@ -52,7 +68,7 @@ pub(in crate::grid) struct Programs {
 impl Programs {
     /// What runs them on a card that can. On a few cores, passes one by one are faster than one work group.
     pub(in crate::grid) fn of(gpu: &Gpu) -> Option<Self> {
-        let can_run = gpu.device.limits().max_compute_invocations_per_workgroup >= PROGRAM_WORKGROUP;
+        let can_run = gpu.device.limits().max_compute_invocations_per_workgroup >= WORKGROUP;
         (can_run && !gpu.is_software()).then(|| Self::new(gpu))
     }
 
