@@ -140,6 +140,7 @@ fn main() -> ExitCode {
 fn run() -> anyhow::Result<ExitCode> {
     match options::parse(pico_args::Arguments::from_env())? {
         Command::Help => print!("{HELP}"),
+        Command::Version => println!("scumble {}", env!("CARGO_PKG_VERSION")),
         Command::Color(options) => color::run(&options)?,
         Command::Corpus { folder, take } => return corpus::run(&folder, take),
         Command::Bench { set } => bench::run(&set)?,

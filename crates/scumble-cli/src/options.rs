@@ -20,6 +20,7 @@ const SIZES_PX: std::ops::RangeInclusive<u32> = 1..=16384;
 #[derive(Debug)]
 pub(crate) enum Command {
     Help,
+    Version,
     Color(ColorOptions),
     Corpus { folder: PathBuf, take: Option<usize> },
     Bench { set: PathBuf },
@@ -124,6 +125,9 @@ pub(crate) struct PaletteOptions {
 pub(crate) fn parse(mut arguments: Arguments) -> anyhow::Result<Command> {
     if arguments.contains(["-h", "--help"]) {
         return Ok(Command::Help);
+    }
+    if arguments.contains(["-V", "--version"]) {
+        return rest(arguments, []).map(|[]| Command::Version);
     }
     match arguments.subcommand().map_err(advise)?.as_deref() {
         None | Some("help") => rest(arguments, []).map(|[]| Command::Help),

@@ -17,7 +17,7 @@ use crate::files;
 /// When the file cannot be read, or is no such file, or lacks its lines.
 pub(crate) fn read(path: &Path) -> anyhow::Result<Work> {
     let bytes = files::read(path)?;
-    if matches!(&*extension(path), "svg" | "xml") {
+    if matches!(&*extension(path), "svg" | "svgz" | "xml") {
         let (work, notes) = import_drawing(&bytes).with_context(|| path.display().to_string())?;
         files::warn(path, &notes);
         return Ok(work);

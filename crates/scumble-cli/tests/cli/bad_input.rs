@@ -37,6 +37,16 @@ fn drawings_that_are_none() {
 }
 
 #[test]
+fn a_compressed_drawing_is_told_by_its_bytes_whatever_it_is_called() {
+    const GZIP: [u8; 7] = [0x1f, 0x8b, 8, 0, 1, 2, 3];
+    let names = ["d.svg", "d.svgz", "e.SVGZ"];
+    let folder = names.into_iter().fold(Folder::new("svgz"), |folder, name| folder.with(name, GZIP));
+    for name in names {
+        refused_call(&folder, &["render", name, "-o", "o.png"], "compressed");
+    }
+}
+
+#[test]
 fn a_picture_never_takes_the_place_of_its_drawing() {
     let folder = Folder::new("over-input").with("d.png", CIRCLE).with("s.png", INSIDE);
     for output in ["d.png", "./s.png"] {

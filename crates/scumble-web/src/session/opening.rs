@@ -92,6 +92,8 @@ impl Session {
                 self.lay_over(*sheet);
                 self.stale.boundary = !self.sheet.is_made();
                 self.opened += 1;
+                // Of lines alone nothing would be seen.
+                self.show_lines(true);
                 self.tell(Effect::Opened { notes });
             }
             Some(Step::Ready(Err(error))) => self.tell(Effect::Failed(error.to_string())),
