@@ -1,5 +1,5 @@
-// The values in first with the correction of the coarser level: that of their own part, less a damped step of Jacobi's method
-// for what that leaves.
+// The values in first with the correction of the coarser level: that of their own part, made smooth by one damped step of
+// Jacobi's method.
 
 fn value_at(place: vec2<i32>) -> vec4<f32> {
     return parent_value(place);

@@ -122,6 +122,8 @@ scumble eval SETDIR
     [--sheet SHEET.png]     write a contact sheet, worst first: scribbles, truth, result
     [--pictures DIR]        write the results as DIR/ID.png, one after the other
 
+scumble --version
+
 Exit code 2: bad input; nothing was written (with --pictures: up to there).
 ";
 

@@ -42,7 +42,7 @@ pub(crate) struct Clearance {
     pub(crate) widths_du: Vec<f64>,
     /// Where lines end.
     pub(crate) tips: Tips,
-    /// Per triangle the width of its widest place, in du.
+    /// Per triangle the width of its widest place, in du, as it counts.
     pub(crate) place_widths_du: Vec<f64>,
 }
 
@@ -55,7 +55,10 @@ impl Clearance {
         let tips = Tips::new(map, &beside_du);
         pace::pause().await;
         let mut circle_widths_du = Vec::with_capacity(mesh.triangle_count());
-        pace::for_each(0..mesh.triangle_count(), |t| circle_widths_du.push(circle_width_du(map, t))).await;
+        pace::for_each(0..mesh.triangle_count(), |t| {
+            circle_widths_du.push(circle_width_du(map, t, BORDER_FACTOR));
+        })
+        .await;
         let width_du = |h| match mesh.passage(h) {
             Some(_) if is_gabriel(mesh, h) => edge_width_du(map, &tips, h),
             Some(twin) => circle_widths_du[h.triangle()].min(circle_widths_du[twin.triangle()]),
@@ -70,6 +73,18 @@ impl Clearance {
         let mut place_widths_du = Vec::with_capacity(mesh.triangle_count());
         pace::for_each(0..mesh.triangle_count(), |t| place_widths_du.push(place_width_du(t))).await;
         Self { widths_du, tips, place_widths_du }
+    }
+
+    /// The width of the widest place of a triangle, in du, with the border of the page as a wall.
+    pub(crate) fn walled_width_du(&self, map: &PlanarMap, triangle: usize) -> f64 {
+        let mesh = map.triangulation();
+        if !map.is_at_border(&mesh.nodes(triangle)) {
+            return self.place_widths_du[triangle];
+        }
+        let circle_du = circle_width_du(map, triangle, 1.0) * circle_factor(map, &self.tips, triangle);
+        let edges = (0..3).map(|i| HalfEdge::of(triangle, i));
+        let within = edges.filter(|&h| !map.is_at_border(&mesh.ends(h)));
+        within.map(|h| self.widths_du[h.index()]).fold(circle_du, f64::max)
     }
 
     /// The width of the narrowest passage that a way leads through, in du; on a way within one triangle that of its
@@ -168,19 +183,15 @@ pub(crate) fn is_gabriel(mesh: &Triangulation, h: HalfEdge) -> bool {
     is_acute(h) && mesh.twin(h).is_none_or(is_acute)
 }
 
-/// Diameter of the circle through the corners of a triangle, in du: no place in it is wider.
-pub(crate) fn diameter_du(mesh: &Triangulation, triangle: usize) -> f64 {
-    let corners = mesh.corners(triangle);
-    circumcenter(corners).map_or(OPEN_DU, |center| 2.0 * (center - corners[0]).hypot())
-}
-
-/// Twice the circumradius without the lines.
-fn circle_width_du(map: &PlanarMap, triangle: usize) -> f64 {
+/// Twice the circumradius without the lines; at the border of the page so many times as much.
+fn circle_width_du(map: &PlanarMap, triangle: usize, border_factor: f64) -> f64 {
     let mesh = map.triangulation();
+    let corners = mesh.corners(triangle);
     let halves_du = mesh.nodes(triangle).map(|node| map.half_width_du(node));
     let lines_du = 2.0 * halves_du.iter().flatten().copied().fold(0.0, f64::max);
-    let factor = if halves_du.contains(&None) { BORDER_FACTOR } else { 1.0 };
-    (factor * diameter_du(mesh, triangle) - lines_du).min(OPEN_DU)
+    let factor = if halves_du.contains(&None) { border_factor } else { 1.0 };
+    circumcenter(corners)
+        .map_or(OPEN_DU, |center| (factor * 2.0 * (center - corners[0]).hypot() - lines_du).min(OPEN_DU))
 }
 
 /// What the circle through the corners of a triangle counts where these are tips.

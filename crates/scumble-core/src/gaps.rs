@@ -5,11 +5,11 @@
 //! saddle (H. Edelsbrunner et al., *Topological persistence and simplification*, 2002), as a ratio.
 //!
 //! Beside the border of the page passages count as wider than they are, and so do places, for those passages. For all others
-//! a place is as wide as it is: what hangs from the border parts no sky.
+//! the border is a wall: what hangs from it parts no sky.
 
 use kurbo::Vec2;
 
-use crate::clearance::{Clearance, clear_width_du, diameter_du, is_gabriel};
+use crate::clearance::{Clearance, clear_width_du, is_gabriel};
 use crate::pace::{self, Slices, now};
 use crate::planar_map::{Gap, PlanarMap};
 use crate::sets::Sets;
@@ -73,12 +73,7 @@ impl PlanarMap {
 /// places they join are open.
 async fn find(map: &PlanarMap, clearance: &Clearance, ratio: f64) -> Vec<Gap> {
     let mesh = map.triangulation();
-    let mut widths_du = Vec::with_capacity(mesh.triangle_count());
-    pace::for_each(clearance.place_widths_du.iter().enumerate(), |(t, &width_du)| {
-        widths_du.push([width_du, width_du.min(diameter_du(mesh, t))]);
-    })
-    .await;
-    let mut basins = Basins { sets: Sets::new(widths_du.len()), widths_du };
+    let mut basins = Basins::new(map, clearance).await;
     let mut gaps = Vec::new();
     let lengths_du = line_lengths_du(map);
     pace::pause().await;
@@ -88,9 +83,7 @@ async fn find(map: &PlanarMap, clearance: &Clearance, ratio: f64) -> Vec<Gap> {
     pace::pause().await;
     pace::for_each(passages, |(width_du, h, twin)| {
         let [a, b] = [h, twin].map(|h| basins.sets.find(h.triangle() as u32));
-        let is_within = !map.is_at_border(&mesh.ends(h));
-        let [a_du, b_du] = [a, b].map(|basin| basins.widths_du[basin as usize][usize::from(is_within)]);
-        let narrower_du = a_du.min(b_du).max(0.0);
+        let narrower_du = basins.narrower_du([a, b], map.is_at_border(&mesh.ends(h))).max(0.0);
         let is_at_tip = || {
             let clear_du = clear_width_du(map, h);
             mesh.ends(h).iter().any(|&node| clearance.tips.loose(node, clear_du).is_some())
@@ -150,19 +143,46 @@ fn passages(mesh: &Triangulation, clearance: &Clearance) -> Vec<(f64, HalfEdge, 
     mesh.half_edges().filter_map(passage).collect()
 }
 
-/// Basins of a watershed: sets of triangles, each with the width of its widest place, as it counts beside the border of the page,
-/// and as it is.
+/// How wide a place is, in du.
+#[derive(Clone, Copy)]
+struct Width {
+    /// For passages beside the border of the page.
+    counted_du: f64,
+    /// For all others.
+    walled_du: f64,
+}
+
+/// Basins of a watershed: sets of triangles, each with its widest place.
 struct Basins {
     sets: Sets,
-    widths_du: Vec<[f64; 2]>,
+    widths: Vec<Width>,
 }
 
 impl Basins {
-    /// Joins two basins under the one that counts as wider.
+    /// One for each triangle.
+    async fn new(map: &PlanarMap, clearance: &Clearance) -> Self {
+        let mut widths = Vec::with_capacity(clearance.place_widths_du.len());
+        pace::for_each(clearance.place_widths_du.iter().enumerate(), |(triangle, &counted_du)| {
+            widths.push(Width { counted_du, walled_du: clearance.walled_width_du(map, triangle) });
+        })
+        .await;
+        Self { sets: Sets::new(widths.len()), widths }
+    }
+
+    /// The width of the narrower of two, for a passage between them.
+    fn narrower_du(&self, basins: [u32; 2], is_at_border: bool) -> f64 {
+        let [a, b] = basins.map(|basin| self.widths[basin as usize]);
+        if is_at_border { a.counted_du.min(b.counted_du) } else { a.walled_du.min(b.walled_du) }
+    }
+
+    /// Joins two under the one with the wider place.
     fn join(&mut self, a: u32, b: u32) {
-        let [a_du, b_du] = [a, b].map(|basin| self.widths_du[basin as usize]);
-        let (wide, narrow) = if a_du[0] >= b_du[0] { (a, b) } else { (b, a) };
+        let [one, other] = [a, b].map(|basin| self.widths[basin as usize]);
+        let (wide, narrow) = if one.counted_du >= other.counted_du { (a, b) } else { (b, a) };
         self.sets.join(narrow, wide);
-        self.widths_du[wide as usize] = [a_du[0].max(b_du[0]), a_du[1].max(b_du[1])];
+        self.widths[wide as usize] = Width {
+            counted_du: one.counted_du.max(other.counted_du),
+            walled_du: one.walled_du.max(other.walled_du),
+        };
     }
 }

@@ -535,19 +535,26 @@ fn what_hangs_from_the_border_of_the_page_parts_no_sky() {
     let lamp = polyline(&[(445.0, 250.0), (512.0, 150.0), (580.0, 250.0), (445.0, 250.0)].map(Point::from));
     let points = [150.0, 250.0].map(|x| Point::new(x, 300.0)).to_vec();
     let sky = Scribble { color: Paint::Clear, kind: ScribbleKind::Fill, width_du: 8.0, points };
-    for hanging in [vec![sun], vec![cord, lamp]] {
-        let map = build(hanging.into_iter().chain([horizon.clone()]).map(|path| (path, 7.0)).collect(), 0.5);
+    for (hanging, width_du) in [(vec![sun.clone()], 7.0), (vec![cord, lamp], 7.0), (vec![sun], 40.0)] {
+        let curves = hanging.into_iter().chain([horizon.clone()]).map(|path| (path, width_du));
+        let map = build(curves.collect(), 0.5);
         let labels = fresh(&map, false, std::slice::from_ref(&sky));
         let mesh = map.triangulation();
+        let mut seen = [0; 2];
         let is_of_horizon = |h: &HalfEdge| mesh.segment(*h).iter().all(|p| p.y == 650.0);
         for h in mesh.half_edges().filter(is_of_horizon) {
             let is_above = mesh.corners(h.triangle()).iter().any(|p| p.y < 650.0);
             if let Some(side) = mesh.side(h) {
                 assert_eq!(labels.sides[side.index()], is_above.then_some(0));
+                seen[usize::from(is_above)] += 1;
             }
         }
+        assert!(seen[0] > 0 && seen[0] == seen[1]);
     }
     // A hole in an outline beside it is one still.
     let outline = Arc::new((512.0, 100.0), (90.0, 90.0), 1.4, std::f64::consts::TAU - 0.4, 0.0).to_path(0.01);
-    assert!(!build(vec![(outline, 7.0), (horizon, 7.0)], 0.5).gaps().is_empty());
+    let map = build(vec![(outline, 7.0), (horizon, 7.0)], 0.5);
+    let nodes = map.triangulation().points();
+    let is_mouth = |node: u32| nodes[node as usize].distance(Point::new(516.0, 190.0)) < 30.0;
+    assert!(map.gaps().iter().any(|gap| gap.nodes.into_iter().all(is_mouth)));
 }

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use crate::error::GpuError;
-#[cfg(not(feature = "webgl"))]
+#[cfg(any(not(target_os = "unknown"), feature = "webgpu"))]
 use crate::grid::computing;
 
 /// A device and where it came from. The handles are counted: clones are cheap and mean the same device.
@@ -15,6 +15,8 @@ pub struct Gpu {
     pub device: wgpu::Device,
     /// Takes commands and data.
     pub queue: wgpu::Queue,
+    /// Whether passes of the grid solver are computed; else they are drawn.
+    pub computes: bool,
 }
 
 /// The entry to `wgpu`.
@@ -60,19 +62,18 @@ impl Gpu {
         let opened = adapter.request_device(&device_descriptor(&adapter)).await;
         let (device, queue) = opened.map_err(|error| GpuError::NoDevice(error.to_string()))?;
         watch(&device, on_failure);
-        Ok(Self { adapter, device, queue })
+        let computes = !IS_WEBGL && device.limits().max_compute_invocations_per_workgroup > 0;
+        Ok(Self { adapter, device, queue, computes })
     }
 
     /// Whether there is no card: what draws is the processor.
     pub fn is_software(&self) -> bool {
         self.adapter.get_info().device_type == wgpu::DeviceType::Cpu
     }
-
-    /// Whether passes are computed. On WebGL they are drawn.
-    pub(crate) fn computes(&self) -> bool {
-        cfg!(not(feature = "webgl")) && self.device.limits().max_compute_invocations_per_workgroup > 0
-    }
 }
+
+/// Whether nothing can be computed.
+const IS_WEBGL: bool = cfg!(all(target_os = "unknown", not(feature = "webgpu")));
 
 /// Whether a device is destroyed when nobody uses it any more. In WebGPU it is not: what is destroyed there is gone under
 /// its users.

@@ -14,11 +14,11 @@
 //! | what passes cost | `costs` |
 //! | why it cannot be done | `error` |
 //!
-//! Every pass makes a texture of numbers from others. On WebGL2 it is drawn with a fragment shader; elsewhere the same kernel is
-//! computed, where the device can: cards of computing centres draw far more slowly than they compute. Of a problem only the equations of pixels at curves are uploaded, and later those that have changed: the matrices of
-//! the levels are made from them.
+//! Every pass makes a texture of numbers from others. On WebGL2 it is drawn with a fragment shader; elsewhere the same kernel
+//! is computed, where the device can: cards of computing centres draw far more slowly than they compute. Of a problem only the
+//! equations of pixels at curves are uploaded, and later those that have changed: the matrices of the levels are made from them.
 
-#[cfg(not(feature = "webgl"))]
+#[cfg(any(not(target_os = "unknown"), feature = "webgpu"))]
 pub(crate) mod computing;
 #[cfg(not(target_os = "unknown"))]
 mod costs;

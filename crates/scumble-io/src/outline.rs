@@ -1,6 +1,6 @@
 //! Paths of `usvg` as Bézier paths in drawing units, one for each subpath.
 
-use kurbo::{Affine, BezPath, PathEl, Point, Rect, Shape};
+use kurbo::{Affine, BezPath, CubicBez, PathEl, Point, Rect, Shape};
 use usvg::tiny_skia_path::{self, PathSegment};
 
 /// Coordinates beyond this, in du, are a million pages away and no drawing.
@@ -89,6 +89,21 @@ pub(crate) fn has_area(path: &BezPath) -> bool {
     let Some(&start) = points.first() else { return false };
     let along = points.iter().map(|p| *p - start).find(|d| d.hypot() > FLAT_DU).unwrap_or_default();
     points.iter().any(|p| along.cross(*p - start).abs() > FLAT_DU * along.hypot())
+}
+
+/// The mean width of an area, in du: twice what it covers, by the length of its outlines, as far as their control points tell.
+/// What lies within the largest outline of an area that is filled by turns is a hole in it.
+pub(crate) fn mean_width_du(subpaths: &[BezPath], even_odd: bool) -> f64 {
+    let areas: Vec<f64> = subpaths.iter().map(|path| closed(path.clone()).area()).collect();
+    let covered: f64 = if even_odd {
+        let largest = areas.iter().fold(0.0, |largest: f64, area| largest.max(area.abs()));
+        2.0 * largest - areas.iter().map(|area| area.abs()).sum::<f64>()
+    } else {
+        areas.iter().sum::<f64>().abs()
+    };
+    let length_du = |c: CubicBez| (c.p1 - c.p0).hypot() + (c.p2 - c.p1).hypot() + (c.p3 - c.p2).hypot();
+    let segments = subpaths.iter().flat_map(BezPath::segments);
+    2.0 * covered / segments.map(|segment| length_du(segment.to_cubic())).sum::<f64>()
 }
 
 /// The subpath with its end joined to its start.

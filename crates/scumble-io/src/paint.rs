@@ -9,6 +9,9 @@ const PATTERN_COLOR: [u8; 3] = [0x80; 3];
 /// Lightness in OKLab below which a fill is ink.
 const INK_LIGHTNESS: f64 = 0.5;
 
+/// Chroma in OKLab from which on a colour has a hue.
+const HUE_CHROMA: f64 = 0.06;
+
 /// Opacity from which on a dark fill is ink.
 const INK_ALPHA: u8 = 128;
 
@@ -39,9 +42,25 @@ pub(crate) fn is_ink(Rgba8([r, g, b, alpha]): Rgba8) -> bool {
     alpha >= INK_ALPHA && Blend::Oklab.from_srgb8(Srgb8([r, g, b]))[0] < INK_LIGHTNESS
 }
 
+/// Whether a colour is more than light or dark.
+pub(crate) fn has_hue(Rgba8([r, g, b, _]): Rgba8) -> bool {
+    let [_, green_red, blue_yellow, _] = Blend::Oklab.from_srgb8(Srgb8([r, g, b]));
+    green_red.hypot(blue_yellow) >= HUE_CHROMA
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn what_is_nearly_gray_has_no_hue() {
+        for color in [[0, 0, 0], [0x80; 3], [0x22, 0x26, 0x2b], [0x3b, 0x33, 0x30]] {
+            assert!(!has_hue(Rgba8([color[0], color[1], color[2], 255])), "{color:?}");
+        }
+        for color in [[0, 0, 0x80], [0xa5, 0x2a, 0x2a], [0x33, 0x55, 0x99], [0x80, 0, 0]] {
+            assert!(has_hue(Rgba8([color[0], color[1], color[2], 255])), "{color:?}");
+        }
+    }
 
     #[test]
     fn dark_and_opaque_is_ink() {

@@ -24,8 +24,11 @@ pub struct Import {
     pub notes: ImportNotes,
 }
 
-/// Width of the line drawn around a light area that has no stroke of its own, in du.
+/// Width of the line drawn around an area that is not ink and has no stroke of its own, in du.
 const OUTLINE_WIDTH_DU: f64 = 1.0;
+
+/// Dark areas with a hue are lines up to this mean width, in du, and shapes beyond: navy trousers are to be coloured.
+const WIDEST_LINE_DU: f64 = 24.0;
 
 /// Keeps `usvg` from everything that is ignored anyway, from the colours of an exported picture, and from patterns
 /// within patterns.
@@ -103,7 +106,10 @@ impl Importer {
             let color = paint::color(fill.paint(), opacity * fill.opacity().get())?;
             Some((color, fill.rule() == FillRule::EvenOdd))
         });
-        let ink = fill.filter(|(color, _)| paint::is_ink(*color));
+        let is_shape = |color, even_odd| {
+            paint::has_hue(color) && outline::mean_width_du(&subpaths, even_odd) > WIDEST_LINE_DU
+        };
+        let ink = fill.filter(|&(color, even_odd)| paint::is_ink(color) && !is_shape(color, even_odd));
         if let Some((color, even_odd)) = ink {
             self.drawing.fills.push(Fill { path: joined(&subpaths), even_odd, color });
         }

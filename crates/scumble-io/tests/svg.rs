@@ -146,6 +146,25 @@ fn a_dark_area_is_ink_with_an_outline() {
 }
 
 #[test]
+fn a_dark_area_with_a_hue_is_ink_if_it_is_as_thin_as_a_line() {
+    // On a page of 64 units, 1024 du.
+    for (path, is_ink) in [
+        ("M8 8h32v1h-32z", true),
+        ("M8 8h32v32h-32z", false),
+        ("M8 8h32v32h-32z M9 9h30v30h-30z", true),
+        ("M8 8h32v32h-32z M20 20h4v4h-4z", false),
+        ("M24 8a16 16 0 0 1 0 32a16 16 0 0 1 0 -32z", false),
+    ] {
+        for (color, is_gray) in [("navy", false), ("black", true)] {
+            let import = on_page(&format!(r#"<path d="{path}" fill="{color}" fill-rule="evenodd"/>"#));
+            let is_filled = !import.drawing.fills.is_empty();
+            assert_eq!(is_filled, is_ink || is_gray, "{color}: {path}");
+            assert!(import.drawing.curves.iter().all(|curve| curve.line.is_none() == is_filled));
+        }
+    }
+}
+
+#[test]
 fn a_light_area_gets_a_thin_outline() {
     let import = on_page(r##"<path d="M8 8h16v16" fill="#fed"/><path d="M8 8h16v16z" opacity="0.2"/>"##);
     assert!(import.drawing.fills.is_empty());

@@ -40,6 +40,23 @@ async fn the_grid_solver_finds_what_its_twin_on_the_cpu_finds() {
     }
 }
 
+#[cfg(feature = "webgpu")]
+#[wasm_bindgen_test]
+async fn what_is_computed_is_what_is_drawn() {
+    let constraints = constraints(130, 97, SHADES[2]);
+    let drawing = Gpu { computes: false, ..gpu().await };
+    let computing = Gpu { computes: true, ..drawing.clone() };
+    let mut pictures = Vec::new();
+    for gpu in [drawing, computing] {
+        let kernels = GridKernels::new(&gpu);
+        let mut solver = GpuGridSolver::new(&gpu, &kernels, &constraints).expect("a solver");
+        (0..PAGE_STEPS).for_each(|_| solver.step());
+        pictures.push(solver.pixels().await.expect("the pixels come back"));
+    }
+    let farthest = farthest(&pictures[0], &pictures[1]);
+    assert!(farthest <= TENTH, "{} levels", 255.0 * farthest);
+}
+
 #[wasm_bindgen_test]
 async fn what_has_changed_is_drawn_over_what_was_there() {
     let gpu = gpu().await;

@@ -278,6 +278,15 @@ fn lines_and_scribbles_can_be_hidden() {
 }
 
 #[test]
+fn a_drawing_is_opened_with_its_lines_shown() {
+    let mut page = Page::open(SQUARE);
+    page.session.command(Command::Lines(false));
+    assert_ne!(page.color_at(ON_THE_LINE), Srgb8([0; 3]));
+    page.session.command(Command::Open { work: page.session.work(), notes: String::new() });
+    assert_eq!(page.color_at(ON_THE_LINE), Srgb8([0; 3]));
+}
+
+#[test]
 fn a_file_holds_every_number_of_the_work() {
     let odd = br#"<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 333 777">
         <path d="M31.4159 27.1828C99 17.7 123.456 77 300.1 66.6V570.7H30.3Z" fill="none" stroke="black" stroke-width="1.7"/></svg>"#;

@@ -21,9 +21,10 @@ pub(crate) const FILES: &str = "files";
 const WASM_OPT: [&[&str]; 2] =
     [&["-O2", "--minify-imports-and-exports-and-modules"], &["-Os", "--reorder-functions-by-name"]];
 
-/// The features of wasm that every browser with WebGPU or WebGL 2 has; `--all-features` would use others. Functions
-/// that are called once stay functions: inlined they compress worse, by 3% of the whole.
+/// What is asked of it both times. The features of wasm are those that every browser with WebGPU or WebGL 2 has;
+/// `--all-features` would use others.
 const WASM_OPT_ALWAYS: [&str; 11] = [
+    // Functions that are called once stay functions: inlined they compress worse, by 3% of the whole.
     "--one-caller-inline-max-function-size=0",
     // A call takes as much as a body that small.
     "--always-inline-max-function-size=5",

@@ -37,6 +37,14 @@ fn drawings_that_are_none() {
 }
 
 #[test]
+fn a_version_is_asked_for_alone() {
+    let output = Folder::new("version").run(&["--version"]);
+    assert!(output.status.success());
+    assert_eq!(String::from_utf8_lossy(&output.stdout), format!("scumble {}\n", env!("CARGO_PKG_VERSION")));
+    refused_call(&Folder::new("version-more"), &["color", "d.svg", "--version"], "are expected");
+}
+
+#[test]
 fn a_compressed_drawing_is_told_by_its_bytes_whatever_it_is_called() {
     const GZIP: [u8; 7] = [0x1f, 0x8b, 8, 0, 1, 2, 3];
     let names = ["d.svg", "d.svgz", "e.SVGZ"];

@@ -22,24 +22,24 @@ const WORKGROUP: u32 = 8;
 pub(crate) const COMPUTE: &str = wgsl!("grid/compute");
 
 /// Limits with what computing takes. In WebGPU every adapter has that.
-pub(crate) fn limits(limits: wgpu::Limits) -> wgpu::Limits {
+pub(crate) fn limits(least: wgpu::Limits) -> wgpu::Limits {
     wgpu::Limits {
         max_storage_textures_per_shader_stage: 1,
         max_compute_invocations_per_workgroup: WORKGROUP * WORKGROUP,
         max_compute_workgroup_size_x: WORKGROUP,
         max_compute_workgroup_size_y: WORKGROUP,
         max_compute_workgroup_size_z: 1,
-        max_compute_workgroups_per_dimension: limits.max_texture_dimension_2d.div_ceil(WORKGROUP),
-        ..limits
+        max_compute_workgroups_per_dimension: least.max_texture_dimension_2d.div_ceil(WORKGROUP),
+        ..least
     }
 }
 
 /// Limits with what computing takes, and what programs take, as far as an adapter has that.
 #[cfg(not(target_os = "unknown"))]
-pub(crate) fn most_limits(limits: wgpu::Limits, most: &wgpu::Limits) -> wgpu::Limits {
-    let computing = self::limits(limits.clone());
+pub(crate) fn most_limits(least: wgpu::Limits, most: &wgpu::Limits) -> wgpu::Limits {
+    let computing = limits(least.clone());
     let programs = program::limits(computing.clone());
-    [programs, computing].into_iter().find(|limits| limits.check_limits(most)).unwrap_or(limits)
+    [programs, computing].into_iter().find(|limits| limits.check_limits(most)).unwrap_or(least)
 }
 
 /// What runs a kernel.

@@ -2,7 +2,7 @@
 
 use wgpu::VertexFormat::{Float32x2, Uint32, Uint32x4};
 
-#[cfg(not(feature = "webgl"))]
+#[cfg(any(not(target_os = "unknown"), feature = "webgpu"))]
 use super::computing;
 use super::layer;
 use super::texels::{FORMAT, THIN_FORMAT};
@@ -123,14 +123,14 @@ pub(super) const OPERANDS: usize = 3;
 
 /// Operands, and what is computed.
 pub(super) fn bindings(gpu: &Gpu) -> usize {
-    OPERANDS + usize::from(gpu.computes())
+    OPERANDS + usize::from(gpu.computes)
 }
 
 /// What runs a kernel.
 #[derive(Clone, Debug)]
 pub(super) enum Pipeline {
     Draws(wgpu::RenderPipeline),
-    #[cfg(not(feature = "webgl"))]
+    #[cfg(any(not(target_os = "unknown"), feature = "webgpu"))]
     Computes(wgpu::ComputePipeline),
 }
 
@@ -161,8 +161,8 @@ impl Kernels {
         let both = [Some(&operands_layout), Some(&level_layout)];
         let pipelines = SOURCES.iter().map(|source| {
             let layouts = if source.has_level { &both[..] } else { &both[..1] };
-            #[cfg(not(feature = "webgl"))]
-            if gpu.computes() {
+            #[cfg(any(not(target_os = "unknown"), feature = "webgpu"))]
+            if gpu.computes {
                 return Pipeline::Computes(computing::kernel(device, source, layouts));
             }
             let drawing = Drawing { format: FORMAT, topology: TRIANGLES, buffers: &[] };

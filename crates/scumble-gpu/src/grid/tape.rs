@@ -52,7 +52,7 @@ impl Tape {
     /// Has all passes made.
     pub(crate) fn play(&self, gpu: &Gpu) {
         let mut encoder = gpu.device.create_command_encoder(&Default::default());
-        #[cfg(not(feature = "webgl"))]
+        #[cfg(any(not(target_os = "unknown"), feature = "webgpu"))]
         super::computing::run(&self.passes, &mut encoder);
         self.passes.iter().for_each(|pass| pass.run(&mut encoder));
         gpu.queue.submit([encoder.finish()]);
@@ -64,7 +64,7 @@ impl Pass {
     fn run(&self, encoder: &mut wgpu::CommandEncoder) {
         match &self.pipeline {
             Pipeline::Draws(pipeline) => self.draw(encoder, pipeline),
-            #[cfg(not(feature = "webgl"))]
+            #[cfg(any(not(target_os = "unknown"), feature = "webgpu"))]
             Pipeline::Computes(_) => {}
         }
     }

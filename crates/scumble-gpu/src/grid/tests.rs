@@ -1,4 +1,4 @@
-//! Every kernel draws what its twin on the CPU computes. Needs a graphics driver; Mesa's software one is enough.
+//! Every kernel, drawn or computed, makes what its twin on the CPU computes. Needs a graphics driver; Mesa's software one is enough.
 
 #[path = "../../../../tests/grids/scene.rs"]
 mod scene;
@@ -59,7 +59,7 @@ impl Bench {
         Some(Self { kernels: Kernels::new(&gpu), gpu })
     }
 
-    /// One that computes, where there is a device for it, and one that draws, as all do in a page.
+    /// One that computes, where there is a device for it, and one that draws, as all do on WebGL.
     fn both() -> Vec<Self> {
         let Some(gpu) = gpu() else { return Vec::new() };
         let limits = wgpu::Limits::downlevel_webgl2_defaults().using_resolution(gpu.adapter.limits());
@@ -67,8 +67,8 @@ impl Bench {
         let descriptor = wgpu::DeviceDescriptor { required_limits, ..Default::default() };
         let opened = pollster::block_on(gpu.adapter.request_device(&descriptor));
         let (device, queue) = opened.expect("a device that draws alone");
-        let drawing = Gpu { adapter: gpu.adapter.clone(), device, queue };
-        assert!(gpu.computes() && !drawing.computes());
+        let drawing = Gpu { adapter: gpu.adapter.clone(), device, queue, computes: false };
+        assert!(gpu.computes);
         [gpu, drawing].map(|gpu| Self { kernels: Kernels::new(&gpu), gpu }).into()
     }
 
@@ -155,6 +155,28 @@ fn kernels_within_a_level_draw_what_their_twins_compute() {
             check(Kernel::Start, &[r, &parts], &|x, y| twin::start(level, r, STEPS, x, y));
         }
     }
+}
+
+#[test]
+fn restriction_is_the_transpose_of_interpolation() {
+    let hierarchy = Hierarchy::new(&constraints(130, 97, &[]));
+    for pair in hierarchy.levels[..=LEVELS].windows(2) {
+        let [fine, coarse] = pair else { unreachable!() };
+        let (residual, below) = (noise_like(fine, 1), noise_like(coarse, 2));
+        let none = Texture::new(residual.width, residual.height);
+        let shares = computed(fine, |x, y| twin::restrict(fine, &residual, x, y));
+        let restricted = computed(coarse, |x, y| twin::collect(fine, coarse, &shares, x, y));
+        let interpolated = computed(fine, |x, y| twin::interpolate(fine, &none, &below, x, y));
+        let [[one, scale], [other, _]] =
+            [(&restricted, &below), (&residual, &interpolated)].map(|(a, b)| product(a, b));
+        assert!(scale > 0.0 && (one - other).abs() <= f64::from(ROUNDING) * scale, "{one} and {other}");
+    }
+}
+
+/// The product of what is in the first channel, and that of its sizes.
+fn product(a: &Texture, b: &Texture) -> [f64; 2] {
+    let terms = a.texels.iter().zip(&b.texels).map(|(a, b)| f64::from(a[0]) * f64::from(b[0]));
+    terms.fold([0.0; 2], |[sum, scale], term| [sum + term, scale + term.abs()])
 }
 
 #[test]

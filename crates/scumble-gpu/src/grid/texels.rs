@@ -17,7 +17,7 @@ pub(super) const THIN_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::R32Uint
 
 /// Texels that may be made; at first zeros.
 pub(super) fn target(gpu: &Gpu, size: [u32; 2], format: wgpu::TextureFormat) -> wgpu::TextureView {
-    let is_computed = gpu.computes() && format == FORMAT;
+    let is_computed = gpu.computes && format == FORMAT;
     let computed =
         if is_computed { wgpu::TextureUsages::STORAGE_BINDING } else { wgpu::TextureUsages::empty() };
     let drawn = wgpu::TextureUsages::RENDER_ATTACHMENT | wgpu::TextureUsages::COPY_SRC;

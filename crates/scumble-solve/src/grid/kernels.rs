@@ -73,8 +73,8 @@ fn parent_value(level: &Level, coarse: &Texture, x: i32, y: i32) -> Texel {
     }
 }
 
-/// A value with the correction of the coarser level: that of its own part, less a damped step of Jacobi's method for what that
-/// leaves.
+/// A value with the correction of the coarser level: that of its own part, made smooth by one damped step of Jacobi's method
+/// (smoothed aggregation, see [`super`]).
 pub fn interpolate(level: &Level, values: &Texture, coarse: &Texture, x: i32, y: i32) -> Texel {
     let [_, _, damping, _] = level.holds.load(x, y);
     let parts = |x, y| parent_value(level, coarse, x, y);

@@ -92,7 +92,7 @@ impl Session {
                 self.lay_over(*sheet);
                 self.stale.boundary = !self.sheet.is_made();
                 self.opened += 1;
-                // Of lines alone nothing would be seen.
+                // Where they are hidden, a drawing without colours would be a blank page.
                 self.show_lines(true);
                 self.tell(Effect::Opened { notes });
             }
