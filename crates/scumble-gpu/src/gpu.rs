@@ -72,7 +72,7 @@ impl Gpu {
     }
 }
 
-/// Whether nothing can be computed.
+/// Whether what draws is WebGL, which computes nothing.
 const IS_WEBGL: bool = cfg!(all(target_os = "unknown", not(feature = "webgpu")));
 
 /// Whether a device is destroyed when nobody uses it any more. In WebGPU it is not: what is destroyed there is gone under

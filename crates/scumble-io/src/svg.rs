@@ -136,7 +136,7 @@ impl Importer {
         self.drawing.curves.extend(subpaths.into_iter().map(|path| Curve { path, line: line.clone() }));
     }
 
-    /// The outlines of an area without a stroke. A light rectangle over the whole page is paper, not a shape.
+    /// The outlines of an area without a stroke. A rectangle over the whole page that is no ink is paper, not a shape.
     fn outlines(&mut self, subpaths: Vec<BezPath>, is_ink: bool) {
         let frame = self.drawing.frame();
         if !is_ink && matches!(&*subpaths, [path] if outline::is_rectangle_over(path, frame)) {

@@ -23,6 +23,21 @@ const HEADWAY: usize = 40;
 /// # Errors
 /// For what is no wasm module.
 pub(crate) fn named_by_likeness(module: &[u8]) -> Result<Vec<u8>> {
+    let (imported, bodies) = functions(module)?;
+    let mut places: Vec<_> = order(&bodies).into_iter().zip(0..).collect();
+    places.sort_unstable();
+    let mut names = NameMap::new();
+    for (function, place) in places {
+        names.append(imported + function as u32, &format!("{place:06}"));
+    }
+    let (mut section, mut named) = (NameSection::new(), module.to_vec());
+    section.functions(&names);
+    section.append_to(&mut named);
+    Ok(named)
+}
+
+/// How many functions a module imports, and the bodies of its own, whose numbers follow.
+fn functions(module: &[u8]) -> Result<(u32, Vec<&[u8]>)> {
     let (mut imported, mut bodies) = (0, Vec::new());
     for payload in Parser::new(0).parse_all(module) {
         match payload.context("the functions of a wasm module")? {
@@ -35,16 +50,7 @@ pub(crate) fn named_by_likeness(module: &[u8]) -> Result<Vec<u8>> {
             _ => {}
         }
     }
-    let mut places: Vec<_> = order(&bodies).into_iter().zip(0..).collect();
-    places.sort_unstable();
-    let mut names = NameMap::new();
-    for (function, place) in places {
-        names.append(imported + function as u32, &format!("{place:06}"));
-    }
-    let (mut section, mut named) = (NameSection::new(), module.to_vec());
-    section.functions(&names);
-    section.append_to(&mut named);
-    Ok(named)
+    Ok((imported, bodies))
 }
 
 /// Each next is the one of which the largest part is found in those before it.

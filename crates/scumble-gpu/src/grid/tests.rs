@@ -1,4 +1,5 @@
-//! Every kernel, drawn or computed, makes what its twin on the CPU computes. Needs a graphics driver; Mesa's software one is enough.
+//! Every kernel, drawn or computed, makes what its twin on the CPU computes. Needs a graphics driver; Mesa's software one is
+//! enough.
 
 #[path = "../../../../tests/grids/scene.rs"]
 mod scene;
