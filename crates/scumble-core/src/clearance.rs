@@ -23,6 +23,10 @@ const BESIDE_TIP: f64 = 0.7;
 /// The same where the line points across it.
 const AHEAD_OF_TIP: f64 = 0.3;
 
+/// The end of a line closes passages as wide as the line is long, and none that are this many times as wide: the farther it is,
+/// the less does it point at anything.
+const FAR: f64 = 2.0;
+
 /// A line that comes this many times closer to another one than a passage is wide does not end in that passage.
 const LOOSE: f64 = 4.0;
 
@@ -248,6 +252,8 @@ pub(crate) struct Tips {
 #[derive(Clone, Copy, Debug)]
 struct Tip {
     direction: Vec2,
+    /// How long the line is, with those that go on from it, in du.
+    length_du: f64,
     /// How far it is, from the end of the line or by way of what leads there, to the nearest drawn line beside it, in du.
     beside_du: f64,
 }
@@ -256,12 +262,15 @@ impl Tips {
     fn new(map: &PlanarMap, beside_du: &[f64]) -> Self {
         let points = map.triangulation().points();
         let neighbours = Neighbours::new(map);
+        let lengths_du = map.line_lengths_du();
         let tip = |node: usize| {
             let way = neighbours.way_back(points, node as u32);
-            let along = points[node] - points[way.last()?.0 as usize];
-            let to_line_du = way.iter().map(|&(node, way_du)| way_du + beside_du[node as usize]);
+            let length_du = lengths_du[node].max(way.last()?.1);
+            let near = &way[..=way.iter().position(|&(_, way_du)| way_du >= TIP_DU).unwrap_or(way.len() - 1)];
+            let along = points[node] - points[near.last()?.0 as usize];
+            let to_line_du = near.iter().map(|&(node, way_du)| way_du + beside_du[node as usize]);
             let beside_du = to_line_du.fold(beside_du[node], f64::min);
-            Some(Tip { direction: along / along.hypot(), beside_du })
+            Some(Tip { direction: along / along.hypot(), length_du, beside_du })
         };
         Self { tips: (0..points.len()).map(tip).collect() }
     }
@@ -271,16 +280,25 @@ impl Tips {
         self.tips[node as usize].map(|tip| tip.direction)
     }
 
-    /// The direction of a line that ends at a node, loosely beside a passage of a clear width. One that comes much closer to
-    /// another line, or to its own beginning, goes on there.
+    /// The direction of a line that ends at a node, loosely beside a passage of a clear width, and not far from its other side.
+    /// One that comes much closer to another line, or to its own beginning, goes on there.
     pub(crate) fn loose(&self, node: u32, width_du: f64) -> Option<Vec2> {
-        self.tips[node as usize].filter(|tip| width_du <= LOOSE * tip.beside_du).map(|tip| tip.direction)
+        self.loose_tip(node, width_du).map(|tip| tip.direction)
+    }
+
+    fn loose_tip(&self, node: u32, width_du: f64) -> Option<Tip> {
+        let is_loose = |tip: &Tip| width_du <= LOOSE * tip.beside_du && width_du < FAR * tip.length_du;
+        self.tips[node as usize].filter(is_loose)
     }
 
     fn factor(&self, node: u32, across: Vec2, width_du: f64) -> f64 {
-        let part =
-            |direction: Vec2| BESIDE_TIP + (AHEAD_OF_TIP - BESIDE_TIP) * direction.dot(across).max(0.0);
-        self.loose(node, width_du).map_or(1.0, part)
+        let part = |tip: Tip| {
+            let nearness = (FAR - width_du / tip.length_du) / (FAR - 1.0);
+            let ahead = tip.direction.dot(across).max(0.0);
+            let near_part = BESIDE_TIP + (AHEAD_OF_TIP - BESIDE_TIP) * ahead;
+            1.0 + (near_part - 1.0) * nearness.min(1.0)
+        };
+        self.loose_tip(node, width_du).map_or(1.0, part)
     }
 }
 
@@ -324,7 +342,7 @@ impl Neighbours {
         *count += 1;
     }
 
-    /// The nodes back from a tip, up to some way from it, with their ways, in du; none if the node is no tip.
+    /// The nodes back from a tip, up to a junction or another tip, with their ways, in du; none if the node is no tip.
     fn way_back(&self, points: &[Point], tip: u32) -> Vec<(u32, f64)> {
         let mut way = Vec::new();
         let (mut from, mut at, mut way_du) = (tip, self.of[tip as usize][0], 0.0);
@@ -332,7 +350,7 @@ impl Neighbours {
         while goes_on {
             way_du += points[from as usize].distance(points[at as usize]);
             way.push((at, way_du));
-            goes_on = way_du < TIP_DU && self.count[at as usize] == 2;
+            goes_on = self.count[at as usize] == 2;
             let [a, b] = self.of[at as usize];
             (from, at) = (at, if a == from { b } else { a });
         }

@@ -56,6 +56,17 @@ impl PlanarMap {
         Slices::new(self.closed(closing))
     }
 
+    /// Per node the length of the last curve through it, in du.
+    pub(crate) fn line_lengths_du(&self) -> Vec<f64> {
+        let mut lengths_du = vec![0.0; self.triangulation().points().len()];
+        for piece in self.pieces() {
+            let steps = piece.curve.map_or(&[][..], |curve| self.steps(curve as usize));
+            let length_du = steps.last().map_or(0.0, |step| step.arc_du[1]);
+            piece.nodes.iter().for_each(|&node| lengths_du[node as usize] = length_du);
+        }
+        lengths_du
+    }
+
     async fn closed(&mut self, closing: f64) -> bool {
         self.measuring().await;
         pace::pause().await;
@@ -75,7 +86,7 @@ async fn find(map: &PlanarMap, clearance: &Clearance, ratio: f64) -> Vec<Gap> {
     let mesh = map.triangulation();
     let mut basins = Basins::new(map, clearance).await;
     let mut gaps = Vec::new();
-    let lengths_du = line_lengths_du(map);
+    let lengths_du = map.line_lengths_du();
     pace::pause().await;
     let mut passages = passages(mesh, clearance);
     pace::pause().await;
@@ -121,17 +132,6 @@ fn means_to_reach(map: &PlanarMap, lengths_du: &[f64], h: HalfEdge) -> bool {
     };
     let [from, to] = mesh.ends(h);
     is_near(from, b - a) || is_near(to, a - b)
-}
-
-/// Per node the length of the last curve through it, in du.
-fn line_lengths_du(map: &PlanarMap) -> Vec<f64> {
-    let mut lengths_du = vec![0.0; map.triangulation().points().len()];
-    for piece in map.pieces() {
-        let steps = piece.curve.map_or(&[][..], |curve| map.steps(curve as usize));
-        let length_du = steps.last().map_or(0.0, |step| step.arc_du[1]);
-        piece.nodes.iter().for_each(|&node| lengths_du[node as usize] = length_du);
-    }
-    lengths_du
 }
 
 /// All passages with their widths, once each, by both their half-edges.

@@ -535,7 +535,10 @@ fn what_hangs_from_the_border_of_the_page_parts_no_sky() {
     let lamp = polyline(&[(445.0, 250.0), (512.0, 150.0), (580.0, 250.0), (445.0, 250.0)].map(Point::from));
     let points = [150.0, 250.0].map(|x| Point::new(x, 300.0)).to_vec();
     let sky = Scribble { color: Paint::Clear, kind: ScribbleKind::Fill, width_du: 8.0, points };
-    for (hanging, width_du) in [(vec![sun.clone()], 7.0), (vec![cord, lamp], 7.0), (vec![sun], 40.0)] {
+    let far_ends =
+        [[0.0, 60.0], [650.0, 590.0]].map(|ys| polyline(&ys.map(|y| Point::new(512.0, y)))).to_vec();
+    let hangings = [(vec![sun.clone()], 7.0), (vec![cord, lamp], 7.0), (vec![sun], 40.0), (far_ends, 7.0)];
+    for (hanging, width_du) in hangings {
         let curves = hanging.into_iter().chain([horizon.clone()]).map(|path| (path, width_du));
         let map = build(curves.collect(), 0.5);
         let labels = fresh(&map, false, std::slice::from_ref(&sky));

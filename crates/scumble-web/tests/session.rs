@@ -611,7 +611,7 @@ fn a_slider_is_followed_while_it_is_dragged_and_is_one_step_of_undo() {
     page.stroke(RED, &[(150.0, 300.0), (200.0, 400.0)]);
     page.stroke(BLUE, &[(850.0, 300.0), (840.0, 400.0)]);
     page.session.frame(&mut page.canvas);
-    for percent in [20.0, 60.0, 10.0, 71.0] {
+    for percent in [60.0, 20.0, 65.0, 10.0, 71.0] {
         set(&mut page, Setting::GapClosing(percent / 100.0));
         page.session.frame(&mut page.canvas);
         assert!(

@@ -5,10 +5,10 @@ use kurbo::{BezPath, Point, Rect, Size};
 use super::{LATTICE_PER_DU, LatticePoint, Stretch};
 use crate::sort;
 
-/// Where a curve ends as close to the frame as this, in lattice units, the frame has a node beside its end: 16 du, as far as
-/// its nodes are from one another by default. Farther away these tell the width of the passage between the end and the frame
+/// Where a curve ends as close to the frame as this, in lattice units, the frame has a node beside its end, so that colours part
+/// straight across: 48 du, three times as far as its nodes are from one another by default. Farther away these are beside it
 /// well enough.
-const NEAR: i32 = 16 * LATTICE_PER_DU as i32;
+const NEAR: i32 = 48 * LATTICE_PER_DU as i32;
 
 /// The frame's size in lattice units: the next whole one, so that the border itself lies on the lattice.
 pub(crate) fn lattice_frame(size_du: Size) -> LatticePoint {
@@ -81,6 +81,7 @@ mod tests {
             ((399_000, 70_000), &[(400_000, 70_000)]),
             ((70_000, 299_000), &[(70_000, 300_000)]),
             ((1, 70_000), &[(0, 70_000)]),
+            ((200_000, 40_000), &[(200_000, 0)]),
             ((0, 70_000), &[]),
             ((399_000, 299_999), &[(400_000, 299_999), (399_000, 300_000)]),
             ((200_000, 150_000), &[]),
