@@ -13,7 +13,7 @@ use crate::scribble::{Scribble, ScribbleKind};
 use crate::settings::Settings;
 use crate::sort;
 use crate::tracing::Tracing;
-use change::{Change, Ids, apply};
+use change::{Back, Change, Ids, apply};
 
 mod change;
 mod deed;
@@ -56,8 +56,8 @@ impl Document {
 enum Gesture {
     /// The last scribble of the document is being drawn.
     Scribble,
-    /// What it does; and these changes, applied from the last to the first, take back what it has done.
-    Changes(Deed, Vec<Change>),
+    /// What it does, and what takes that back.
+    Changes(Deed, Back),
 }
 
 /// A document, the gesture in hand, and the way back and forth through its changes.
@@ -123,7 +123,7 @@ impl Editor {
     /// Whether the lines may be other ones than those that were opened.
     pub fn has_other_lines(&self) -> bool {
         let in_hand = match &self.in_hand {
-            Some(Gesture::Changes(_, back)) => back.as_slice(),
+            Some(Gesture::Changes(_, back)) => back.changes.as_slice(),
             _ => &[],
         };
         self.undo.iter().flat_map(|step| &step.changes).chain(in_hand).any(Change::is_of_lines)
@@ -177,7 +177,7 @@ impl Editor {
     /// Begins a gesture of any changes, as of a slider that is dragged; one that is still in hand is committed first.
     pub fn begin(&mut self, deed: Deed) {
         self.commit();
-        self.in_hand = Some(Gesture::Changes(deed, Vec::new()));
+        self.in_hand = Some(Gesture::Changes(deed, Back::default()));
     }
 
     /// Whether a gesture of any changes is in hand.
@@ -187,7 +187,7 @@ impl Editor {
 
     /// Whether such a gesture has given the drawing other lines.
     pub fn is_changing_lines(&self) -> bool {
-        matches!(&self.in_hand, Some(Gesture::Changes(_, back)) if back.iter().any(Change::is_of_lines))
+        matches!(&self.in_hand, Some(Gesture::Changes(_, back)) if back.changes.iter().any(Change::is_of_lines))
     }
 
     /// What such a gesture does that is in hand.
@@ -202,7 +202,7 @@ impl Editor {
     pub fn restart(&mut self) {
         if let Some(Gesture::Changes(_, back)) = &mut self.in_hand {
             let back = std::mem::take(back);
-            self.take_back(back);
+            self.take_back(back.changes);
         }
     }
 
@@ -215,10 +215,10 @@ impl Editor {
                 let deed = Deed::of_scribble(&self.document.scribbles[last]);
                 self.keep(deed, vec![Change::RemoveScribble(last)]);
             }
-            Some(Gesture::Changes(deed, mut back)) => {
+            Some(Gesture::Changes(deed, Back { mut changes, .. })) => {
                 // A slider that was dragged to and fro has changed nothing in the end.
-                back.retain(|change| !change.is_so(&self.document));
-                self.keep(deed, back);
+                changes.retain(|change| !change.is_so(&self.document));
+                self.keep(deed, changes);
             }
         }
     }
@@ -230,7 +230,7 @@ impl Editor {
             Some(Gesture::Scribble) => {
                 drop(self.apply(Change::RemoveScribble(self.document.scribbles.len() - 1)));
             }
-            Some(Gesture::Changes(_, back)) => self.take_back(back),
+            Some(Gesture::Changes(_, back)) => self.take_back(back.changes),
         }
     }
 
@@ -405,7 +405,9 @@ impl Editor {
         match &self.in_hand {
             None => false,
             Some(Gesture::Scribble) => true,
-            Some(Gesture::Changes(_, back)) => back.iter().any(|change| !change.is_so(&self.document)),
+            Some(Gesture::Changes(_, back)) => {
+                back.changes.iter().any(|change| !change.is_so(&self.document))
+            }
         }
     }
 
@@ -422,13 +424,11 @@ impl Editor {
     }
 
     /// Notes what takes back that which has just been done.
-    fn done(&mut self, deed: Deed, mut back: Vec<Change>) {
-        let Some(Gesture::Changes(_, before)) = &mut self.in_hand else { return self.keep(deed, back) };
-        // What the gesture began with is there already.
-        back.retain(|change| {
-            !change.has_slider() || !before.iter().any(|before| before.is_of_slider_of(change))
-        });
-        before.append(&mut back);
+    fn done(&mut self, deed: Deed, back: Vec<Change>) {
+        match &mut self.in_hand {
+            Some(Gesture::Changes(_, before)) => back.into_iter().for_each(|change| before.push(change)),
+            _ => self.keep(deed, back),
+        }
     }
 
     /// Ends a gesture that can be taken back; one that did nothing leaves no trace.

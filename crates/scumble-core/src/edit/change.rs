@@ -38,15 +38,24 @@ impl Change {
         matches!(self, Self::ReplaceCurve(..) | Self::RemoveCurve(_) | Self::InsertCurve(..))
     }
 
-    /// Whether it is of what has sliders.
-    pub(super) fn has_slider(&self) -> bool {
-        self.is_of_slider_of(self)
+    /// What it puts another in the place of as a whole.
+    fn place(&self) -> Option<Place> {
+        match self {
+            Self::ReplaceScribble(index, _) => Some(Place::Scribble(*index)),
+            Self::ReplaceCurve(index, _) => Some(Place::Curve(*index)),
+            Self::SetSettings(_) => Some(Place::Settings),
+            Self::SetTracing(_) => Some(Place::Tracing),
+            _ => None,
+        }
     }
 
-    /// Whether two changes are of the same slider, so that this one takes back what the other does, too.
-    pub(super) fn is_of_slider_of(&self, other: &Self) -> bool {
-        use Change::{SetSettings, SetTracing};
-        matches!((self, other), (SetSettings(_), SetSettings(_)) | (SetTracing(_), SetTracing(_)))
+    /// Whether scribbles or curves have other indices after it.
+    fn is_of_order(&self) -> bool {
+        use Change::{InsertCurve, InsertScribble, MoveScribble, RemoveCurve, RemoveScribble};
+        matches!(
+            self,
+            InsertScribble(..) | RemoveScribble(_) | MoveScribble { .. } | InsertCurve(..) | RemoveCurve(_)
+        )
     }
 
     /// Whether it is of what has sliders and would change nothing.
@@ -56,6 +65,36 @@ impl Change {
             Self::SetTracing(tracing) => *tracing == document.tracing,
             _ => false,
         }
+    }
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+enum Place {
+    Scribble(usize),
+    Curve(usize),
+    Settings,
+    Tracing,
+}
+
+/// Changes that, applied from the last to the first, take back what a gesture has done. However often a slider or an arrow key
+/// puts another thing in a place, they have once what was there at first.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Back {
+    pub(super) changes: Vec<Change>,
+    /// Places that have had other things since the order was last changed, in their order.
+    places: Vec<Place>,
+}
+
+impl Back {
+    pub(super) fn push(&mut self, change: Change) {
+        if change.is_of_order() {
+            self.places.retain(|place| matches!(place, Place::Settings | Place::Tracing));
+        }
+        if let Some(place) = change.place() {
+            let Err(i) = self.places.binary_search(&place) else { return };
+            self.places.insert(i, place);
+        }
+        self.changes.push(change);
     }
 }
 
@@ -138,4 +177,28 @@ fn move_within<T>(items: &mut Vec<T>, from: usize, to: usize) {
 fn without_curve(points: &[ColorPoint], curve: u32) -> Vec<ColorPoint> {
     let others = points.iter().filter(|point| point.curve != curve);
     others.map(|&point| ColorPoint { curve: point.curve - u32::from(point.curve > curve), ..point }).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_place_that_has_many_things_keeps_the_first_until_the_order_changes() {
+        let blank = || Curve { path: kurbo::BezPath::new(), line: None };
+        let mut back = Back::default();
+        for _ in 0..100 {
+            back.push(Change::ReplaceCurve(0, blank()));
+            back.push(Change::ReplaceCurve(1, blank()));
+        }
+        assert_eq!(back.changes.len(), 2);
+        back.push(Change::RemoveCurve(0));
+        back.push(Change::ReplaceCurve(0, blank()));
+        back.push(Change::ReplaceCurve(0, blank()));
+        assert_eq!(back.changes.len(), 4);
+        back.push(Change::SetTracing(None));
+        back.push(Change::RemoveCurve(0));
+        back.push(Change::SetTracing(None));
+        assert_eq!(back.changes.len(), 6, "a slider has no place in the order");
+    }
 }
