@@ -86,7 +86,7 @@ pub(crate) fn run(set: &Path) -> anyhow::Result<()> {
         measured.with_context(|| format!("drawing {}", entry.id))?;
     }
     report.print();
-    Ok(())
+    shades::print_crowds()
 }
 
 impl Report {

@@ -95,6 +95,7 @@ pub use global::Global;
 pub use palette::Swatch;
 pub use planar_map::{Gap, MapError, Piece, PlanarMap, Sampling, Step};
 pub use progressive::Progressive;
+pub use sample::clip;
 pub use scribble::{PenPressure, Scribble, ScribbleKind, Shading};
 pub use settings::{EngineKind, Settings};
 pub use sight::Sight;

@@ -199,8 +199,9 @@ fn parameters(c: &CubicBez, parts: &[f64]) -> Vec<f64> {
     nodes
 }
 
-/// The part of a segment inside a rectangle, as parameters in `0..=1` (Liang & Barsky 1984).
-pub(crate) fn clip([a, b]: [Point; 2], rect: Rect) -> Option<[f64; 2]> {
+/// The part of a segment inside a rectangle, as parameters in `0..=1` (Y.-D. Liang, B. Barsky, *A new concept and method for line
+/// clipping*, 1984).
+pub fn clip([a, b]: [Point; 2], rect: Rect) -> Option<[f64; 2]> {
     let d = b - a;
     let (mut t0, mut t1) = (0.0_f64, 1.0_f64);
     for (from, step, lo, hi) in [(a.x, d.x, rect.x0, rect.x1), (a.y, d.y, rect.y0, rect.y1)] {

@@ -38,6 +38,14 @@ pub struct SoftSource {
     pub parts: Vec<[f64; 2]>,
 }
 
+impl SoftSource {
+    /// Whether it differs from another in nothing but the colour.
+    pub fn is_alike(&self, other: &Self) -> bool {
+        let numbers = |source: &Self| (source.radius_du, source.weight, source.crosses);
+        numbers(self) == numbers(other) && self.points == other.points && self.parts == other.parts
+    }
+}
+
 /// Radii beyond these, in du, are taken as these.
 pub const RADII_DU: [f64; 2] = [0.5, LONGER_SIDE_DU];
 

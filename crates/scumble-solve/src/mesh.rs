@@ -10,7 +10,7 @@
 //! matrix is factored when the set of its coloured sides changes, unless undo comes back to the one before, and a change of
 //! colours costs two triangular solves. How much a soft source covers of a region is a system beside its own, of finer elements
 //! around its stroke alone.
-//! All sums are in a fixed order, so a picture is the same on every machine.
+//! All sums are in a fixed order, so the same colours of sides give the same picture on every machine.
 
 mod bent;
 mod cells;

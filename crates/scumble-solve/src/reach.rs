@@ -5,7 +5,7 @@
 //! radius of it lies in.
 
 use kurbo::{Point, Rect};
-use scumble_core::{SoftSource, Triangulation, nearest_in};
+use scumble_core::{SoftSource, Triangulation, clip, nearest_in};
 
 use crate::brush::{self, Brush};
 
@@ -104,21 +104,10 @@ impl<'a> Regions<'a> {
     }
 }
 
-/// The part of a segment that lies in a rectangle (Y.-D. Liang, B. Barsky, *A new concept and method for line clipping*,
-/// 1984); without length where none does.
-fn clipped([from, to]: [Point; 2], rect: Rect) -> [Point; 2] {
-    let along = to - from;
-    let [mut start, mut end] = [0.0_f64, 1.0_f64];
-    for (at, along, least, most) in [(from.x, along.x, rect.x0, rect.x1), (from.y, along.y, rect.y0, rect.y1)]
-    {
-        let (a, b) = ((least - at) / along, (most - at) / along);
-        if along != 0.0 {
-            (start, end) = (start.max(a.min(b)), end.min(a.max(b)));
-        } else if at < least || at > most {
-            end = 0.0;
-        }
-    }
-    if start < end { [start, end].map(|t| from.lerp(to, t)) } else { [from, from] }
+/// The part of a segment that lies in a rectangle; without length where none does.
+fn clipped(ends: [Point; 2], rect: Rect) -> [Point; 2] {
+    let part = clip(ends, rect).filter(|[start, end]| start < end);
+    part.unwrap_or_default().map(|t| ends[0].lerp(ends[1], t))
 }
 
 /// Whether a brush draws at a triangle to its colour, or all but does. Where it only passes on what it drew elsewhere

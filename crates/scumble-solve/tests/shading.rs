@@ -253,6 +253,29 @@ fn a_move_that_leaves_the_number_of_triangles_moves_their_corners() {
     assert!(moved > 0, "some move is one of those");
 }
 
+/// Also where there is more detail than the mesh has room for.
+#[test]
+fn what_a_pen_draws_among_other_shades_is_as_if_it_had_been_there_from_the_first() {
+    for (width_du, count) in [(30.0, 8), (1.0, 24)] {
+        let place = |i: usize| (350.0 + 40.0 * (i % 3) as f64, 380.0 + 30.0 * (i / 3) as f64);
+        let across = |(x, y): (f64, f64)| shade(BLUE, 0.8, width_du, &[(x, y), (x + 240.0, y + 130.0)]);
+        let mut document = document(fills());
+        document.scribbles.extend((0..count).map(|i| across(place(i))));
+        let mut picture = Picture::new(&document.drawing).expect("a map");
+        let first = picture.update(&document).expect("a field");
+        assert!(first == &field(&document));
+        assert!((width_du > 10.0) != (first.triangles.len() > 60_000), "{}", first.triangles.len());
+        let hand = document.scribbles.len();
+        document.scribbles.push(shade(YELLOW, 0.5, width_du, &[(520.0, 400.0)]));
+        for step in 1..4 {
+            document.scribbles[hand].points.push(Point::new(520.0 - 20.0 * f64::from(step), 450.0));
+            assert!(picture.update(&document).expect("a field") == &field(&document), "step {step}");
+        }
+        document.scribbles.remove(hand - 2);
+        assert!(picture.update(&document).expect("a field") == &field(&document), "one is erased");
+    }
+}
+
 fn any_shade() -> impl Strategy<Value = Scribble> {
     let points = prop::collection::vec((150.0..900.0_f64, 250.0..750.0_f64), 1..4);
     (any::<[u8; 3]>(), 0.05..=1.0_f64, 6.0..150.0_f64, points, any::<bool>(), any_pressure()).prop_map(

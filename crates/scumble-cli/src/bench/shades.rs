@@ -1,7 +1,8 @@
-//! How long one more shading scribble takes, all in, on a drawing with all its scribbles.
+//! How long one more shading scribble takes, all in: on a drawing with all its scribbles, and among many others.
 
-use kurbo::Vec2;
-use scumble_core::{Scribble, ScribbleKind, Settings, Shading, Srgb8};
+use kurbo::{Point, Rect, Shape as _, Vec2};
+use scumble_core::{Curve, Drawing, Scribble, ScribbleKind, Settings, Shading, Srgb8};
+use scumble_solve::Picture;
 
 use crate::clock::{Times, print_head, print_row};
 use crate::stages::{self, Opened, SpreadTimes};
@@ -16,6 +17,15 @@ const COLORS: [Srgb8; 2] = [Srgb8([255, 250, 235]), Srgb8([60, 20, 80])];
 
 /// How far a stroke is moved.
 const MOVE_DU: Vec2 = Vec2::new(3.1, 1.7);
+
+/// Shades in one room, among which there is one more.
+const CROWDS: [usize; 4] = [1, 20, 100, 200];
+
+/// Their width.
+const HATCH_DU: f64 = 24.0;
+
+/// Frames in which one more comes to its end.
+const FRAMES: usize = 8;
 
 /// Times of one width of brush, one for each stroke.
 #[derive(Debug, Default)]
@@ -42,12 +52,7 @@ impl ShadeTimes {
         };
         spread(&[])?;
         for scribble in scribbles {
-            let mut shade = Scribble {
-                color: COLORS[0].into(),
-                kind: ScribbleKind::Shade(Shading { strength: STRENGTH, ..Shading::default() }),
-                width_du,
-                points: scribble.points.clone(),
-            };
+            let mut shade = shade(width_du, scribble.points.clone());
             let times = spread(std::slice::from_ref(&shade))?;
             self.drawn.push(times.total_ms());
             self.analyse.push(times.analyse_ms);
@@ -60,6 +65,49 @@ impl ShadeTimes {
         }
         Ok(())
     }
+}
+
+fn shade(width_du: f64, points: Vec<Point>) -> Scribble {
+    Scribble {
+        color: COLORS[0].into(),
+        kind: ScribbleKind::Shade(Shading { strength: STRENGTH, ..Shading::default() }),
+        width_du,
+        points,
+    }
+}
+
+/// Prints how long each move of a pen takes that shades a room among others, which cross each other there.
+pub(super) fn print_crowds() -> anyhow::Result<()> {
+    println!();
+    print_head(&format!("each move of one more shade, {HATCH_DU} du wide"));
+    for count in CROWDS {
+        print_row(&format!("among {count}"), &crowd(count)?);
+    }
+    Ok(())
+}
+
+fn crowd(count: usize) -> anyhow::Result<Times> {
+    let room = Rect::new(100.0, 100.0, 924.0, 668.0).to_path(0.1);
+    let curves = vec![Curve { path: room, line: None }];
+    let mut picture = Picture::new(&Drawing { curves, ..Drawing::new(Rect::new(0.0, 0.0, 1024.0, 768.0)) })?;
+    let mut shades: Vec<_> = (0..=count).map(|i| hatch(i, FRAMES)).collect();
+    let mut times = Times::default();
+    for frame in 0..=FRAMES {
+        shades[count] = hatch(count, frame);
+        let taken = stages::spread(&mut picture, &shades, &[], &Settings::default())?;
+        // The first one has all the others to do.
+        if frame > 0 {
+            times.push(taken.total_ms());
+        }
+    }
+    Ok(times)
+}
+
+/// One of many strokes, as far as it is after so many frames.
+fn hatch(i: usize, frame: usize) -> Scribble {
+    let start = Point::new(160.0 + (i * 73 % 560) as f64, 160.0 + (i * 41 % 400) as f64);
+    let way = [Vec2::new(14.0, 5.0), Vec2::new(-3.0, 7.0)][i % 2];
+    shade(HATCH_DU, (0..=frame).map(|step| start + step as f64 * way).collect())
 }
 
 /// Prints the table of one width of brush.

@@ -20,6 +20,8 @@ pub(super) struct Cell {
     pub(super) corners: [u32; 3],
     /// From corner `i` to corner `i + 1`.
     edges: [u32; 3],
+    /// The one that follows in the region's order, in which halves stand where the whole stood.
+    next: u32,
 }
 
 /// The weights of corners in themselves.
@@ -34,6 +36,8 @@ pub(super) struct Cells {
     pub(super) points: Vec<Point>,
     edges: Vec<Edge>,
     pub(super) cells: Vec<Cell>,
+    /// Those that have come of bisections and have not been looked at.
+    pub(super) open: Vec<u32>,
 }
 
 impl Cells {
@@ -47,19 +51,19 @@ impl Cells {
         let mut cells = Vec::with_capacity(2 * triangles.len());
         for (i, (&t, &[a, b, c, ab, bc, ca])) in triangles.iter().zip(&unknowns.of_element).enumerate() {
             let (corners, borders) = ([a, b, c].map(number), [ab, bc, ca].map(number));
-            let cell = Cell { parent: i as u32, weights: WHOLE, corners, edges: borders };
+            let next = if i + 1 < triangles.len() { i as u32 + 1 } else { NONE };
+            let cell = Cell { parent: i as u32, weights: WHOLE, corners, edges: borders, next };
             for (corner, p) in cell.corners.into_iter().zip(mesh.corners(t as usize)) {
                 points[corner as usize] = p;
             }
             cell.edges.into_iter().for_each(|edge| edges[edge as usize].replace(NONE, i as u32));
             cells.push(cell);
         }
-        Self { points, edges, cells }
+        Self { points, edges, cells, open: Vec::new() }
     }
 
     /// Bisects a triangle, or, first, a neighbour that has to be.
-    pub(super) fn bisect(&mut self, i: usize) {
-        let mut i = i as u32;
+    pub(super) fn bisect(&mut self, mut i: u32) {
         loop {
             let edge = self.longest(i);
             let Edge([a, b]) = self.edges[edge as usize];
@@ -106,7 +110,7 @@ impl Cells {
 
     /// Bisects a triangle at an edge of which the halves are given in its direction of turn.
     fn split_cell(&mut self, i: u32, edge: u32, middle: u32, halves: [u32; 2]) {
-        let Cell { parent, weights, corners, edges } = self.cells[i as usize];
+        let Cell { parent, weights, corners, edges, next } = self.cells[i as usize];
         let k = place(&self.cells[i as usize], edge);
         let [a, b, c] = [0, 1, 2].map(|j| corners[(k + j) % 3]);
         let [of_a, of_b, of_c] = [0, 1, 2].map(|j| weights[(k + j) % 3]);
@@ -115,11 +119,17 @@ impl Cells {
         let across = self.new_edge();
         let new = self.cells.len() as u32;
         let halves_of_cell = [
-            ([a, middle, c], [of_a, of_middle, of_c], [halves[0], across, ca]),
-            ([middle, b, c], [of_middle, of_b, of_c], [halves[1], bc, across]),
+            ([a, middle, c], [of_a, of_middle, of_c], [halves[0], across, ca], new),
+            ([middle, b, c], [of_middle, of_b, of_c], [halves[1], bc, across], next),
         ];
-        let [first, second] =
-            halves_of_cell.map(|(corners, weights, edges)| Cell { parent, weights, corners, edges });
+        let [first, second] = halves_of_cell.map(|(corners, weights, edges, next)| Cell {
+            parent,
+            weights,
+            corners,
+            edges,
+            next,
+        });
+        self.open.extend([i, new]);
         self.cells[i as usize] = first;
         self.cells.push(second);
         self.edges[bc as usize].replace(i, new);
@@ -128,23 +138,41 @@ impl Cells {
         }
     }
 
-    /// The points are the unknowns at corners, the edges those in the middle of edges.
+    /// The points are the unknowns at corners, the edges those in the middle of edges: each kind in the order of the cells, so
+    /// that a mesh is the same in whatever order it was bisected.
     pub(super) fn refined(&self) -> Refined {
         let point_count = self.points.len() as u32;
-        let shape = |cell: &Cell| Shape {
+        let mut numbers = [self.points.len(), self.edges.len()].map(|count| vec![NONE; count]);
+        let mut next = [0, point_count];
+        let mut number = |kind: usize, i: u32| {
+            let number = &mut numbers[kind][i as usize];
+            if *number == NONE {
+                *number = next[kind];
+                next[kind] += 1;
+            }
+            *number
+        };
+        let mut dofs = |cell: &Cell| {
+            let [a, b, c] = cell.corners.map(|point| number(0, point));
+            let [ab, bc, ca] = cell.edges.map(|edge| number(1, edge));
+            [a, b, c, ab, bc, ca]
+        };
+        let dofs: Vec<_> = self.in_order().map(&mut dofs).collect();
+        let shapes: Vec<_> = self.in_order().map(|cell| self.shape(cell)).collect();
+        Refined::new(shapes, dofs, self.points.len() + self.edges.len())
+    }
+
+    fn in_order(&self) -> impl Iterator<Item = &Cell> {
+        std::iter::successors(self.cells.first(), |cell| self.cells.get(cell.next as usize))
+    }
+
+    fn shape(&self, cell: &Cell) -> Shape {
+        let side = |k: usize| u32::from(self.edges[cell.edges[k] as usize].is_side()) << k;
+        Shape {
             parent: cell.parent,
             weights: cell.weights,
             corners: cell.corners.map(|i| self.points[i as usize]),
-            side_edges: (0..3).map(|k| u32::from(self.edges[cell.edges[k] as usize].is_side()) << k).sum(),
-        };
-        let dofs = |cell: &Cell| {
-            let ([a, b, c], [ab, bc, ca]) = (cell.corners, cell.edges.map(|edge| point_count + edge));
-            [a, b, c, ab, bc, ca]
-        };
-        Refined {
-            shapes: self.cells.iter().map(shape).collect(),
-            dofs: self.cells.iter().map(dofs).collect(),
-            dof_count: self.points.len() + self.edges.len(),
+            side_edges: (0..3).map(side).sum(),
         }
     }
 }

@@ -10,14 +10,15 @@ use scumble_core::{BlendColor, SoftSource};
 
 use super::SolveError;
 use super::cells::Cells;
-use super::refine::{self, Refined, Shape};
-use super::stroke::Stroke;
+use super::refine::{Finer, Refined, Shape};
+use super::stroke::{Seen, Stroke};
 use super::substitution::TileColumn;
-use crate::brush::Brush;
 
 /// A layer over a region.
 #[derive(Debug)]
 pub(super) struct Layer {
+    /// The region, fine enough for the sources that were there before: most often all but the one in hand.
+    base: Finer,
     region: Refined,
     strokes: Vec<Stroke>,
     /// By the unknown of the region.
@@ -40,15 +41,24 @@ const MOST_WEIGHT: f64 = 1e6;
 impl Layer {
     /// That of sources over a region of some cells; of a layer before it, it takes what is still the same.
     pub(super) async fn new(coarse: &Cells, sources: &[SoftSource], before: Option<Self>) -> Self {
-        let brushes: Vec<_> = sources.iter().map(Brush::new).collect();
-        let region = refine::refine(coarse, &brushes).await;
-        let mut known = before.map_or_else(Vec::new, |layer| layer.strokes);
+        let (base, mut known) = before.map_or((None, Vec::new()), |layer| (Some(layer.base), layer.strokes));
+        let (stay, come): (Vec<_>, Vec<_>) =
+            sources.iter().partition(|source| known.iter().any(|stroke| stroke.is_alike(source)));
+        let base = base.filter(|base| base.is_for_some_of(&stay));
+        let mut base = base.unwrap_or_else(|| Finer::new(coarse));
+        base.add(coarse, &stay).await;
+        let mut whole = base.clone();
+        whole.add(coarse, &come).await;
+        let region = whole.refined();
+        // What comes all at once, as when a drawing is opened, stays.
+        let base = if stay.is_empty() { whole } else { base };
+        let mut seen = Seen::new(region.dof_count);
         let mut strokes = Vec::with_capacity(sources.len());
         for source in sources {
-            strokes.push(Stroke::new(source, &region, &mut known).await);
+            strokes.push(Stroke::new(source, &region, &mut known, &mut seen).await);
             pace::pause().await;
         }
-        Self { region, strokes, covers: Vec::new(), is_solved: false }
+        Self { base, region, strokes, covers: Vec::new(), is_solved: false }
     }
 
     /// All elements of the region.

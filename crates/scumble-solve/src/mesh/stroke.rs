@@ -3,7 +3,7 @@
 //! They have a system of their own, with nothing at its rim within the region and no flux through lines. It knows no
 //! colours, so it is solved once, wherever the stroke is and whatever others are beside it.
 
-use std::{array, iter};
+use std::{array, iter, mem};
 
 use kurbo::Point;
 use scumble_core::SoftSource;
@@ -55,10 +55,15 @@ struct Patch {
 impl Stroke {
     /// The stroke of a source in a refined region; one of those that there were before, where nothing of it has changed but its
     /// colour.
-    pub(super) async fn new(source: &SoftSource, region: &Refined, before: &mut Vec<Self>) -> Self {
+    pub(super) async fn new(
+        source: &SoftSource,
+        region: &Refined,
+        before: &mut Vec<Self>,
+        seen: &mut Seen,
+    ) -> Self {
         let brush = Brush::new(source);
         let patch = Patch::new(&brush, region).await;
-        let dofs = distinct(&patch.dofs, region.dof_count);
+        let dofs = seen.distinct(&patch.dofs);
         let is_same = |stroke: &Self| stroke.is_alike(source) && stroke.corners == patch.corners;
         let known = before.iter().position(is_same).map(|i| before.swap_remove(i));
         let source = source.clone();
@@ -73,7 +78,7 @@ impl Stroke {
 
     /// Whether a source differs from its own in nothing but the colour.
     pub(super) fn is_alike(&self, source: &SoftSource) -> bool {
-        self.source == SoftSource { color: self.source.color, ..source.clone() }
+        self.source.is_alike(source)
     }
 
     pub(super) fn recolor(&mut self, source: &SoftSource) {
@@ -106,24 +111,37 @@ impl Stroke {
     }
 }
 
-/// Each number of some, in the order of their first place.
-fn distinct(dofs: &[[u32; 6]], count: usize) -> Vec<u32> {
-    let mut is_known = vec![false; count];
-    let is_new = |&dof: &u32| !std::mem::replace(&mut is_known[dof as usize], true);
-    dofs.as_flattened().iter().copied().filter(is_new).collect()
+/// Which list each unknown of a region has been seen in last.
+#[derive(Debug)]
+pub(super) struct Seen {
+    lists: Vec<u32>,
+    list: u32,
+}
+
+impl Seen {
+    pub(super) fn new(dof_count: usize) -> Self {
+        Self { lists: vec![0; dof_count], list: 0 }
+    }
+
+    /// Each number of another list, in the order of their first place.
+    fn distinct(&mut self, dofs: &[[u32; 6]]) -> Vec<u32> {
+        self.list += 1;
+        let is_new = |&dof: &u32| mem::replace(&mut self.lists[dof as usize], self.list) != self.list;
+        dofs.as_flattened().iter().copied().filter(is_new).collect()
+    }
 }
 
 impl Patch {
     async fn new(brush: &Brush, region: &Refined) -> Self {
         let mut patch = Self::default();
         let mut near = Vec::new();
-        pace::for_each((0..).zip(region.shapes.iter().zip(&region.dofs)), |(i, (shape, dofs))| {
-            let (middle, spread_du) = brush::around(shape.corners);
+        pace::for_each(region.near(brush.bounds()), |i| {
+            let (middle, spread_du) = region.circles[i];
             brush.near(middle, spread_du, &mut near);
             if !near.is_empty() {
-                patch.elements.push(i);
-                patch.corners.push(shape.corners);
-                patch.dofs.push(*dofs);
+                patch.elements.push(i as u32);
+                patch.corners.push(region.shapes[i].corners);
+                patch.dofs.push(region.dofs[i]);
             }
         })
         .await;
