@@ -17,7 +17,7 @@ use crate::palette::Swatch;
 use crate::scribble::{PenPressure, Scribble, ScribbleKind, Shading};
 use crate::settings::{EngineKind, Settings};
 use crate::tracing::Tracing;
-use crate::work::{MAX_CURVES, Unknown, Work, are_too_long, is_page, is_sample_name};
+use crate::work::{MAX_CURVES, Unknown, Work, is_page, is_sample_name};
 use tape::Tape;
 
 mod tape;
@@ -33,7 +33,8 @@ pub fn write(work: &Work) -> Vec<u8> {
     tape.into_bytes()
 }
 
-/// The work that was written, or `None` where the bytes are damaged, of a newer version, or beyond the limits of files.
+/// The work that was written, or `None` where the bytes are damaged, of a newer version, or beyond the limits of files; but
+/// scribbles may be longer in all than there, so that whoever has such can erase some.
 pub fn read(bytes: &[u8]) -> Option<Work> {
     let mut tape = Tape::of(bytes);
     let mut work = Work::blank();
@@ -59,7 +60,6 @@ fn walk(tape: &mut Tape, work: &mut Work) {
         scribbles.iter_mut().for_each(|scribble| pressure(tape, scribble));
         palette.iter_mut().for_each(|swatch| tape.text(&mut swatch.name));
     }
-    tape.check(!are_too_long(&work.document.scribbles));
 }
 
 fn sample(tape: &mut Tape, sample: &mut Option<String>) {

@@ -82,7 +82,7 @@ impl Work {
     }
 }
 
-/// Whether scribbles are longer than a reader follows.
+/// Whether scribbles are longer in all than a file or a link may have them.
 pub fn are_too_long(scribbles: &[Scribble]) -> bool {
     let length_du = |scribble: &Scribble| -> f64 {
         scribble.points.windows(2).map(|ends| (ends[1] - ends[0]).hypot()).sum()

@@ -3,8 +3,8 @@
 
 use std::iter;
 
-use kurbo::{BezPath, PathEl, Point, Rect, Vec2};
-use scumble_core::{Curve, Document, Drawing, EngineKind, Srgb8, Tone, Work, exact};
+use kurbo::{BezPath, PathEl, Point, Rect, Stroke, Vec2};
+use scumble_core::{Curve, Document, Drawing, EngineKind, Line, Rgba8, Srgb8, Tone, Work, exact};
 use scumble_io::import_svg;
 use scumble_solve::{Field, FieldTriangle, Picture};
 use scumble_web::brush::Ink;
@@ -543,6 +543,41 @@ fn a_drawing_of_too_many_pieces_is_closed_once_that_is_known() {
     assert!(page.session.work() == before && page.screen.field == picture);
     page.session.command(Command::Redo);
     assert!(page.session.work() == before, "it does not come back");
+}
+
+/// A line to and fro, the other way round or not, within a square of 440 du.
+fn comb(corner: f64, is_upright: bool) -> Curve {
+    let place = |i: u32| {
+        let [along, across] = [440.0 * f64::from(i.div_ceil(2) % 2), 0.4 * f64::from(i / 2)];
+        let [x, y] = if is_upright { [across, along] } else { [along, across] };
+        Point::new(corner + x, corner + y)
+    };
+    let path =
+        iter::once(PathEl::MoveTo(place(0))).chain((1..2200).map(|i| PathEl::LineTo(place(i)))).collect();
+    Curve { path, line: Some(Line { stroke: Stroke::new(0.1), color: Rgba8([0, 0, 0, 255]) }) }
+}
+
+#[test]
+fn lines_that_become_too_many_pieces_are_taken_back_with_what_was_done_since() {
+    let mut drawing = Drawing::new(Rect::new(0.0, 0.0, 1024.0, 1024.0));
+    drawing.curves = vec![comb(20.0, false), comb(560.0, true)];
+    let mut page = Page::of(exact::write(&Work::new(Document::new(drawing))));
+    let before = page.session.work();
+    page.told();
+    page.session.command(Command::Tool(Tool::Select));
+    for phase in [Phase::Down, Phase::Up, Phase::Down] {
+        page.pen(phase, (560.0, 700.0));
+    }
+    page.pen(Phase::Move, (20.0, 160.0));
+    page.session.pointer(Phase::Up, &[]);
+    assert!(page.session.work() != before);
+    assert!(page.frame());
+    page.stroke([(700.0, 100.0), (800.0, 100.0)]);
+    assert_eq!(page.session.document().scribbles.len(), 1);
+    page.rest();
+    let effects = page.session.take_effects();
+    assert!(effects.iter().any(|effect| matches!(effect, Effect::Failed(why) if why.contains("pieces"))));
+    assert!(page.session.work() == before);
 }
 
 #[test]

@@ -3,6 +3,8 @@
 mod page;
 
 use kurbo::{Point, Vec2};
+use scumble_core::drawing::LONGER_SIDE_DU;
+use scumble_core::work::MAX_PAGES;
 use scumble_core::{Deed, EngineKind, Scribble, ScribbleKind, Srgb8, exact};
 use scumble_web::command::{Arranging, Command, Phase, Selecting, Setting, Tool, ViewChange};
 use scumble_web::effect::{Edit, Effect, SelectionState};
@@ -336,6 +338,40 @@ fn copies_lie_beside_and_over_everything_and_are_selected() {
     page.session.command(Command::Undo);
     page.session.command(Command::Undo);
     assert_eq!(scribbles(&page), before);
+}
+
+#[test]
+fn what_would_be_too_long_for_a_file_is_dropped_and_said() {
+    let mut page = Page::open(SQUARE);
+    let most = (f64::from(MAX_PAGES) * LONGER_SIDE_DU / 400.0) as usize;
+    let points = (0..=most).map(|i| Point::new(if i % 2 == 0 { 250.0 } else { 650.0 }, 300.0));
+    let long =
+        Scribble { color: RED.into(), kind: ScribbleKind::Fill, width_du: 8.0, points: points.collect() };
+    page.session.command(page::open(SQUARE, &[long]));
+    let before = bytes(&page);
+    let assert_is_dropped = |page: &mut Page| {
+        let too_long = Effect::Failed("the scribbles are too long in all; erase some of them".into());
+        assert_eq!(told(page), Some(too_long));
+        assert_eq!(bytes(page), before);
+    };
+    page.stroke(BLUE, &[(250.0, 500.0), (750.0, 500.0)]);
+    assert_is_dropped(&mut page);
+    page.session.command(Command::Select(Selecting::All));
+    page.session.command(Command::Arrange(Arranging::Duplicate));
+    assert_is_dropped(&mut page);
+    let frame = selection(&mut page).frame_css.expect("a frame");
+    let corner = page.session.css_from_du().inverse() * Point::new(frame.x1, frame.y1);
+    drag(&mut page, &[(corner.x, corner.y), (corner.x + 50.0, corner.y)]);
+    assert_is_dropped(&mut page);
+    page.pen(Phase::Down, (corner.x, corner.y));
+    page.pen(Phase::Move, (corner.x + 50.0, corner.y));
+    assert_ne!(bytes(&page), before);
+    page.session.command(Command::Select(Selecting::All));
+    assert_eq!(bytes(&page), before, "what ends in the middle is no longer either");
+    page.session.pointer(Phase::Up, &[]);
+    drag(&mut page, &[(450.0, 300.0), (450.0, 400.0)]);
+    assert_ne!(bytes(&page), before, "to move it makes it no longer");
+    assert!(exact::read(&bytes(&page)).is_some());
 }
 
 #[test]

@@ -22,6 +22,7 @@ impl Session {
         if self.selection.is_empty() {
             return;
         }
+        self.commit();
         match arranging {
             Arranging::Forward => self.reorder(true),
             Arranging::Backward => self.reorder(false),
@@ -49,6 +50,9 @@ impl Session {
     }
 
     pub(super) fn end_placing(&mut self, edit: Edit) {
+        if self.drops_too_long() {
+            return;
+        }
         let before = self.sheet.editor.revision();
         self.sheet.editor.commit();
         self.scribbles_changed();
@@ -194,16 +198,27 @@ impl Session {
             self.sheet.editor.insert_scribble(usize::MAX, copy);
         }
         let ids = self.sheet.editor.scribble_ids().get(count..).unwrap_or_default().to_vec();
-        if are_too_long(&self.document().scribbles) {
-            self.sheet.editor.abort();
-            self.tell(Effect::Failed("the scribbles are too long in all; erase some of them".into()));
-        } else if !ids.is_empty() {
+        if !self.drops_too_long() && !ids.is_empty() {
             self.select(Selection::of(ids));
             let beside_du = self.viewport.way_du(Vec2::new(BESIDE_CSS, BESIDE_CSS));
             self.transform_selected(Affine::translate(beside_du));
             self.sheet.editor.commit();
             self.tell_edited(Edit::Duplicated);
         }
+    }
+
+    /// Drops the gesture in hand where it makes scribbles longer in all than a file may have them, and says so.
+    pub(super) fn drops_too_long(&mut self) -> bool {
+        let editor = &mut self.sheet.editor;
+        let may_lengthen =
+            editor.is_scribbling() || matches!(editor.deed_in_hand(), Some(Deed::Resized | Deed::Duplicated));
+        let is_dropped = may_lengthen && are_too_long(&editor.document().scribbles);
+        if is_dropped {
+            editor.abort();
+            self.scribbles_changed();
+            self.tell(Effect::Failed("the scribbles are too long in all; erase some of them".into()));
+        }
+        is_dropped
     }
 
     fn delete(&mut self) {

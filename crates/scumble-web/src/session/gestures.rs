@@ -181,7 +181,7 @@ impl Session {
     pub(super) fn commit(&mut self) {
         if self.sheet.editor.is_scribbling() {
             self.end_scribble();
-        } else {
+        } else if !self.drops_too_long() {
             self.sheet.editor.commit();
         }
     }
@@ -191,6 +191,9 @@ impl Session {
         self.sheet.editor.draw_scribble(points, kind);
         if !self.is_on_page() {
             return self.drop_scribble();
+        }
+        if self.drops_too_long() {
+            return;
         }
         self.sheet.editor.commit();
         self.scribbles_changed();

@@ -129,7 +129,7 @@ impl Session {
     }
 
     pub(super) fn choose(&mut self, selecting: Selecting) {
-        self.sheet.editor.commit();
+        self.commit();
         let editor = &self.sheet.editor;
         let selection = match selecting {
             Selecting::None => Selection::default(),

@@ -196,12 +196,15 @@ impl Session {
         if self.sheet.is_made() { self.take_back_lines(error) } else { self.close_unmade(error) }
     }
 
+    /// Takes back the lines that are too many, with all that was done since.
     fn take_back_lines(&mut self, error: &MapError) {
         let Sheet { editor, mapped, .. } = &mut self.sheet;
-        *mapped = Some(editor.lines_revision());
-        editor.undo();
+        let too_many = editor.lines_revision();
+        *mapped = Some(too_many);
+        while editor.lines_revision() == too_many && editor.undo() {}
         self.held = None;
         self.scribbles_changed();
+        self.forget_missing();
         self.tell(Effect::Failed(error.to_string()));
     }
 
@@ -238,6 +241,7 @@ impl Session {
     /// Goes to a place in the history of the drawing.
     pub(super) fn go_to(&mut self, place: usize) {
         self.held = None;
+        self.commit();
         if self.sheet.editor.go_to(place) {
             self.scribbles_changed();
             self.forget_missing();
