@@ -3,7 +3,7 @@
 
 use kurbo::{Cap, Join, Stroke};
 use scumble_core::{Rgba8, Srgb8};
-use scumble_io::{COLORS_CLASS, FileError, write_svg_source};
+use scumble_io::{COLORS_CLASS, FileError, base64, write_svg_source};
 use scumble_solve::View;
 
 use crate::export::Export;
@@ -72,8 +72,7 @@ fn push_raster(text: &mut String, png: &[u8], size_du: [f64; 2]) {
     let [width_du, height_du] = size_du.map(number);
     text.extend(["<image width=\"", &width_du, "\" height=\"", &height_du]);
     text.push_str("\" preserveAspectRatio=\"none\" xlink:href=\"data:image/png;base64,");
-    push_base64(text, png);
-    text.push_str("\"/>\n");
+    text.extend([&base64(png), "\"/>\n"]);
 }
 
 fn push_seams(text: &mut String, Flat { color, seams, .. }: &Flat) {
@@ -135,33 +134,4 @@ fn push_stroke(text: &mut String, stroke: &Stroke) {
 
 fn push_attribute(text: &mut String, name: &str, value: &str) {
     text.extend([" ", name, "=\"", value, "\""]);
-}
-
-/// Base64 (RFC 4648, section 4).
-fn push_base64(text: &mut String, bytes: &[u8]) {
-    const DIGITS: &[u8; 64] = b"ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-    text.reserve(bytes.len() / 3 * 4 + 4);
-    for three in bytes.chunks(3) {
-        let bits = three.iter().chain(&[0, 0]).take(3).fold(0, |bits, &byte| bits << 8 | usize::from(byte));
-        for place in 0..4 {
-            let digit = DIGITS[bits >> (18 - 6 * place) & 63];
-            text.push(if place <= three.len() { char::from(digit) } else { '=' });
-        }
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn base64_is_that_of_the_standard() {
-        for (bytes, expected) in
-            [("", ""), ("f", "Zg=="), ("fo", "Zm8="), ("foo", "Zm9v"), ("foobar", "Zm9vYmFy")]
-        {
-            let mut text = String::new();
-            push_base64(&mut text, bytes.as_bytes());
-            assert_eq!(text, expected);
-        }
-    }
 }

@@ -22,6 +22,11 @@ pub(crate) fn text(bytes: &[u8], last: LastDigits) -> String {
     text
 }
 
+/// The digits of some bytes as most programs read them: padded.
+pub fn padded(bytes: &[u8]) -> String {
+    text(bytes, PLAIN) + &"=="[..(3 - bytes.len() % 3) % 3]
+}
+
 /// The bytes of digits without padding, or `None` where there are others, or where bits are left that belong to no byte.
 pub(crate) fn bytes(text: &str, last: LastDigits) -> Option<Vec<u8>> {
     let mut bytes = Vec::with_capacity(text.len() * 3 / 4);
@@ -65,6 +70,10 @@ mod tests {
         {
             assert_eq!(text(given.as_bytes(), PLAIN), expected);
             assert_eq!(bytes(expected, PLAIN).as_deref(), Some(given.as_bytes()));
+            assert_eq!(
+                padded(given.as_bytes()),
+                format!("{expected:=<0$}", expected.len().next_multiple_of(4))
+            );
         }
     }
 

@@ -46,6 +46,7 @@ mod svg;
 mod svg_source;
 mod work_file;
 
+pub use base64::padded as base64;
 pub use curve_set::write_curve_set;
 pub use drawing_file::import_drawing;
 pub use error::{FileError, ImportError, LinkError, PaletteError, ScribblesError};

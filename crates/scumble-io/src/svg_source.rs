@@ -1,7 +1,10 @@
 //! The work that an SVG was made of, within it: its file, as the text of an element of our own among the metadata.
 
+use std::borrow::Cow;
+
 use scumble_core::{Document, Work};
 
+use crate::MAX_FILE_BYTES;
 use crate::error::{FileError, ImportError};
 use crate::limits;
 use crate::svg::{Import, import_svg};
@@ -9,6 +12,9 @@ use crate::work_file::{read_file, write_file_with};
 
 /// The name space of the element `work`. It leads nowhere.
 const NAMESPACE: &str = "urn:scumble:1";
+
+/// What follows the text of the element.
+const END: &str = "</work></metadata>\n";
 
 /// The class of the group that shows the colours: not part of the drawing where the lines alone are read.
 pub const COLORS_CLASS: &str = "scumble-colors";
@@ -31,7 +37,7 @@ pub fn write_svg_source(work: &Work) -> Result<String, FileError> {
             other => text.push(other),
         }
     }
-    text.push_str("</work></metadata>\n");
+    text.push_str(END);
     Ok(text)
 }
 
@@ -55,9 +61,20 @@ pub(crate) fn open_svg(bytes: &[u8]) -> Result<(Work, String), ImportError> {
 
 /// The work that an SVG keeps; `None` where it keeps none, or is no SVG.
 fn source(bytes: &[u8]) -> Option<Result<Work, FileError>> {
-    let text = limits::readable_text(bytes).ok().filter(|text| text.contains(NAMESPACE))?;
+    let text = openable(bytes);
+    let text = limits::readable_text(&text).ok().filter(|text| text.contains(NAMESPACE))?;
     let xml = limits::parse_xml(text).ok()?;
     text_of(&xml).map(|text| read_file(text.as_bytes()))
+}
+
+/// As much of an SVG as can be opened: one of ours has the work at its beginning, however large the picture of it is.
+fn openable(bytes: &[u8]) -> Cow<'_, [u8]> {
+    let is_end = |part: &[u8]| part == END.as_bytes();
+    let first = bytes.get(..MAX_FILE_BYTES).filter(|first| first.len() < bytes.len());
+    match first.and_then(|first| first.windows(END.len()).position(is_end)) {
+        Some(end) => Cow::Owned([&bytes[..end + END.len()], b"</svg>"].concat()),
+        None => Cow::Borrowed(bytes),
+    }
 }
 
 /// The text of the element, which a program that has written the SVG anew may have put into other groups.

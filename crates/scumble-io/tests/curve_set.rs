@@ -2,9 +2,9 @@
 
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
-use kurbo::{PathEl, Point};
-use scumble_core::{Blend, ColorPoint, Document, Paint, Srgb8};
-use scumble_io::{ImportError, import_drawing};
+use kurbo::{PathEl, Point, Shape};
+use scumble_core::{Blend, ColorPoint, Document, Labels, Paint, PlanarMap, Sampling, Srgb8};
+use scumble_io::{ImportError, import_drawing, import_svg, write_curve_set};
 
 /// Two cubics straight to the right on row 30, then one curve down column 10; 200 pixels wide and 100 high.
 const CURVES: &str = include_str!("foreign/curves.xml");
@@ -141,4 +141,21 @@ fn curves_made_to_hurt_are_refused() {
 fn an_svg_that_speaks_of_curves_is_an_svg() {
     let svg = r#"<svg viewBox="0 0 9 9"><!-- <curve_set> --><path d="M1 1h6" stroke="black"/></svg>"#;
     assert_eq!(read(svg).drawing.curves.len(), 1);
+}
+
+#[test]
+fn what_ends_at_the_border_of_a_page_ends_there_in_the_file() {
+    for [width, height] in [[600, 250], [600, 300], [600, 400], [49, 30], [1000, 7]] {
+        let svg = format!(
+            r#"<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {width} {height}">
+                <path d="M30 0V{height}" stroke="black"/></svg>"#
+        );
+        let document = Document::new(import_svg(svg.as_bytes()).unwrap().drawing);
+        let map = PlanarMap::build(&document.drawing, &Sampling::default()).unwrap();
+        let (text, _) = write_curve_set(&document, &map, &Labels::none(&map));
+        assert!(text.contains("image_width=\"1024\""));
+        let drawing = read(&text).drawing;
+        let bounds = drawing.curves[0].path.bounding_box();
+        assert!(bounds.y0 <= 0.0 && bounds.y1 >= drawing.size_du().height, "{height}: {bounds:?}");
+    }
 }

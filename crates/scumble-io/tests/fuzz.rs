@@ -168,11 +168,14 @@ fn damaged_links() {
 #[test]
 fn files() {
     let seeds = files_of_all_versions();
+    let mut read = 0;
     for run in runs(2000) {
         if let Ok(work) = read_file(&damaged(&seeds, &mut Dice(run + 1))) {
+            read += 1;
             check(&work, run);
         }
     }
+    assert!(read > 0, "some damage makes other work");
 }
 
 #[test]
@@ -210,16 +213,20 @@ fn exact_bytes() {
 #[test]
 fn svg_drawings() {
     let seeds = [seeds("../../web/samples", ".svg"), seeds("../../tests/e2e/drawings", ".svg")].concat();
+    let mut read = 0;
     for run in runs(500) {
         if let Ok(import) = import_svg(&damaged(&seeds, &mut Dice(run + 1))) {
+            read += 1;
             check(&Work::new(Document::new(import.drawing)), run);
         }
     }
+    assert!(read > 0, "some damage makes other drawings");
 }
 
 #[test]
 fn diffusion_curves() {
     let seeds = seeds("tests/foreign", ".xml");
+    let mut read = 0;
     for run in runs(500) {
         let Ok((work, _)) = import_drawing(&damaged(&seeds, &mut Dice(run + 1))) else { continue };
         let document = &work.document;
@@ -231,8 +238,10 @@ fn diffusion_curves() {
                 "run {run}"
             );
         }
+        read += 1;
         check(&work, run);
     }
+    assert!(read > 0, "some damage makes other curves");
 }
 
 #[test]
@@ -241,6 +250,7 @@ fn palettes() {
     let swatches: Vec<_> = (0..30).map(swatch).collect();
     let kinds = [PaletteKind::Gpl, PaletteKind::Ase, PaletteKind::Hex];
     let seeds: Vec<_> = kinds.iter().map(|kind| write_palette(&swatches, *kind).unwrap()).collect();
+    let mut read = 0;
     for run in runs(20_000) {
         let meant = kinds[run as usize % kinds.len()];
         let Ok(palette) = read_palette(&damaged(&seeds, &mut Dice(run + 1)), Some(meant)) else { continue };
@@ -254,7 +264,9 @@ fn palettes() {
                 .map(|swatch| if is_named { swatch } else { swatch.color.into() });
             assert!(again.swatches.iter().cloned().eq(given), "run {run} {kind:?}");
         }
+        read += 1;
     }
+    assert!(read > 0, "some damage makes other colours");
 }
 
 #[test]
@@ -264,9 +276,12 @@ fn scribbles() {
         br##"{"scribbles":[{"color":"#ffffff","width":3,"kind":"shade","strength":0.8,"crosses":true,"pressure":"strength","points":[[8,5,0.1],[16,24,0.7]]}]}"##.to_vec(),
     ];
     let page = page();
+    let mut read = 0;
     for run in runs(5000) {
-        if let Ok(read) = read_scribbles(&damaged(&seeds, &mut Dice(run + 1)), &page.drawing) {
-            check(&Work::new(Document { scribbles: read.scribbles, ..page.clone() }), run);
+        if let Ok(other) = read_scribbles(&damaged(&seeds, &mut Dice(run + 1)), &page.drawing) {
+            read += 1;
+            check(&Work::new(Document { scribbles: other.scribbles, ..page.clone() }), run);
         }
     }
+    assert!(read > 0, "some damage makes other scribbles");
 }

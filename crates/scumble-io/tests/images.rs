@@ -5,8 +5,8 @@
 use scumble_core::work::Item;
 use scumble_core::{Tracing, Work};
 use scumble_io::{
-    FILE_IMAGE, FileError, ImageError, MAX_IMAGE_BYTES, check_image, read_file, write_file, write_png,
-    write_svg_source,
+    FILE_IMAGE, FileError, ImageError, ImportError, MAX_FILE_BYTES, MAX_IMAGE_BYTES, check_image,
+    import_drawing, read_file, write_file, write_png, write_svg_source,
 };
 
 const PNG: &[u8] = include_bytes!("foreign/sketch.png");
@@ -198,4 +198,22 @@ fn an_exported_svg_does_not_give_the_picture_away() {
     let work = read_file(file(DOT, "").as_bytes()).unwrap();
     let source = write_svg_source(&work).unwrap();
     assert!(!source.contains("tracing"), "{source}");
+}
+
+#[test]
+fn an_exported_svg_opens_however_large_its_picture_is() {
+    let work = read_file(file(DOT, "").as_bytes()).unwrap();
+    let source = write_svg_source(&work).unwrap();
+    let svg = |picture_bytes: usize| {
+        let picture = " ".repeat(picture_bytes);
+        format!("<svg xmlns=\"http://www.w3.org/2000/svg\">\n{source}{picture}</svg>\n")
+    };
+    let [small, large] = [0, MAX_FILE_BYTES].map(|picture_bytes| {
+        let (opened, notes) = import_drawing(svg(picture_bytes).as_bytes()).unwrap();
+        assert_eq!(notes, "");
+        write_file(&opened).unwrap()
+    });
+    assert!(small == large);
+    let foreign = svg(MAX_FILE_BYTES).replace("urn:scumble:1", "urn:scumble:none");
+    assert_eq!(import_drawing(foreign.as_bytes()).unwrap_err(), ImportError::TooLarge);
 }

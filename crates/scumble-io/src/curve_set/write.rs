@@ -20,6 +20,9 @@ const PER_DU: u64 = 1_000_000;
 /// What stands for no colour: the colour of the paper.
 const PAPER: Srgb8 = Srgb8([255; 3]);
 
+/// What rounding may have left of a side of a page, in du.
+const ROUNDING_DU: f64 = 1e-6;
+
 /// A barrier across a gap goes on by this much at both ends, in du: readers may sample curves a little beside it.
 const OVERSHOOT_DU: f64 = 0.25;
 
@@ -64,8 +67,9 @@ fn barriers<'a>(map: &'a PlanarMap, labels: &'a Labels) -> impl Iterator<Item = 
 }
 
 fn written(size_du: Size, blend: Blend, parts: &[Part]) -> String {
+    // Whole pixels, all of them on the page: beyond it, what ends at its border would end before that of the file.
     let [width, height] =
-        [size_du.width, size_du.height].map(|side| (side.round() as u32).max(1).to_string());
+        [size_du.width, size_du.height].map(|side| ((side + ROUNDING_DU) as u32).max(1).to_string());
     let mut text = String::from("<!DOCTYPE CurveSetXML>\n");
     text.extend(["<", ROOT, " image_width=\"", &width, "\" image_height=\"", &height, "\" nb_curves=\""]);
     text.extend([&parts.len().to_string(), "\""]);

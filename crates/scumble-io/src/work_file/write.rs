@@ -177,9 +177,7 @@ fn push_color_point(text: &mut String, point: &ColorPoint) {
 fn push_tracing(text: &mut String, tracing: Tracing, image: &[u8]) {
     text.push_str(",\n\"tracing_opacity\": ");
     push_number(text, tracing.opacity, PER_UNIT);
-    let digits = base64::text(image, base64::PLAIN);
-    let padding = &"=="[..(3 - image.len() % 3) % 3];
-    text.extend([",\n\"tracing_image\": \"", &digits, padding, "\""]);
+    text.extend([",\n\"tracing_image\": \"", &base64::padded(image), "\""]);
 }
 
 fn push_length(text: &mut String, name: &str, length: f64) {
