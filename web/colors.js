@@ -1,7 +1,7 @@
 // The way to the panels of colours, which are fetched when the first of them is opened. They have nothing of the page but
 // what is handed to them, so that they are files of their own.
 
-import { download } from "./files.js";
+import { download, reading } from "./files.js";
 import { formats } from "./formats.js";
 import { haveRest } from "./lazy.js";
 import { say } from "./messages.js";
@@ -93,7 +93,7 @@ export class Colors {
       nameOf,
       command: (command, args) => engine.command(command, args),
       done,
-      open: (file) => this.#open({ name: file.name, bytes: file.arrayBuffer().then((buffer) => new Uint8Array(buffer)) }),
+      open: (file) => this.#open(reading(file)),
       save: async (palette, extension) => {
         const list = palette.flatMap((swatch) => [swatch.color, nameOf(swatch)]);
         const file = await formats.palette(list, extension).catch(failed);

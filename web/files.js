@@ -21,6 +21,9 @@ const OPENED = {
   },
 };
 
+/** Larger files cannot be opened, as `MAX_FILE_BYTES` in `scumble-io` says. */
+const MOST_BYTES = 20_000_000;
+
 const browser = /** @type {any} */ (window);
 const input = () => /** @type {HTMLInputElement} */ (document.getElementById("file"));
 
@@ -80,11 +83,12 @@ export async function choose(open) {
 }
 
 /**
+ * Reads no more of a file than shows that there is too much of it: a film may have been dropped.
  * @param {File} file
  * @returns {Coming}
  */
-function reading(file) {
-  const bytes = file.arrayBuffer().then(
+export function reading(file) {
+  const bytes = file.slice(0, MOST_BYTES + 1).arrayBuffer().then(
     (buffer) => new Uint8Array(buffer),
     () => Promise.reject(new Error(say("error-read"))),
   );

@@ -43,7 +43,7 @@ export const formats = {
 
 /** Whether a text ends in a link, or is one's part from `#` on. @param {string} text */
 export function isLink(text) {
-  return /#\d+\.\S*\s*$/.test(text) && !text.includes("<");
+  return !text.includes("<") && /^#\d+\.\S*\s*$/.test(text.slice(text.lastIndexOf("#")));
 }
 
 /**

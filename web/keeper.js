@@ -4,6 +4,7 @@
 import { isKept, isWork } from "./drawings.js";
 import { hold } from "./hold.js";
 import { say } from "./messages.js";
+import { remember, remembered } from "./remember.js";
 import * as storage from "./storage.js";
 
 /** @typedef {import("./drawings.js").Drawing} Drawing */
@@ -114,7 +115,7 @@ export class Keeper {
    */
   #see(drawing) {
     if (!drawing.id) return;
-    sessionStorage.setItem(SHOWN, drawing.id);
+    remember(SHOWN, drawing.id, "sessionStorage");
     storage.see(drawing.id).catch(console.warn);
     this.#pictureLater(drawing);
   }
@@ -236,7 +237,7 @@ export class Keeper {
 function entryOf(drawing, revision) {
   const id = (drawing.id ??= claimed());
   const { name, handle, saved, writer = 0 } = drawing;
-  sessionStorage.setItem(SHOWN, id);
+  remember(SHOWN, id, "sessionStorage");
   return { id, name, writer, seen: Date.now(), isUnsaved: revision !== saved, handle };
 }
 
@@ -258,7 +259,7 @@ function claimed() {
  * seen last. What could not be opened is not among them.
  */
 export async function lastIds() {
-  const own = sessionStorage.getItem(SHOWN);
+  const own = remembered(SHOWN, "sessionStorage");
   const ids = (await storage.entries()).filter(({ isAside }) => !isAside).map(({ id }) => id);
   return ids.sort((a, b) => Number(b === own) - Number(a === own));
 }

@@ -20,7 +20,7 @@ import { name, say } from "./messages.js";
 import { Opening } from "./opening.js";
 import { Pointers } from "./pointer.js";
 import { FOLDER, sampleList, sampleName } from "./samples.js";
-import { selectsMore, showSelection, toggleMore } from "./selection.js";
+import { labelSelection, selectsMore, showSelection, toggleMore } from "./selection.js";
 import { Steps } from "./steps.js";
 import { entries, picture, putAside } from "./storage.js";
 import { connectSwatches, labelSwatches, shownSwatches, swatch } from "./swatches.js";
@@ -361,6 +361,7 @@ function labelNames() {
 /** Says everything that is there in the language of the page. */
 function labelAll() {
   labelNames();
+  labelSelection();
   colors.forget();
   steps.forget();
   nameShown();

@@ -91,6 +91,8 @@ export class Opening {
    */
   async kept(id) {
     return this.#doing("", async (signal) => {
+      // A page that has stopped shows no drawing, however sound.
+      if (!this.#engine.isRunning) throw new Error(say("error-stopped"));
       const { drawing, work } = await taken(id);
       signal.throwIfAborted();
       if (!(work instanceof Uint8Array) || !(await this.#show(drawing, work, "", signal))) throw await damaged(id);

@@ -1,13 +1,16 @@
-// What the browser keeps for the page between visits, in its local storage. A page that may keep nothing has it until it is
-// closed.
+// What the browser keeps for the page between visits, in its local storage, or for a tab until it is closed. A page that may
+// keep nothing has it until it is closed.
+
+/** @typedef {"localStorage" | "sessionStorage"} Place */
 
 /**
  * @param {string} key
+ * @param {Place} [place]
  * @returns {string | null | undefined} null for what was never remembered, undefined where the page may keep nothing
  */
-export function remembered(key) {
+export function remembered(key, place = "localStorage") {
   try {
-    return localStorage.getItem(key);
+    return window[place].getItem(key);
   } catch {
     return undefined;
   }
@@ -16,10 +19,11 @@ export function remembered(key) {
 /**
  * @param {string} key
  * @param {string} value
+ * @param {Place} [place]
  */
-export function remember(key, value) {
+export function remember(key, value, place = "localStorage") {
   try {
-    localStorage.setItem(key, value);
+    window[place].setItem(key, value);
   } catch (fault) {
     console.warn(fault);
   }

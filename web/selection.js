@@ -19,17 +19,27 @@ const button = (/** @type {string} */ action) =>
  * @property {Box} marquee in which things are being selected
  */
 
+/** @type {Selection | undefined} */
+let shown;
+
 /** @param {Selection} state */
 export function showSelection(state) {
-  const { scribbles, lines, hidden, handles } = state;
+  const { scribbles, lines, handles } = (shown = state);
   lay(frame, state.frame);
   frame.dataset.handles = String(handles);
   lay(marquee, state.marquee);
   for (const action of ["backward", "forward", "duplicate"]) button(action).hidden = scribbles === 0;
   button("hide").hidden = lines === 0;
+  labelSelection();
+  showBar(scribbles + lines > 0);
+}
+
+/** Says what is selected, and what can be done with it, in the page's language. */
+export function labelSelection() {
+  if (!shown) return;
+  const { scribbles, lines, hidden } = shown;
   name(button("hide"), say(hidden ? "unhide" : "hide"));
   count.textContent = say("things", { scribbles, lines });
-  showBar(scribbles + lines > 0);
 }
 
 /**

@@ -118,9 +118,15 @@ for (const browser of /** @type {const} */ (["chromium", "firefox"])) {
       await editor.click("Colour");
       await tab.waitFor(`document.querySelector(".colors:popover-open") !== null`);
       await tab.press("Escape");
+      await editor.openSample("Apple");
+      await editor.scribble([[30, 40], [40, 45]], 72);
+      await editor.until("Scribble 1 of 1 selected", () => tab.hold("Control", () => tab.press("a")));
+      const selected = () => tab.evaluate(`document.getElementById("selected-count").textContent`);
+      assert.equal(await selected(), "1 scribble");
       await editor.choose("Language", "de");
       await tab.waitFor(`document.documentElement.lang === "de"`);
       assert.ok(isFetched());
+      assert.equal(await selected(), "1 Kritzel");
       await tab.press("Escape");
       assert.equal(await tab.evaluate(`document.getElementById("zoom").textContent`).then((text) => /\d\u00a0%$/.test(String(text))), true);
       await editor.click("Farbe");

@@ -30,6 +30,14 @@ const FAILURES = {
       if (!window.storageWorks) throw new DOMException("", "SecurityError");
       return open.apply(this, args);
     };
+    for (const area of ["localStorage", "sessionStorage"]) {
+      const storage = window[area];
+      const get = () => {
+        if (window.storageWorks) return storage;
+        throw new DOMException("", "SecurityError");
+      };
+      Object.defineProperty(window, area, { get });
+    }
   }`,
   "cannot be opened": `{
     const { open } = IDBFactory.prototype;
