@@ -33,8 +33,8 @@ const TONES = /** @type {Record<string, string>} */ ({
 /** What is picked for "no colour", in the page and in the module. */
 export const NO_COLOR = "none";
 
-/** A palette is shown as far as this. */
-const MOST_SWATCHES = 100;
+/** A palette is shown as far as this: as many colours as the file of one may have. */
+const MOST_SWATCHES = 1_000;
 
 const MOST_RECENT = 8;
 

@@ -2,9 +2,7 @@
 import assert from "node:assert/strict";
 import { readFile } from "node:fs/promises";
 import { describe, test } from "node:test";
-import { useSession } from "./harness.mjs";
-
-/** @typedef {import("./harness.mjs").Editor} Editor */
+import { Editor, useSession } from "./harness.mjs";
 
 const AXE = await readFile(new URL("../../node_modules/axe-core/axe.min.js", import.meta.url), "utf8");
 
@@ -119,3 +117,26 @@ for (const [browser, themes] of THEMES) {
     }
   });
 }
+
+describe("the colours of a system", () => {
+  const session = useSession("chromium");
+
+  test("are not those of swatches, and leave it to a frame what is on", async () => {
+    const tab = await session.newTab({ isForced: true });
+    const editor = await Editor.open(tab, `${session.url}?renderer=cpu`, "cpu");
+    await editor.click("Colour");
+    await tab.waitFor(`document.querySelector(".colors:popover-open .pair") !== null`);
+    const forced = await tab.evaluate(`{
+      const style = (selector) => getComputedStyle(document.querySelector(selector));
+      const adjust = (selector) => style(selector).forcedColorAdjust;
+      [
+        style("#palette .swatch").backgroundColor,
+        adjust(".colors .pair > *"),
+        style(".tool:has(:checked)").borderTopWidth,
+        style(".tool:not(:has(:checked))").borderTopWidth,
+      ];
+    }`);
+    assert.deepEqual(forced, ["rgb(229, 72, 77)", "none", "2px", "0px"]);
+    assert.deepEqual(tab.faults, []);
+  });
+});

@@ -94,7 +94,7 @@ const VIEWPORT = { width: 1200, height: 800 };
 
 /**
  * @typedef {object} Browser
- * @property {(options?: {isFirst?: boolean, isDark?: boolean}) => Promise<Tab>} open a page without a history; `isFirst` leaves it to it that nobody was there, `isDark` is in Chromium the theme
+ * @property {(options?: {isFirst?: boolean, isDark?: boolean, isForced?: boolean}) => Promise<Tab>} open a page without a history; `isFirst` leaves it to it that nobody was there, in Chromium `isDark` is the theme and `isForced` has the system's colours
  * @property {() => Promise<void>} close
  */
 
@@ -126,9 +126,10 @@ async function launchChromium(hasGpu) {
     timeout: PATIENCE_MS,
   });
   return {
-    open: async ({ isFirst = false, isDark = false } = {}) => {
+    open: async ({ isFirst = false, isDark = false, isForced = false } = {}) => {
       const colorScheme = isDark ? "dark" : "light";
-      const page = await (await browser.newContext({ viewport: VIEWPORT, colorScheme })).newPage();
+      const forcedColors = isForced ? "active" : "none";
+      const page = await (await browser.newContext({ viewport: VIEWPORT, colorScheme, forcedColors })).newPage();
       if (!isFirst) await page.addInitScript(asSeen);
       return chromiumTab(page);
     },

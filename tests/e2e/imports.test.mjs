@@ -80,6 +80,10 @@ for (const browser of /** @type {const} */ (["chromium", "firefox"])) {
       await editor.tab.waitFor(`!document.getElementById("alert").hidden`);
       assert.match(await editor.message(), /line 4/);
       assert.deepEqual(await swatches(), ["Deep", "Shallow", "No colour"]);
+      const most = Array.from({ length: 1000 }, (_, i) => `#${(0x100000 + 7 * i).toString(16)}`).join("\n");
+      const long = await folder.write("long.hex", most);
+      await editor.until("The palette has the colours of long.hex", () => editor.tab.chooseFiles([long]));
+      assert.equal((await swatches()).length, 1001, "all of them can be scribbled with");
       assert.deepEqual(editor.tab.faults, []);
     });
   });

@@ -44,7 +44,9 @@ for (const browser of /** @type {const} */ (["chromium", "firefox"])) {
       await editor.until("Pen down", () => editor.tab.press("Enter"));
       await press(editor, "ArrowDown", 4);
       await editor.until("Scribble added, 1 in the drawing", () => editor.tab.press("Enter"));
-      await editor.tab.press("4");
+      await editor.until("Green", () => editor.tab.press("4"));
+      await editor.until("Erase", () => editor.tab.press("e"));
+      await editor.until("Scribble", () => editor.tab.press("b"));
       await editor.tab.hold("Shift", () => press(editor, "ArrowRight", 5));
       await editor.tab.press("Enter");
       await press(editor, "ArrowUp", 4);

@@ -7,8 +7,8 @@
 //!
 //! A passage at the tip of a line is more of a gap in an outline than one between two curves that go on, all the more
 //! so where the line points across it: such widths are scaled down. But an end that nearly meets another line, or the
-//! other end of its own, is no tip to wider passages: an outline was closed there, not quite. The border of the page is
-//! no line; passages along it count as wide.
+//! other end of its own, is no tip to wider passages: an outline was closed there, not quite. Nor is the end of a short line
+//! one to passages that are much wider than it is long. The border of the page is no line; passages along it count as wide.
 
 use kurbo::{Line, ParamCurveNearest, Point, Vec2};
 
