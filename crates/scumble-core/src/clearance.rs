@@ -249,8 +249,9 @@ pub(crate) struct Tips {
     tips: Vec<Option<Tip>>,
 }
 
+/// The end of a line.
 #[derive(Clone, Copy, Debug)]
-struct Tip {
+pub(crate) struct Tip {
     direction: Vec2,
     /// How long the line is, with those that go on from it, in du.
     length_du: f64,
@@ -280,13 +281,9 @@ impl Tips {
         self.tips[node as usize].map(|tip| tip.direction)
     }
 
-    /// The direction of a line that ends at a node, loosely beside a passage of a clear width, and not far from its other side.
-    /// One that comes much closer to another line, or to its own beginning, goes on there.
-    pub(crate) fn loose(&self, node: u32, width_du: f64) -> Option<Vec2> {
-        self.loose_tip(node, width_du).map(|tip| tip.direction)
-    }
-
-    fn loose_tip(&self, node: u32, width_du: f64) -> Option<Tip> {
+    /// The end of a line at a node, loosely beside a passage of a clear width, and not far from its other side. One that comes much
+    /// closer to another line, or to its own beginning, goes on there.
+    pub(crate) fn loose(&self, node: u32, width_du: f64) -> Option<Tip> {
         let is_loose = |tip: &Tip| width_du <= LOOSE * tip.beside_du && width_du < FAR * tip.length_du;
         self.tips[node as usize].filter(is_loose)
     }
@@ -298,7 +295,7 @@ impl Tips {
             let near_part = BESIDE_TIP + (AHEAD_OF_TIP - BESIDE_TIP) * ahead;
             1.0 + (near_part - 1.0) * nearness.min(1.0)
         };
-        self.loose_tip(node, width_du).map_or(1.0, part)
+        self.loose(node, width_du).map_or(1.0, part)
     }
 }
 
