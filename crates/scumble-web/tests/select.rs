@@ -341,6 +341,23 @@ fn copies_lie_beside_and_over_everything_and_are_selected() {
 }
 
 #[test]
+fn scribbles_that_are_too_long_already_can_be_erased() {
+    let mut page = Page::open(SQUARE);
+    let far = 1.1 * f64::from(MAX_PAGES) * LONGER_SIDE_DU;
+    let points = vec![Point::new(250.0, 300.0), Point::new(far, 300.0)];
+    let long = Scribble { color: RED.into(), kind: ScribbleKind::Fill, width_du: 8.0, points };
+    page.session.command(page::open(SQUARE, &[long]));
+    assert_eq!(scribbles(&page).len(), 1);
+    page.stroke(BLUE, &[(250.0, 500.0), (650.0, 500.0)]);
+    assert_eq!(scribbles(&page).len(), 1, "there is no room for more");
+    page.session.command(Command::Tool(Tool::Erase));
+    drag(&mut page, &[(450.0, 300.0)]);
+    page.session.command(Command::Tool(Tool::Scribble));
+    page.stroke(BLUE, &[(250.0, 500.0), (650.0, 500.0)]);
+    assert_eq!(colors(&page), [BLUE]);
+}
+
+#[test]
 fn what_would_be_too_long_for_a_file_is_dropped_and_said() {
     let mut page = Page::open(SQUARE);
     let most = (f64::from(MAX_PAGES) * LONGER_SIDE_DU / 400.0) as usize;
