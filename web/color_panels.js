@@ -29,9 +29,9 @@ export class Panels {
     this.#palettePanel.append(this.#palette.element);
   }
 
-  /** @param {HTMLButtonElement} opener */
+  /** @param {string} opener the id of its button */
   open(opener) {
-    const panel = opener.id === "color" ? this.#pickerPanel : this.#palettePanel;
+    const panel = opener === "color" ? this.#pickerPanel : this.#palettePanel;
     panel.showPopover();
   }
 

@@ -3,9 +3,9 @@
 
 import { download, reading } from "./files.js";
 import { formats } from "./formats.js";
-import { haveRest } from "./lazy.js";
+import { lazily } from "./lazy.js";
 import { say } from "./messages.js";
-import { currentColor, nameOf, swatches, used } from "./swatches.js";
+import { MOST_SWATCHES, currentColor, nameOf, swatches, used } from "./swatches.js";
 import { done, failed } from "./toolbar.js";
 
 /** @typedef {import("./swatches.js").Swatch} Swatch */
@@ -18,20 +18,23 @@ import { done, failed } from "./toolbar.js";
  * @property {(model: string, color: string) => number[]} numbers of a colour #rrggbb
  * @property {() => string} color what is scribbled with: #rrggbb, none, or a tone
  * @property {() => Swatch[]} swatches
+ * @property {number} most of them that are shown
  * @property {(swatch: Swatch) => string} nameOf
  * @property {(command: string, args?: unknown) => void} command
  * @property {(text: string) => void} done says what was done
  * @property {(file: File) => void} open
- * @property {(swatches: Swatch[], extension: string) => Promise<void>} save
+ * @property {typeof formats.palette} file a palette, by its colours and their names in turn
+ * @property {typeof download} download
+ * @property {(fault: unknown) => void} failed
  */
 
 export class Colors {
   #engine;
   #open;
-  /** @type {Promise<import("./color_panels.js").Panels> | undefined} */
-  #loading;
-  /** @type {import("./color_panels.js").Panels | undefined} */
-  #panels;
+  #panels = lazily(async () => {
+    const { Panels } = await import("./color_panels.js");
+    return new Panels(this.#shell());
+  });
 
   /**
    * @param {import("./engine.js").Engine} engine
@@ -46,39 +49,24 @@ export class Colors {
    * Opens a panel for the first time: from then on its button does.
    * @param {string} id of the button
    */
-  async show(id) {
-    const button = /** @type {HTMLButtonElement} */ (document.getElementById(id));
-    if (this.#panels) return;
-    try {
-      this.#panels = await (this.#loading ??= this.#load());
-      this.#panels.open(button);
-    } catch (fault) {
-      console.warn(fault);
-      this.#loading = undefined;
-      failed(new Error(say("error-panel")));
-    }
+  show(id) {
+    if (!this.#panels.now) this.#panels.use((panels) => panels.open(id));
   }
 
   /** Another colour, or another palette. */
   follow() {
-    this.#panels?.follow();
+    this.#panels.now?.follow();
   }
 
   /** A scribble was drawn with the colour of the moment. */
   used() {
     used();
-    this.#panels?.used();
+    this.#panels.now?.used();
   }
 
   /** Has the panels made anew when they are opened next, in the language of the page. */
   forget() {
-    this.#panels?.remove();
-    this.#panels = this.#loading = undefined;
-  }
-
-  async #load() {
-    const [{ Panels }] = await Promise.all([import("./color_panels.js"), haveRest()]);
-    return new Panels(this.#shell());
+    this.#panels.forget();
   }
 
   /** @returns {Shell} */
@@ -90,18 +78,14 @@ export class Colors {
       numbers: (model, color) => engine.colorNumbers(model, color),
       color: currentColor,
       swatches,
+      most: MOST_SWATCHES,
       nameOf,
       command: (command, args) => engine.command(command, args),
       done,
       open: (file) => this.#open(reading(file)),
-      save: async (palette, extension) => {
-        const list = palette.flatMap((swatch) => [swatch.color, nameOf(swatch)]);
-        const file = await formats.palette(list, extension).catch(failed);
-        if (!file) return;
-        const name = `${say("palette")}.${extension}`;
-        download(name, new Blob([file]));
-        done(say("exported", { name }));
-      },
+      file: formats.palette,
+      download,
+      failed,
     };
   }
 }

@@ -73,6 +73,11 @@ export class Drawings {
     this.#all.get(sheet)?.images.clear();
   }
 
+  /** Whether one of them is what the browser's storage has as this. @param {string} id */
+  have(id) {
+    return [...this.#all.values()].some((drawing) => drawing.id === id);
+  }
+
   /**
    * Gives up one that cannot be shown.
    * @param {number} sheet

@@ -1,7 +1,7 @@
 // The way to the wasm module: which build is loaded, calls into it, frames, and what comes back.
 //
 // A call returns a flat list of effects, [name, value, name, value, …], which go to the handlers. Once the module
-// has thrown it is not entered again.
+// has broken off in a call it is not entered again.
 
 /**
  * @typedef {object} App What the module exports; see `crates/scumble-web/src/app.rs`.
@@ -214,7 +214,9 @@ export class Engine {
       return this.#app && call(this.#app);
     } catch (fault) {
       console.error(fault);
-      this.#stop();
+      // A plain error is the module's own word for what it does not take, and leaves it sound; of a panic, of a stack or a
+      // memory that is at its end the browser tells by errors of other kinds.
+      if (/** @type {Error} */ (fault)?.constructor !== Error) this.#stop();
       return undefined;
     }
   }

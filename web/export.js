@@ -71,7 +71,7 @@ export class Export {
   async save(stem, drawing) {
     const own = `${stem}.${format()}`;
     const name = own.toLowerCase() === drawing.toLowerCase() ? `${stem} (Scumble).${format()}` : own;
-    const file = await this.#worked(() => this.#made(format()));
+    const file = await this.#worked((signal) => this.#made(format(), signal));
     if (!file) return;
     this.#shell.download(name, file);
     dialog.close();
@@ -80,8 +80,8 @@ export class Export {
 
   async copy() {
     // Some browsers take only what is handed to them in the click itself.
-    const copied = await this.#worked(async () => {
-      await navigator.clipboard.write([new ClipboardItem({ [TYPES.png]: this.#made("png") })]);
+    const copied = await this.#worked(async (signal) => {
+      await navigator.clipboard.write([new ClipboardItem({ [TYPES.png]: this.#made("png", signal) })]);
       return true;
     });
     if (copied) tell(this.#shell.say("copied"));
@@ -105,14 +105,14 @@ export class Export {
   /**
    * Works on something that can be stopped, and says what goes wrong.
    * @template T
-   * @param {() => Promise<T>} act
+   * @param {(signal: AbortSignal) => Promise<T>} act
    * @returns {Promise<T | undefined>}
    */
   async #worked(act) {
     const { signal } = (this.#job = new AbortController());
     this.#showChoice();
     try {
-      return await act();
+      return await act(signal);
     } catch (fault) {
       // The engine stops where its module has.
       if (fault instanceof WebAssembly.RuntimeError) throw fault;
@@ -135,27 +135,54 @@ export class Export {
   /**
    * The picture of the drawing as it is.
    * @param {Format} kind
+   * @param {AbortSignal} signal
    */
-  async #made(kind) {
-    const { engine, formats, say } = this.#shell;
+  async #made(kind, signal) {
     const size_px = input("export-size").valueAsNumber;
     const [lines, transparent] = ["export-lines", "export-transparent"].map((id) => input(id).checked);
-    const isPng = kind === "png";
-    await engine.made();
-    const raster_px = Math.min(Math.max(size_px, RASTER_PX.least), RASTER_PX.most);
-    const pictures = (isPng ? [size_px] : [BENT_PX, raster_px]).map((px) => engine.export(px, isPng && lines));
-    const [picture, shades = picture] = pictures;
+    await written(stoppable(this.#shell.engine.made(), signal));
+    const look = { size_px, lines, transparent, signal };
+    if (kind !== "png") return this.#drawn(kind, look);
+    return this.#with(size_px, lines, signal, (picture) => painted(picture, transparent, signal));
+  }
+
+  /**
+   * The same as a file of shapes; in SVG its shades are pixels.
+   * @param {"svg" | "pdf"} kind
+   * @param {{size_px: number, lines: boolean, transparent: boolean, signal: AbortSignal}} look
+   */
+  async #drawn(kind, { size_px, lines, transparent, signal }) {
+    const { engine, formats, say } = this.#shell;
+    const field = await this.#with(BENT_PX, false, signal, async (picture) => picture.field());
     const work = engine.work();
-    if (!picture || !shades || !work) throw new Error(say("error-export"));
-    const signal = this.#job?.signal;
+    if (!work) throw new Error(say("error-export"));
+    const wanted = /** @type {const} */ ([work, field, size_px, lines, transparent]);
+    if (kind === "pdf") return new Blob([await written(formats.pdf(signal, ...wanted))], { type: TYPES.pdf });
+    const raster_px = Math.min(Math.max(size_px, RASTER_PX.least), RASTER_PX.most);
+    const raster = await this.#with(raster_px, false, signal, (shades) => painted(shades, transparent, signal));
+    const svg = formats.svg(signal, ...wanted, new Uint8Array(await raster.arrayBuffer()));
+    return new Blob([await written(svg)], { type: TYPES.svg });
+  }
+
+  /**
+   * Uses a picture of the drawing as it is.
+   * @template T
+   * @param {number} size_px
+   * @param {boolean} lines
+   * @param {AbortSignal} signal
+   * @param {(picture: import("./engine.js").Export) => Promise<T>} use
+   */
+  async #with(size_px, lines, signal, use) {
+    // It may take its time, all at once: what has been clicked comes before.
+    await breath();
+    signal.throwIfAborted();
+    const { engine, say } = this.#shell;
+    const picture = engine.export(size_px, lines);
+    if (!picture) throw new Error(say("error-export"));
     try {
-      if (isPng) return await painted(picture, transparent, signal);
-      const wanted = /** @type {const} */ ([work, picture.field(), size_px, lines, transparent]);
-      if (kind === "pdf") return new Blob([await written(formats.pdf(signal, ...wanted))], { type: TYPES.pdf });
-      const raster = await painted(shades, transparent, signal).then((png) => png.arrayBuffer());
-      return new Blob([await written(formats.svg(signal, ...wanted, new Uint8Array(raster)))], { type: TYPES.svg });
+      return await use(picture);
     } finally {
-      for (const each of pictures) each?.free();
+      picture.free();
     }
   }
 }
@@ -177,21 +204,37 @@ function tell(text) {
 /**
  * @param {import("./engine.js").Export} picture
  * @param {boolean} transparent
- * @param {AbortSignal | undefined} signal
+ * @param {AbortSignal} signal
  */
 function painted(picture, transparent, signal) {
   const start = performance.now();
   return pngOf(picture, transparent, async (share) => {
     part("export-progress").hidden = performance.now() - start < PATIENCE_MS;
     /** @type {HTMLProgressElement} */ (part("export-share")).value = share;
-    // Clicks come in between.
-    await new Promise((wake) => setTimeout(wake));
-    signal?.throwIfAborted();
+    await breath();
+    signal.throwIfAborted();
   });
 }
 
+/** Lets clicks come in between. */
+function breath() {
+  return new Promise((wake) => setTimeout(wake));
+}
+
 /**
- * Shows that a file is being written, if it takes long.
+ * What is waited for, unless that is stopped before.
+ * @template T
+ * @param {Promise<T>} coming
+ * @param {AbortSignal} signal
+ * @returns {Promise<T>}
+ */
+function stoppable(coming, signal) {
+  const stopped = new Promise((_, reject) => signal.addEventListener("abort", () => reject(signal.reason), { once: true }));
+  return Promise.race([coming, stopped]);
+}
+
+/**
+ * Shows that something is waited for, as a file that is being written, if it takes long.
  * @template T
  * @param {Promise<T>} file
  */

@@ -48,7 +48,10 @@ export function receive(open, openText) {
     if (file) open(reading(file));
     input().value = "";
   });
-  window.addEventListener("paste", (event) => take(event.clipboardData));
+  window.addEventListener("paste", ({ target, clipboardData }) => {
+    // What can be written in takes it itself.
+    if (!(/** @type {Element} */ (target).matches?.(":read-write"))) take(clipboardData);
+  });
   receiveDrops(take);
 }
 

@@ -7,6 +7,7 @@ import { panel } from "./panel.js";
 /**
  * @typedef {object} Shell what the panel has of the page
  * @property {(key: string, values?: Record<string, unknown>) => string} say
+ * @property {(text: string) => void} done says what was done
  * @property {() => {steps: string[], place: number} | undefined} history what was done, as keys of messages, and how many of these steps are not taken back
  * @property {(place: number) => void} go to where so many of them are not
  */
@@ -85,8 +86,10 @@ export class History {
   /** @param {HTMLElement | null} option */
   #go(option) {
     if (!option) return;
+    const { say, done, go } = this.#shell;
     const place = this.#options().indexOf(option);
-    this.#shell.go(place);
+    go(place);
+    done(say("went-to", { text: say(["history-start", ...this.#steps][place]) }));
     this.#options()[place]?.focus();
   }
 

@@ -1,5 +1,5 @@
-// Which drawings of the storage are this tab's: it holds a lock on each, for as long as there is the tab. None is deleted that
-// another tab holds.
+// Which drawings of the storage are this tab's: it holds a lock on each, for as long as there is the tab, unless it has not
+// come to show it. None is deleted that another tab holds.
 
 import { remove } from "./storage.js";
 
@@ -38,8 +38,8 @@ function isGiven(id) {
   });
 }
 
-/** @param {string} id */
-function letGo(id) {
+/** Leaves a drawing to other tabs. @param {string} id */
+export function letGo(id) {
   held.get(id)?.();
   held.delete(id);
 }
@@ -50,8 +50,13 @@ function letGo(id) {
  * @returns {Promise<boolean>} whether it is gone
  */
 export async function removed(id) {
+  let isUsed = held.has(id);
   if (!(await hold(id))) return false;
-  await remove(id);
-  letGo(id);
+  try {
+    await remove(id);
+    isUsed = false;
+  } finally {
+    if (!isUsed) letGo(id);
+  }
   return true;
 }

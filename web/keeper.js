@@ -67,6 +67,16 @@ export class Keeper {
   }
 
   /**
+   * Writes a drawing that has been saved, of one that is not shown any more that it was: its work is there.
+   * @param {Drawing} drawing
+   */
+  saved(drawing) {
+    const { id, name, handle, revision, saved } = drawing;
+    if (drawing === this.#page.shown()) this.keep(drawing);
+    else if (id) storage.note(id, { name, handle, isUnsaved: revision !== saved }).catch(console.warn);
+  }
+
+  /**
    * Writes the drawing that is shown.
    * @param {Drawing} drawing
    */
@@ -116,7 +126,7 @@ export class Keeper {
   #see(drawing) {
     if (!drawing.id) return;
     remember(SHOWN, drawing.id, "sessionStorage");
-    storage.see(drawing.id).catch(console.warn);
+    storage.note(drawing.id, { seen: Date.now() }).catch(console.warn);
     this.#pictureLater(drawing);
   }
 

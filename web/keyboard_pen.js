@@ -9,7 +9,8 @@ const STEPS_PX = [8, 40];
  * @property {HTMLElement} stage the element around the canvas
  * @property {import("./engine.js").Engine} engine
  * @property {typeof import("./elements.js").make} make
- * @property {(key: string) => void} tell says a message, or what is none as it is
+ * @property {(key: string) => string} say the text of a message
+ * @property {(text: string) => void} tell
  */
 
 export class KeyboardPen {
@@ -31,8 +32,19 @@ export class KeyboardPen {
     stage.addEventListener("pointerdown", () => this.#leave(), true);
     stage.addEventListener("focusout", () => this.#lift());
     stage.addEventListener("keydown", () => (this.#said = said()), true);
+    new MutationObserver(() => this.#hear()).observe(/** @type {Node} */ (document.getElementById("status")), { childList: true });
     this.#follow(document.documentElement, "data-tool", (tool) => `#tools [value="${tool}"]`);
     this.#follow(document.getElementById("color"), "data-color", (color) => `#palette [data-color="${color}"]`);
+  }
+
+  /** Undo takes back what it draws as well: it is up then. */
+  #hear() {
+    if (said() === this.#shell.say("undone")) this.#isDown = false;
+  }
+
+  /** @param {string} key of a message */
+  #tell(key) {
+    this.#shell.tell(this.#shell.say(key));
   }
 
   /**
@@ -60,7 +72,7 @@ export class KeyboardPen {
     this.#isDown = true;
     this.#touch("down");
     if (document.documentElement.dataset.tool === "pick") this.#lift();
-    else this.#shell.tell("pen-down");
+    else this.#tell("pen-down");
     return undefined;
   }
 
@@ -95,7 +107,7 @@ export class KeyboardPen {
     this.#place = [Math.round(clientWidth / 2), Math.round(clientHeight / 2)];
     this.#cross.hidden = false;
     this.#draw();
-    this.#shell.tell("pen-shown");
+    this.#tell("pen-shown");
   }
 
   #lift() {

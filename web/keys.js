@@ -71,6 +71,9 @@ const ACTIONS = new Map(
   ),
 );
 
+/** A key that is no letter, no digit, and has no name. */
+const SIGN = /^[^a-z\d]$/i;
+
 const isMac = /Mac|iP/.test(navigator.platform);
 
 /** How keys are called in the language of the page, where that is not as in the table. @type {[string, string][]} */
@@ -135,10 +138,10 @@ export function listen(act, hold) {
     if (action) hold(action, false);
   };
   window.addEventListener("keydown", (event) => {
-    if (event.defaultPrevented || event.altKey || document.querySelector("dialog[open]")) return;
+    if (event.defaultPrevented || (event.altKey && !makesSign(event)) || document.querySelector("dialog[open]")) return;
     const chord = chordOf(event);
     const action = isOn(chord) && ACTIONS.get(chord);
-    const isCommand = (event.ctrlKey || event.metaKey) && event.key.toLowerCase() !== "a";
+    const isCommand = chord.startsWith("Ctrl+") && chord !== "Ctrl+A";
     if (!action || (usesKey(event.target, event.key) && !isCommand)) return;
     // Escape also closes what has come down from a button.
     if (event.key !== "Escape") event.preventDefault();
@@ -155,16 +158,25 @@ export function listen(act, hold) {
     // A key that is held is one gesture.
     if (event.key.startsWith("Arrow")) act("settle");
   });
-  window.addEventListener("blur", () => [...held.keys()].forEach(release));
+  window.addEventListener("blur", () => {
+    // Keys that are let go elsewhere are not heard of.
+    [...held.keys()].forEach(release);
+    act("settle");
+  });
 }
 
-/** @param {KeyboardEvent} event */
+/** Whether a key with Alt is a sign: by AltGr, which Windows reports as Ctrl and Alt, or by a Mac's Option. @param {KeyboardEvent} event */
+function makesSign(event) {
+  return SIGN.test(event.key) && (isMac || event.getModifierState("AltGraph"));
+}
+
+/** @param {KeyboardEvent} event of a key with Alt only where that makes a sign */
 function chordOf(event) {
   const digit = /^Digit(\d)$/.exec(event.code)?.[1];
   const key = event.key === " " ? "Space" : event.shiftKey && digit ? digit : event.key;
+  const isCommand = event.metaKey || (event.ctrlKey && !event.altKey);
   // Shift is part of what makes a sign.
-  const isSign = /^[^a-z\d]$/i.test(key);
-  const modifiers = `${event.ctrlKey || event.metaKey ? "Ctrl+" : ""}${event.shiftKey && !isSign ? "Shift+" : ""}`;
+  const modifiers = `${isCommand ? "Ctrl+" : ""}${event.shiftKey && !SIGN.test(key) ? "Shift+" : ""}`;
   return modifiers + (key.length === 1 ? key.toUpperCase() : key);
 }
 

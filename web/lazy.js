@@ -54,6 +54,11 @@ export function lazily(fetch) {
         failed(fault);
       }
     },
+    /** Takes it out of the page, to be made anew at its next use, as in another language. */
+    forget() {
+      /** @type {any} */ (part.now)?.remove();
+      part.now = part.loading = undefined;
+    },
   };
   return part;
 }

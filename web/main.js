@@ -211,7 +211,7 @@ const help = lazily(async () => {
 
 const keyboardPen = lazily(async () => {
   const { KeyboardPen } = await import("./keyboard_pen.js");
-  return new KeyboardPen({ stage, engine, make, tell: (key) => tell(say(key)) });
+  return new KeyboardPen({ stage, engine, make, say, tell });
 });
 
 function share() {
@@ -230,7 +230,7 @@ async function save() {
     const place = await keep({ name: `${stem(name)}.scumble`, handle }, () => formats.save(work, image));
     if (!place) return;
     drawings.keep(drawing, revision, place);
-    if (drawing === drawings.shown) keeper.keep(drawing);
+    keeper.saved(drawing);
     done(say("saved", place));
   } catch (fault) {
     drawing.handle = undefined;
@@ -323,10 +323,15 @@ function moveBy(direction, isFar) {
   else move();
 }
 
+/** Has what is picked be scribbled with. @param {string | undefined} color nothing where no swatch is */
+function pick(color) {
+  if (color) engine.command("color", color);
+}
+
 /** @param {string} action */
 function act(action) {
   const [, kind, which] = /^(swatch|tool|show|arrow-Arrow|far-Shift\+Arrow)-?(.+)$/.exec(action) ?? [];
-  if (kind === "swatch") engine.command("color", swatch(Number(which)));
+  if (kind === "swatch") pick(swatch(Number(which)));
   else if (kind === "tool") engine.command("tool", which);
   else if (kind === "show") toggle(which);
   else if (kind) moveBy(ARROWS[which], kind !== "arrow-Arrow");
@@ -369,11 +374,17 @@ function labelAll() {
   tell("");
 }
 
+/** The page may go away: what a slider or a key has in hand is kept as it is, and all else. */
+function leave() {
+  engine.command("settle");
+  keeper.hurry();
+}
+
 async function start() {
   holdVersion();
   await connectLanguage(labelAll);
   labelControls();
-  connectSwatches((color) => engine.command("color", color));
+  connectSwatches(pick);
   connectBar(/** @type {HTMLElement} */ (document.getElementById("bar")));
   connectRadios(/** @type {HTMLElement} */ (document.getElementById("tools")));
   connectFullScreen();
@@ -394,8 +405,8 @@ async function start() {
   window.addEventListener("beforeunload", (event) => {
     if (drawings.areAtRisk) event.preventDefault();
   });
-  window.addEventListener("pagehide", () => keeper.hurry());
-  document.addEventListener("visibilitychange", () => document.hidden && keeper.hurry());
+  window.addEventListener("pagehide", leave);
+  document.addEventListener("visibilitychange", () => document.hidden && leave());
   await opening.begin(beginFirstSteps).catch(failed);
   followVersions(() => showUpdate(true));
 }

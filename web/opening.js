@@ -4,7 +4,7 @@
 import { begin, end, expectLong, isBusy } from "./busy.js";
 import { closeOpen } from "./dialogs.js";
 import { formats, isLink } from "./formats.js";
-import { removed } from "./hold.js";
+import { letGo, removed } from "./hold.js";
 import { lastIds, take } from "./keeper.js";
 import { say } from "./messages.js";
 import { FIRST, sampleName, sampleWork } from "./samples.js";
@@ -29,6 +29,8 @@ export class Opening {
   #drawings;
   #keeper;
   #tracing;
+  /** What is being taken from the storage: one that is asked for again is there twice. @type {string[]} */
+  #taking = [];
   /** Counts what has been asked for: what comes after something else was asked for is dropped. */
   #asked = 0;
   /** Ends what is on its way. */
@@ -55,16 +57,16 @@ export class Opening {
   /** @param {string} text a link, SVG, a colour, or colours for the palette */
   text(text) {
     if (isLink(text)) return this.#link(text);
-    const [, digits] = /^\s*#([\da-f]{3}|[\da-f]{6})\s*$/i.exec(text) ?? [];
-    if (digits) return this.#color(digits.toLowerCase());
+    const color = text.trim().toLowerCase();
+    if (/^#([\da-f]{3}){1,2}$/.test(color)) return this.#color(color);
     // SVG has the first, lists of colours the second; a palette of GIMP may have neither.
     if (!/[<#]|^\s*GIMP Palette/.test(text)) return warn(say("no-drawing"));
-    return this.file({ name: "SVG", bytes: Promise.resolve(new TextEncoder().encode(text)) });
+    return this.file({ name: text.includes("<") ? "SVG" : say("text"), bytes: Promise.resolve(new TextEncoder().encode(text)) });
   }
 
-  /** @param {string} digits three or six, of which each of three stands for two */
+  /** @param {string} digits # and three or six, of which each of three stands for two */
   #color(digits) {
-    const color = `#${digits.length === 3 ? digits.replace(/./g, "$&$&") : digits}`;
+    const color = digits.length === 4 ? digits.replace(/\w/g, "$&$&") : digits;
     this.#engine.command("color", color);
     done(say("picked", { color }));
   }
@@ -93,11 +95,25 @@ export class Opening {
     return this.#doing("", async (signal) => {
       // A page that has stopped shows no drawing, however sound.
       if (!this.#engine.isRunning) throw new Error(say("error-stopped"));
-      const { drawing, work } = await taken(id);
-      signal.throwIfAborted();
-      if (!(work instanceof Uint8Array) || !(await this.#show(drawing, work, "", signal))) throw await damaged(id);
-      if (!drawing.id) tell(say("opened-copy", drawing));
+      this.#taking.push(id);
+      try {
+        await this.#go(id, signal);
+      } finally {
+        this.#taking.splice(this.#taking.indexOf(id), 1);
+        if (!this.#taking.includes(id) && !this.#drawings.have(id)) letGo(id);
+      }
     });
+  }
+
+  /**
+   * @param {string} id
+   * @param {AbortSignal} signal
+   */
+  async #go(id, signal) {
+    const { drawing, work } = await taken(id);
+    signal.throwIfAborted();
+    if (!(work instanceof Uint8Array) || !(await this.#show(drawing, work, "", signal))) throw await damaged(id);
+    if (!drawing.id) tell(say("opened-copy", drawing));
   }
 
   /** Whether what is on its way is seen to take long. */
@@ -276,8 +292,9 @@ export class Opening {
   async #show(drawing, work, notes, signal) {
     if (work.length > LARGE_BYTES) await expectLong();
     await this.#engine.prepare(work, signal);
-    // What the pen has done so far is kept with the drawing that goes.
+    // What the pen, a slider or an arrow key has done so far is kept with the drawing that goes.
     this.#engine.pointer("up", new Float32Array());
+    this.#engine.command("settle");
     this.#keeper.pictureNow();
     const expected = this.#drawings.expect(drawing);
     this.#engine.command("open", { work, notes });

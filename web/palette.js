@@ -59,8 +59,13 @@ export class PaletteEditor {
   /** Shows the palette as it is. */
   follow() {
     this.#swatches = this.#shell.swatches();
-    this.#chosen = Math.min(this.#chosen, this.#swatches.length - 1);
+    this.#chosen = Math.min(this.#chosen, this.#last);
     this.#render();
+  }
+
+  /** The last one that is shown: a drawing may have more of them. */
+  get #last() {
+    return Math.min(this.#swatches.length, this.#shell.most) - 1;
   }
 
   /** Adds the colour of the moment, if it is one. */
@@ -73,7 +78,7 @@ export class PaletteEditor {
     const added = { color, name: "" };
     if (known < 0) this.#set([...swatches, added]);
     this.#choose(known < 0 ? swatches.length : known);
-    this.#tell(known < 0 ? "swatch-added" : "swatch-there");
+    this.#tell(known < 0 ? "swatch-added" : "swatch-there", { name: this.#shell.nameOf(swatches[known] ?? added) });
   }
 
   #tools() {
@@ -95,11 +100,24 @@ export class PaletteEditor {
 
   #files() {
     const { say } = this.#shell;
-    const save = button(say("export"), () => void this.#shell.save(this.#swatches, this.#kind.value));
+    const save = button(say("export"), () => void this.#export(this.#kind.value));
     const open = button(say("import"), () => this.#file.click());
     save.ariaLabel = say("export-palette");
     open.ariaLabel = say("import-palette");
     return make("div", { className: "line" }, open, this.#kind, save, this.#file);
+  }
+
+  /** @param {string} extension */
+  async #export(extension) {
+    const { say, nameOf, file, download, done, failed } = this.#shell;
+    const list = this.#swatches.flatMap((swatch) => [swatch.color, nameOf(swatch)]);
+    try {
+      const name = `${say("palette")}.${extension}`;
+      download(name, new Blob([await file(list, extension)]));
+      done(say("exported", { name }));
+    } catch (fault) {
+      failed(fault);
+    }
   }
 
   #import() {
@@ -122,9 +140,9 @@ export class PaletteEditor {
   /** @param {number} index */
   #choose(index) {
     this.#settle();
-    this.#chosen = index;
+    this.#chosen = Math.min(index, this.#last);
     this.#render();
-    this.#picker.begin(this.#swatches[index].color);
+    this.#picker.begin(this.#swatches[this.#chosen].color);
   }
 
   /** @param {string} to */
@@ -141,8 +159,8 @@ export class PaletteEditor {
     this.#from = undefined;
     this.#shell.command("settle");
     if (isOther) this.#tell("swatch-recoloured");
-    // Who scribbles with the swatch goes on with it.
-    if (isBrush) this.#shell.command("color", this.#swatches[this.#chosen].color);
+    // Who scribbles with the swatch goes on with it; what is selected has been painted with it already, or is not.
+    if (isBrush) this.#shell.command("brush-color", this.#swatches[this.#chosen].color);
   }
 
   #rename() {
@@ -163,7 +181,7 @@ export class PaletteEditor {
   /** Puts the chosen swatch at another place. @param {number} to */
   #move(to) {
     const from = this.#chosen;
-    if (to < 0 || to >= this.#swatches.length || to === from) return;
+    if (to < 0 || to > this.#last || to === from) return;
     const moved = this.#swatches.filter((_, i) => i !== from);
     moved.splice(to, 0, this.#swatches[from]);
     this.#set(moved, to);
@@ -192,7 +210,7 @@ export class PaletteEditor {
 
   #render() {
     const hadFocus = this.#list.contains(document.activeElement);
-    this.#list.replaceChildren(...this.#swatches.map((swatch, i) => this.#option(swatch, i)));
+    this.#list.replaceChildren(...this.#swatches.slice(0, this.#last + 1).map((swatch, i) => this.#option(swatch, i)));
     if (hadFocus) this.#focus();
     const chosen = this.#swatches[this.#chosen];
     if (document.activeElement !== this.#name) this.#name.value = chosen.name;
@@ -201,7 +219,7 @@ export class PaletteEditor {
     const { activeElement } = document;
     this.#buttons["remove-swatch"].disabled = this.#swatches.length < 2;
     this.#buttons.earlier.disabled = this.#chosen === 0;
-    this.#buttons.later.disabled = this.#chosen === this.#swatches.length - 1;
+    this.#buttons.later.disabled = this.#chosen === this.#last;
     if (activeElement instanceof HTMLButtonElement && activeElement.disabled) this.#focus();
   }
 
@@ -225,18 +243,20 @@ export class PaletteEditor {
   /** @param {KeyboardEvent} event */
   #key(event) {
     if (event.altKey || event.ctrlKey || event.metaKey) return;
-    if (event.key === "Delete") return this.#remove();
+    const isRemoval = event.key === "Delete" || event.key === "Backspace";
     const to = this.#target(event.key);
-    if (to === undefined) return;
+    if (to === undefined && !isRemoval) return;
+    // The page has other uses for these keys.
     event.preventDefault();
-    if (event.shiftKey) this.#move(to);
+    if (to === undefined) this.#remove();
+    else if (event.shiftKey) this.#move(to);
     else this.#choose(to);
     this.#focus();
   }
 
   /** Where a key leads from the chosen swatch. @param {string} key */
   #target(key) {
-    const last = this.#swatches.length - 1;
+    const last = this.#last;
     const ways = /** @type {Record<string, number>} */ ({
       ArrowLeft: this.#chosen - 1,
       ArrowRight: this.#chosen + 1,
@@ -258,6 +278,8 @@ export class PaletteEditor {
     const index = this.#at(event);
     if (index < 0 || event.button !== 0) return;
     event.preventDefault();
+    // What is written in a field is for the swatch that was chosen: a field that loses the focus gives it.
+    this.#focus();
     this.#choose(index);
     this.#focus();
     const drag = new AbortController();

@@ -123,13 +123,16 @@ async function writeAs({ id, writer }, names, act) {
 export const writePicture = (id, picture) =>
   change(["entries", "pictures"], (stores) => whereThere(id, stores, () => stores.pictures.put(picture, id)));
 
-/** Notes that a drawing was seen now. @param {string} id */
-export const see = (id) =>
-  change(["entries"], (stores) => whereThere(id, stores, (entry) => stores.entries.put({ ...entry, seen: Date.now() })));
+/**
+ * Notes something of a drawing in its entry.
+ * @param {string} id
+ * @param {Partial<Entry>} more
+ */
+export const note = (id, more) =>
+  change(["entries"], (stores) => whereThere(id, stores, (entry) => stores.entries.put({ ...entry, ...more })));
 
 /** Marks a drawing that could not be opened. @param {string} id */
-export const putAside = (id) =>
-  change(["entries"], (stores) => whereThere(id, stores, (entry) => stores.entries.put({ ...entry, isAside: true })));
+export const putAside = (id) => note(id, { isAside: true });
 
 /** @param {string} id */
 export const remove = (id) =>

@@ -34,7 +34,7 @@ const TONES = /** @type {Record<string, string>} */ ({
 export const NO_COLOR = "none";
 
 /** A palette is shown as far as this: as many colours as the file of one may have. */
-const MOST_SWATCHES = 1_000;
+export const MOST_SWATCHES = 1_000;
 
 const MOST_RECENT = 8;
 
@@ -55,14 +55,11 @@ let current = "";
 
 const part = (/** @type {string} */ id) => /** @type {HTMLElement} */ (document.getElementById(id));
 
-/** @param {(color: string) => void} pick */
+/** @param {(color: string | undefined) => void} pick called with nothing where a press is beside the swatches */
 export function connectSwatches(pick) {
   labelSwatches();
   for (const list of lists()) {
-    list.addEventListener("click", ({ target }) => {
-      const color = target instanceof HTMLElement && target.dataset.color;
-      if (color) pick(color);
-    });
+    list.addEventListener("click", ({ target }) => pick(/** @type {HTMLElement} */ (target).dataset.color));
   }
 }
 
@@ -88,7 +85,7 @@ export function currentColor() {
 }
 
 /**
- * The colour of a swatch, counted from 1; 0 is that of none.
+ * The colour of a swatch, counted from 1; 0 is that of none. Nothing where the palette has fewer.
  * @param {number} n
  */
 export function swatch(n) {

@@ -212,6 +212,21 @@ for (const browser of /** @type {const} */ (["chromium", "firefox"])) {
       assert.deepEqual(editor.tab.faults, []);
     });
 
+    test("a digit beyond the palette picks nothing", async () => {
+      const editor = await open();
+      await editor.until("The palette has the colours of", () => editor.tab.evaluate(`{
+        const data = new DataTransfer();
+        data.setData("text/plain", "#112233 #445566");
+        document.body.dispatchEvent(new DragEvent("drop", { dataTransfer: data, bubbles: true }));
+      }`));
+      await editor.tab.press("2");
+      await editor.tab.press("9");
+      assert.equal(await color(editor), "#445566");
+      await editor.scribble(IN_LEFT_ROOM, SIDE);
+      assert.equal(await editor.message(), "");
+      assert.deepEqual(editor.tab.faults, []);
+    });
+
     test("what is no colour is marked, and changes nothing", async () => {
       const editor = await open();
       await editor.click("Red");
@@ -251,6 +266,22 @@ for (const browser of /** @type {const} */ (["chromium", "firefox"])) {
       assert.deepEqual(editor.tab.faults, []);
     });
 
+    test("a swatch's other colour is the brush's, and not that of what is selected in other colours", async () => {
+      const editor = await openColoured();
+      await editor.click("Red");
+      await editor.until("2 scribbles selected", () => editor.tab.hold("Control", () => editor.tab.press("a")));
+      await openPanel(editor, "Edit palette");
+      await editor.tab.click("option", "Red");
+      await write(editor, HEX, "#00ff00");
+      await editor.tab.press("Escape");
+      await editor.tab.press("Escape");
+      assert.deepEqual((await colorsOfRooms(editor)).map(hex), ["#00ff00", BLUE]);
+      assert.equal(await color(editor), "#00ff00");
+      await editor.until("Undone", () => editor.click("Undo"));
+      assert.deepEqual((await colorsOfRooms(editor)).map(hex), [RED, BLUE], "it was one step");
+      assert.deepEqual(editor.tab.faults, []);
+    });
+
     test("a colour that a swatch passes on its way stays where it was", async () => {
       const editor = await openColoured();
       await openPanel(editor, "Edit palette");
@@ -281,6 +312,34 @@ for (const browser of /** @type {const} */ (["chromium", "firefox"])) {
       await editor.kept();
       const again = await session.reopen(editor.tab);
       assert.deepEqual(await palette(again), edited);
+      assert.deepEqual(editor.tab.faults, []);
+    });
+
+    test("keys that remove a swatch leave what is selected", async () => {
+      const editor = await openColoured();
+      await editor.until("2 scribbles selected", () => editor.tab.hold("Control", () => editor.tab.press("a")));
+      await openPanel(editor, "Edit palette");
+      await editor.tab.click("option", "Green");
+      await editor.until("Green removed", () => editor.tab.press("Delete"));
+      await editor.until("Teal removed", () => editor.tab.press("Backspace"));
+      assert.deepEqual((await colorsOfRooms(editor)).map(hex), [RED, BLUE]);
+      assert.equal(await editor.tab.evaluate(`document.getElementById("selected-count").textContent`), "2 scribbles");
+    });
+
+    test("what is written in a field is for the swatch that it was written for, whichever is chosen next", async () => {
+      const editor = await open();
+      await openPanel(editor, "Edit palette");
+      await editor.tab.click("option", "Red");
+      await editor.tab.evaluate(`document.querySelector('${IN_PANEL} ${NAME}').select()`);
+      for (const key of "Fur") await editor.tab.press(key);
+      await editor.tab.click("option", "Green");
+      assert.deepEqual(await palette(editor), ["Fur", ...USUAL.slice(1)]);
+      await editor.tab.evaluate(`document.querySelector('${IN_PANEL} ${HEX}').select()`);
+      for (const key of "#123456") await editor.tab.press(key);
+      await editor.tab.click("option", "Orange");
+      assert.deepEqual(await palette(editor), ["Fur", "Orange", "Yellow", "#123456", ...USUAL.slice(4)]);
+      const chosen = `document.querySelector('${IN_PANEL} [aria-selected=true]').title`;
+      assert.equal(await editor.tab.evaluate(chosen), "Orange");
       assert.deepEqual(editor.tab.faults, []);
     });
 

@@ -187,6 +187,24 @@ for (const browser of /** @type {const} */ (["chromium", "firefox"])) {
       assert.deepEqual(editor.tab.faults, []);
     });
 
+    test("what is pasted into the field of the size is no drawing", async () => {
+      const editor = await open();
+      /** @param {string} id */
+      const paste = (id) => editor.tab.evaluate(`{
+        const data = new DataTransfer();
+        data.setData("text/plain", "#ff8800");
+        const event = Object.assign(new Event("paste", { bubbles: true }), { clipboardData: data });
+        document.getElementById("${id}").dispatchEvent(event);
+      }`);
+      const color = () => editor.tab.evaluate(`document.getElementById("color").dataset.color`);
+      const before = await color();
+      await paste("export-size");
+      assert.equal(await color(), before);
+      await paste("export-lines");
+      assert.equal(await color(), "#ff8800", "what cannot be written in takes none");
+      assert.equal(await editor.tab.evaluate(`document.getElementById("export").open`), true);
+    });
+
     test("Lines stay as they were chosen, until those of the view change", async () => {
       const editor = await open();
       const lines = () => editor.tab.evaluate(`document.getElementById("export-lines").checked`);

@@ -105,6 +105,27 @@ for (const browser of /** @type {const} */ (["chromium", "firefox"])) {
       assert.deepEqual(editor.tab.faults, []);
     });
 
+    test("a drawing that is saved while another comes up is known by its file", async () => {
+      const editor = await scribbled();
+      await answerDialogs(editor);
+      await editor.tab.evaluate(`{
+        const { createWritable } = FileSystemFileHandle.prototype;
+        FileSystemFileHandle.prototype.createWritable = async function () {
+          await new Promise((release) => (window.release = release));
+          return createWritable.call(this);
+        };
+      }`);
+      await editor.click("Save");
+      await editor.tab.waitFor(`window.release`);
+      await editor.openSample("Apple");
+      await editor.until("Saved rooms.scumble", () => editor.tab.evaluate(`window.release()`));
+      await editor.click("Recent drawings");
+      await editor.tab.waitFor(`document.getElementById("recent").open`);
+      await editor.until("Opened rooms.scumble", () => editor.click("Open rooms.scumble"));
+      assert.equal(await title(editor), saved("rooms.scumble"));
+      assert.deepEqual(editor.tab.faults, []);
+    });
+
     test("a dialog that is closed changes nothing", async () => {
       const editor = await scribbled();
       await editor.tab.evaluate(`

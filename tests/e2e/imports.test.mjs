@@ -84,6 +84,16 @@ for (const browser of /** @type {const} */ (["chromium", "firefox"])) {
       const long = await folder.write("long.hex", most);
       await editor.until("The palette has the colours of long.hex", () => editor.tab.chooseFiles([long]));
       assert.equal((await swatches()).length, 1001, "all of them can be scribbled with");
+      await editor.tab.evaluate(`document.getElementById("color").click()`);
+      await editor.tab.waitFor(`document.querySelector("#color-panel:popover-open")`);
+      await editor.tab.evaluate(`{
+        const field = document.querySelector("#color-panel [type=text]");
+        field.value = "#abcdef";
+        field.dispatchEvent(new Event("change"));
+      }`);
+      await editor.until("#abcdef has been added", () => editor.tab.click("button", "Add to palette"));
+      assert.equal((await swatches()).length, 1001, "no more are shown");
+      assert.equal(await editor.tab.evaluate(`document.querySelectorAll("#palette-panel [role=option]").length`), 1000);
       assert.deepEqual(editor.tab.faults, []);
     });
   });

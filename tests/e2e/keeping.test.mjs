@@ -34,6 +34,16 @@ const tamper = (changes) => `new Promise((done, fail) => {
   };
 })`;
 
+/** The works in the storage, each as a text. */
+const WORKS = `new Promise((done) => {
+  indexedDB.open("scumble").onsuccess = ({ target: { result: database } }) => {
+    database.transaction("works").objectStore("works").getAll().onsuccess = ({ target: { result: works } }) => {
+      database.close();
+      done(works.map(String));
+    };
+  };
+})`;
+
 for (const browser of /** @type {const} */ (["chromium", "firefox"])) {
   describe(`what ${browser} keeps`, () => {
     const session = useSession(browser);
@@ -67,6 +77,27 @@ for (const browser of /** @type {const} */ (["chromium", "firefox"])) {
       assert.equal(await again.status(), "Opened rooms.svg");
       await again.until("Scribble added, 3 in", () => again.scribble(IN_RIGHT_ROOM, ROOMS));
       assert.deepEqual(editor.tab.faults, []);
+    });
+
+    test("what a key has in hand is kept where it is not heard of any more", async () => {
+      const svg = `<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 9 9"><path stroke="black" d="M1 1l5 5"/></svg>`;
+      /** @type {((editor: import("./harness.mjs").Editor) => Promise<unknown>)[]} */
+      const ways = [
+        (editor) => editor.until("Opened other.svg", () => editor.drop(svg, "other.svg")),
+        ...["blur", "pagehide"].map((kind) => (/** @type {import("./harness.mjs").Editor} */ editor) =>
+          editor.tab.evaluate(`window.dispatchEvent(new Event("${kind}"))`)),
+      ];
+      for (const [i, leave] of ways.entries()) {
+        const editor = await scribbled();
+        await editor.until("selected", () => editor.tab.hold("Control", () => editor.tab.press("a")));
+        const [before] = await editor.tab.evaluate(WORKS);
+        await editor.tab.hold("ArrowRight", async () => {
+          await leave(editor);
+          await editor.kept();
+          assert.ok(!(await editor.tab.evaluate(WORKS)).includes(before), `way ${i}`);
+        });
+        assert.deepEqual(editor.tab.faults, []);
+      }
     });
 
     test("the list has a picture of each drawing; one is gone on with, one is deleted", async () => {

@@ -103,6 +103,46 @@ for (const browser of /** @type {const} */ (["chromium", "firefox"])) {
       assert.deepEqual(editor.tab.faults, []);
     });
 
+    test("Undo takes back what the pen draws, which is up then", async () => {
+      const editor = await begun();
+      await editor.tab.press("Enter");
+      await editor.tab.waitFor(`document.getElementById("cross")?.hidden === false`);
+      for (let count = 0; count < 2; count++) {
+        await editor.until("Pen down", () => editor.tab.press("Enter"));
+        await press(editor, "ArrowLeft", 3);
+        await editor.until("Undone", () => editor.tab.hold("Control", () => editor.tab.press("z")));
+      }
+      assert.deepEqual(editor.tab.faults, []);
+    });
+
+    test("signs that take AltGr, or a Mac's Option, are shortcuts like others", async () => {
+      for (const [platform, held] of /** @type {const} */ ([
+        ["Win32", { ctrlKey: true, altKey: true, modifierAltGraph: true }],
+        ["Linux x86_64", { modifierAltGraph: true }],
+        ["MacIntel", { altKey: true }],
+      ])) {
+        const tab = await session.newTab();
+        await tab.prepare(`Object.defineProperty(Navigator.prototype, "platform", { get: () => "${platform}" })`);
+        const editor = await session.reopen(tab);
+        /** @param {string} key @param {string} [id] */
+        const send = (key, id = "canvas") => tab.evaluate(`document.getElementById("${id}").dispatchEvent(
+          new KeyboardEvent("keydown", { key: "${key}", bubbles: true, cancelable: true, ...${JSON.stringify(held)} }))`);
+        const size = () => tab.evaluate(`document.getElementById("brush-size").valueAsNumber`);
+        const before = await size();
+        await send("]");
+        const larger = await size();
+        assert.ok(larger > before, `${larger} on ${platform}`);
+        await send("[");
+        assert.ok((await size()) < larger, platform);
+        await editor.click("Export");
+        await editor.click("Close");
+        const state = await size();
+        await send("]", "export-size");
+        assert.equal(await size(), state, "fields have their signs");
+        assert.deepEqual(tab.faults, []);
+      }
+    });
+
     test("Tab lifts the pen, the mouse takes over, a colour is picked, and buttons keep Enter", async () => {
       const editor = await begun();
       await editor.tab.press("Enter");

@@ -38,6 +38,9 @@ describe("opening a drawing", () => {
     assert.equal(await swatches(), before);
   });
 
+  test("pasted colours become the palette, and are called what they are", () =>
+    editor.until("The palette has the colours of the text", () => paste("#112233 #445566")));
+
   test("pasted text that is no drawing, of which it says so", async () => {
     await paste("Dear all,");
     assert.match(await editor.message(), /text is no drawing/);

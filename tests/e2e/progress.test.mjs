@@ -260,6 +260,21 @@ for (const browser of /** @type {const} */ (["chromium", "firefox"])) {
       assert.deepEqual(tab.faults, []);
     });
 
+    test("a file whose picture is not made yet", async () => {
+      const editor = await scribbled();
+      await editor.tab.evaluate(HOLD_FRAMES);
+      await editor.until("Opened many.svg", () => editor.drop(lines(2 * MANY), "many.svg"));
+      await editor.click("Export");
+      await editor.click("Save file");
+      await editor.tab.waitFor(`!document.getElementById("export-progress").hidden`);
+      assert.equal(await editor.tab.evaluate(`document.getElementById("export-share").hasAttribute("value")`), false);
+      await editor.tab.evaluate(`document.querySelector("[data-action=cancel-export]").click()`);
+      await editor.tab.waitFor(`document.getElementById("export-status").textContent === "Cancelled"`);
+      await editor.tab.evaluate(`window.goOn()`);
+      await editor.until("Exported", () => editor.click("Save file"));
+      assert.deepEqual(editor.tab.faults, []);
+    });
+
     for (const format of ["SVG", "PDF"]) {
       test(`${format}, while it is written`, async () => {
         const editor = await scribbled();

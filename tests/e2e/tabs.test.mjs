@@ -77,6 +77,54 @@ for (const browser of /** @type {const} */ (["chromium", "firefox"])) {
       assert.deepEqual(await counts([one, other]), { "rooms.svg": edits + 1, "Copy of rooms.svg": edits + 1 });
     });
 
+    /** @param {Editor} editor */
+    const list = async (editor) => {
+      await editor.click("Recent drawings");
+      await editor.tab.waitFor(`document.getElementById("recent").open`);
+    };
+
+    /** A tab comes to nothing with a drawing that it does not show; another one opens it then. @param {(one: Editor) => Promise<void>} fail */
+    const leftToOthers = async (fail) => {
+      const one = await session.open("cpu");
+      await one.openDrawing("rooms");
+      await one.scribble(IN_LEFT_ROOM, ROOMS);
+      await one.kept();
+      await one.openSample("Apple");
+      await one.scribble([[30, 40], [40, 45]], 72);
+      await one.kept();
+      await session.reopen(one.tab);
+      await list(one);
+      await fail(one);
+      const other = await session.reopen(await one.tab.beside());
+      await list(other);
+      await other.until("Opened rooms.svg", () => other.click("Open rooms.svg"));
+      assert.equal(await other.name(), "rooms.svg");
+      assert.deepEqual([...one.tab.faults, ...other.tab.faults], []);
+    };
+
+    test("a tab that cancels the opening of a drawing leaves it to others", () =>
+      leftToOthers(async (one) => {
+        // The drawing waits to be made ready.
+        await one.tab.evaluate(`{
+          const { setTimeout } = window;
+          window.setTimeout = (act, ms) => (ms === undefined ? (window.held = act) : setTimeout(act, ms));
+        }`);
+        await one.click("Open rooms.svg");
+        await one.tab.waitFor(`window.held && !document.getElementById("busy").hidden`);
+        await one.until("Opening cancelled", () => one.click("Cancel"));
+        await one.tab.evaluate(`window.held()`);
+      }));
+
+    test("so does one that cannot delete it", () =>
+      leftToOthers(async (one) => {
+        await one.tab.evaluate(`{
+          window.confirm = () => true;
+          IDBObjectStore.prototype.delete = () => { throw new Error("it is kept"); };
+        }`);
+        await one.click("Delete rooms.svg");
+        await one.tab.waitFor(`[...document.querySelectorAll("#recent small")].some((note) => note.textContent.startsWith("It could not"))`);
+      }));
+
     test("without locks the one that opened it last has it; the other goes on as a copy, and says so", async () => {
       const [one, other] = await twoTabs(`Object.defineProperty(Navigator.prototype, "locks", { value: undefined })`);
       assert.equal(await other.name(), "rooms.svg");

@@ -35,6 +35,7 @@ pub(crate) fn command_from_js(name: &str, args: &JsValue) -> Option<Command> {
         "color" => Command::Color(ink_from_name(&args.as_string()?)?),
         "color-sought" => Command::ColorSought(ink_from_name(&args.as_string()?)?),
         "tune-color" => Command::TuneColor(paint(args)?),
+        "brush-color" => Command::BrushColor(paint(args)?),
         "swap-colors" => Command::SwapColors,
         "kind" => Command::Mode(ModeChange::Kind(kind_from_name(&args.as_string()?)?)),
         "other-kind" => Command::Mode(ModeChange::OtherKind),

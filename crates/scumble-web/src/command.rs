@@ -137,6 +137,8 @@ pub enum Command {
     ColorSought(Ink),
     /// Another colour in the place of the one that was picked last, as on the way to one that is liked.
     TuneColor(Paint),
+    /// The colour of the next scribbles alone, whatever is selected.
+    BrushColor(Paint),
     /// Back to the colour before.
     SwapColors,
     /// How the next scribbles colour.

@@ -216,6 +216,7 @@ impl Session {
             Command::Color(ink) => self.take_ink(ink, false),
             Command::ColorSought(ink) => self.take_ink(ink, true),
             Command::TuneColor(color) => self.tune_color(color),
+            Command::BrushColor(color) => self.brush.set_ink(Ink::Paint(color)),
             Command::SwapColors => self.take_ink(Ink::Paint(self.brush.color_before()), false),
             Command::Mode(change) => self.change_mode(change),
             Command::BrushSize(size_du) => self.set_size(true, |_| size_du),
