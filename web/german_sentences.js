@@ -23,6 +23,8 @@ export const sentences = {
   "the file is compressed (SVGZ); unpack it with gzip, or save it as plain SVG":
     "die Datei ist komprimiert (SVGZ); entpacke sie mit gzip, oder sichere sie als einfaches SVG",
   "the file is in UTF-16; save it in UTF-8": "die Datei ist in UTF-16; sichere sie in UTF-8",
+  "the file is a {} file; save it as SVG in the program that made it":
+    "die Datei ist eine {}-Datei; sichere sie als SVG in dem Programm, das sie gemacht hat",
   "the file is not an SVG drawing: it is no text in UTF-8; save it so, or choose an SVG file":
     "die Datei ist keine SVG-Zeichnung: sie ist kein Text in UTF-8; sichere sie so, oder wähle eine SVG-Datei",
   "the file is not an SVG drawing, or it is damaged: {}; save it again, or choose another file":
@@ -217,6 +219,8 @@ export const things = {
   "markers": "Markierungen",
   "shape with unusable coordinates": "Form mit unbrauchbaren Koordinaten",
   "shapes with unusable coordinates": "Formen mit unbrauchbaren Koordinaten",
+  "colour that cannot be read": "Farbe, die sich nicht lesen lässt",
+  "colours that cannot be read": "Farben, die sich nicht lesen lassen",
   "curve’s blur": "Unschärfe einer Kurve",
   "curves’ blur": "Unschärfen von Kurven",
   "curve with unusable control points": "Kurve mit unbrauchbaren Kontrollpunkten",

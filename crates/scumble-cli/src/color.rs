@@ -3,9 +3,11 @@
 mod on_pixels;
 mod parts;
 
-use anyhow::ensure;
+use std::path::Path;
+
+use anyhow::{Context, ensure};
 use scumble_core::{Document, Scribble, Work};
-use scumble_io::{FileError, ReadScribbles, read_scribbles, write_file, write_png};
+use scumble_io::{FileError, ReadScribbles, keeps_work, read_scribbles, write_file, write_png};
 use scumble_solve::{Pixmap, SolveError};
 use serde::Serialize;
 
@@ -50,9 +52,9 @@ struct Milliseconds {
 /// When the input is bad or the picture cannot be written; then there is no file.
 pub(crate) fn run(options: &ColorOptions) -> anyhow::Result<()> {
     check_files(options)?;
-    let mut opened = stages::open(&files::read(&options.drawing)?)?;
-    let ReadScribbles { scribbles, notes } =
-        read_scribbles(&files::read(&options.scribbles)?, &opened.document.drawing)?;
+    let mut opened = open(&options.drawing)?;
+    let read = read_scribbles(&files::read(&options.scribbles)?, &opened.document.drawing);
+    let ReadScribbles { scribbles, notes } = read.with_context(|| options.scribbles.display().to_string())?;
     let kept = kept(&opened, &scribbles, options)?;
     files::warn(&options.drawing, &opened.notes);
     files::warn(&options.scribbles, &notes.to_string());
@@ -72,21 +74,32 @@ pub(crate) fn run(options: &ColorOptions) -> anyhow::Result<()> {
     Ok(())
 }
 
-/// Checks that the drawing may be an SVG, and that what is written is not what is read, nor one file for both, and has a folder.
+/// Checks that what is written is not what is read, nor one file for both, and has a folder.
 fn check_files(options: &ColorOptions) -> anyhow::Result<()> {
     for input in [&options.drawing, &options.scribbles] {
-        let is_same = |output: &std::path::Path| files::is_same(input, output);
+        let is_same = |output: &Path| files::is_same(input, output);
         ensure!(!is_same(&options.output), "{} is read; name another file for the picture", input.display());
         let is_saved_over = options.save.as_deref().is_some_and(is_same);
         ensure!(!is_saved_over, "{} is read; name another file to save", input.display());
     }
     let is_both = options.save.as_deref().is_some_and(|save| files::is_same(save, &options.output));
     ensure!(!is_both, "{} is the picture; name another file to save", options.output.display());
-    let is_work = matches!(&*works::extension(&options.drawing), "scumble" | "json");
-    let name = options.drawing.display();
-    ensure!(!is_work, "{name} is no SVG; `scumble render` makes the picture of a .scumble file");
     files::check_folder(&options.output)?;
     options.save.as_deref().map_or(Ok(()), files::check_folder)
+}
+
+/// A drawing without scribbles of its own: those would be lost, and its units are no longer those of its viewBox.
+fn open(path: &Path) -> anyhow::Result<Opened> {
+    let (name, bytes) = (path.display(), files::read(path)?);
+    ensure!(
+        !works::is_work(path, &bytes),
+        "{name} is no SVG; `scumble render` makes the picture of a .scumble file"
+    );
+    ensure!(
+        !keeps_work(&bytes),
+        "{name} was made of a .scumble file, which it keeps; `scumble render` makes its picture"
+    );
+    stages::open(&bytes).with_context(|| name.to_string())
 }
 
 /// Writes the picture and the file that keeps its source, if there is one: both or none.

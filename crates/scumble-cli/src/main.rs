@@ -74,6 +74,7 @@ scumble render FILE -o OUT.png|OUT.svg|OUT.pdf
 scumble convert A B
     turns a .svg, .scumble or .json file, or diffusion curves (.xml), into a .scumble or .json file, or the colours of its
     picture into diffusion curves (.xml), or its palette, or another (.gpl, .ase, .hex), into a palette of any kind
+    [--samples DIR]         where the samples are, for a file that only names one
 
 scumble palette FILE --from PALETTE -o OUT.scumble
     gives a drawing the colours of a palette: GIMP's (.gpl), Adobe Swatch Exchange (.ase) or a list of #rrggbb (.hex)
@@ -140,7 +141,7 @@ fn main() -> ExitCode {
 }
 
 fn run() -> anyhow::Result<ExitCode> {
-    match options::parse(pico_args::Arguments::from_env())? {
+    match options::parse(std::env::args_os().skip(1))? {
         Command::Help => print!("{HELP}"),
         Command::Version => println!("scumble {}", env!("CARGO_PKG_VERSION")),
         Command::Color(options) => color::run(&options)?,
@@ -153,7 +154,7 @@ fn run() -> anyhow::Result<ExitCode> {
         Command::Compare { set, every, options } => compare::run(&set, every, options)?,
         Command::Eval(options) => eval::run(&options)?,
         Command::Render(options) => render::run(&options)?,
-        Command::Convert { from, to } => share::convert(&from, &to)?,
+        Command::Convert(options) => share::convert(&options)?,
         Command::Link(options) => share::link(&options)?,
         Command::Open(options) => share::open(&options)?,
         Command::Palette(options) => palettes::run(&options)?,

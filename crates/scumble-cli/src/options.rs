@@ -31,7 +31,7 @@ pub(crate) enum Command {
     Compare { set: PathBuf, every: usize, options: CompareOptions },
     Eval(EvalOptions),
     Render(RenderOptions),
-    Convert { from: PathBuf, to: PathBuf },
+    Convert(ConvertOptions),
     Link(LinkOptions),
     Open(OpenOptions),
     Palette(PaletteOptions),
@@ -92,6 +92,14 @@ pub(crate) enum Format {
     Pdf,
 }
 
+/// What `scumble convert` is to write.
+#[derive(Debug)]
+pub(crate) struct ConvertOptions {
+    pub(crate) from: PathBuf,
+    pub(crate) to: PathBuf,
+    pub(crate) samples: Option<PathBuf>,
+}
+
 /// What `scumble link` is to print.
 #[derive(Debug)]
 pub(crate) struct LinkOptions {
@@ -122,7 +130,8 @@ pub(crate) struct PaletteOptions {
 ///
 /// # Errors
 /// When a command or an option is unknown, missing or faulty.
-pub(crate) fn parse(mut arguments: Arguments) -> anyhow::Result<Command> {
+pub(crate) fn parse(arguments: impl Iterator<Item = OsString>) -> anyhow::Result<Command> {
+    let mut arguments = Arguments::from_vec(arguments.flat_map(apart).collect());
     if arguments.contains(["-h", "--help"]) {
         return Ok(Command::Help);
     }
@@ -130,7 +139,8 @@ pub(crate) fn parse(mut arguments: Arguments) -> anyhow::Result<Command> {
         return rest(arguments, []).map(|[]| Command::Version);
     }
     match arguments.subcommand().map_err(advise)?.as_deref() {
-        None | Some("help") => rest(arguments, []).map(|[]| Command::Help),
+        None => rest(arguments, []).map(|[]| Command::Help),
+        Some("help") => Ok(Command::Help),
         Some("color") => color(arguments).map(Command::Color),
         Some("corpus") => {
             let take = value(&mut arguments, "--take", positive)?;
@@ -156,16 +166,40 @@ pub(crate) fn parse(mut arguments: Arguments) -> anyhow::Result<Command> {
         }
         Some("eval") => eval(arguments).map(Command::Eval),
         Some("render") => render(arguments).map(Command::Render),
-        Some("convert") => {
-            let [from, to] = rest(arguments, ["A", "B"])?;
-            let to = PathBuf::from(to);
-            works::check_convertible(&to)?;
-            Ok(Command::Convert { from: from.into(), to })
-        }
+        Some("convert") => convert(arguments).map(Command::Convert),
         Some("link") => link(arguments).map(Command::Link),
         Some("open") => open(arguments).map(Command::Open),
         Some("palette") => palette(arguments).map(Command::Palette),
         Some(other) => bail!("there is no command “{other}”; see --help"),
+    }
+}
+
+/// The options that take a value.
+const VALUED: [&str; 16] = [
+    "-o",
+    "--base",
+    "--blend",
+    "--engine",
+    "--every",
+    "--from",
+    "--gap-closing",
+    "--kind",
+    "--pictures",
+    "--samples",
+    "--save",
+    "--scribbles",
+    "--sheet",
+    "--size",
+    "--solver",
+    "--take",
+];
+
+/// An option and its value, which may have an equals sign between them.
+fn apart(argument: OsString) -> Vec<OsString> {
+    let parts = argument.to_str().and_then(|text| text.split_once('='));
+    match parts.filter(|(name, _)| VALUED.contains(name)) {
+        Some((name, value)) => vec![name.into(), value.into()],
+        None => vec![argument],
     }
 }
 
@@ -232,10 +266,23 @@ fn format(output: &Path) -> anyhow::Result<Format> {
     }
 }
 
+fn convert(mut arguments: Arguments) -> anyhow::Result<ConvertOptions> {
+    let samples = arguments.opt_value_from_os_str("--samples", path).map_err(advise)?;
+    let [from, to] = rest(arguments, ["A", "B"])?;
+    let to = PathBuf::from(to);
+    works::check_convertible(&to)?;
+    Ok(ConvertOptions { from: from.into(), to, samples })
+}
+
 fn link(mut arguments: Arguments) -> anyhow::Result<LinkOptions> {
     let base: Option<String> = arguments.opt_value_from_str("--base").map_err(advise)?;
     let base = base.unwrap_or_default();
     ensure!(!base.contains('#'), "--base has a “#”; give the address up to it");
+    let is_address = !base.starts_with('-') && !base.contains(char::is_whitespace);
+    ensure!(
+        is_address,
+        "--base {base} is no address; give what comes before the #, for example https://example.org/"
+    );
     let stats = arguments.contains("--stats");
     let [file] = rest(arguments, ["FILE"])?;
     Ok(LinkOptions { file: file.into(), base, stats })
@@ -321,14 +368,24 @@ fn reach(arguments: &mut Arguments) -> anyhow::Result<Settings> {
 /// What is left once the options are taken: exactly the arguments that have these names.
 fn rest<const N: usize>(arguments: Arguments, names: [&str; N]) -> anyhow::Result<[OsString; N]> {
     let rest = arguments.finish();
-    if let Some(option) = rest.iter().find(|argument| argument.to_string_lossy().starts_with('-')) {
-        bail!("the option {} is unknown, or given twice; see --help", option.display());
+    let texts = rest.iter().map(|argument| argument.to_string_lossy());
+    if let Some(option) = texts.into_iter().find(|text| text.starts_with('-')) {
+        bail!("{}; see --help", fault_of(&option));
     }
     let count = rest.len();
     rest.try_into().map_err(|_| match names.get(count) {
         Some(name) => anyhow!("{name} is missing; see --help"),
         None => anyhow!("there are {count} arguments where {N} are expected; see --help"),
     })
+}
+
+/// What is wrong with something like an option that is left.
+fn fault_of(option: &str) -> String {
+    match option.split_once('=') {
+        _ if option == "-" => "“-” names no file; give its name, for example /dev/stdin".into(),
+        Some((name, _)) => format!("the option {name} is unknown here, or takes no value"),
+        None => format!("the option {option} is unknown here, or given twice"),
+    }
 }
 
 fn size(text: &str) -> Result<u32, String> {

@@ -1,12 +1,10 @@
 //! `scumble link`, `scumble open`, `scumble convert`: work as a link, and as a file again.
 
-use std::path::Path;
-
 use anyhow::ensure;
 use scumble_core::{Curve, Drawing, Work};
 use scumble_io::{Link, read_link, write_link};
 
-use crate::options::{LinkOptions, OpenOptions};
+use crate::options::{ConvertOptions, LinkOptions, OpenOptions};
 use crate::{files, palettes, works};
 
 /// Prints a link, as the last line.
@@ -78,10 +76,14 @@ pub(crate) fn open(options: &OpenOptions) -> anyhow::Result<()> {
 ///
 /// # Errors
 /// When the file is bad; then nothing is written.
-pub(crate) fn convert(from: &Path, to: &Path) -> anyhow::Result<()> {
+pub(crate) fn convert(ConvertOptions { from, to, samples }: &ConvertOptions) -> anyhow::Result<()> {
     ensure!(!files::is_same(from, to), "{} is read; name another file to write", from.display());
-    match works::palette_kind(to) {
-        Some(kind) => palettes::write(to, &palettes::read(from)?, kind),
-        None => works::write(to, &works::read(from)?),
+    if let Some(kind) = works::palette_kind(to) {
+        return palettes::write(to, &palettes::read(from)?, kind);
     }
+    let mut work = works::read(from)?;
+    if samples.is_some() || works::extension(to) == "xml" {
+        works::fetch_lines(&mut work, samples.as_deref())?;
+    }
+    works::write(to, &work)
 }

@@ -1,4 +1,5 @@
-//! Work in and out of files, whichever kind they are: `.svg` or `.xml`, `.scumble`, or the latter as `.json`.
+//! Work in and out of files, whichever kind they are: `.svg` or `.xml`, `.scumble`, or the latter as `.json`. What is read is
+//! told by how it begins.
 
 use std::path::Path;
 
@@ -17,12 +18,21 @@ use crate::files;
 /// When the file cannot be read, or is no such file, or lacks its lines.
 pub(crate) fn read(path: &Path) -> anyhow::Result<Work> {
     let bytes = files::read(path)?;
-    if matches!(&*extension(path), "svg" | "svgz" | "xml") {
-        let (work, notes) = import_drawing(&bytes).with_context(|| path.display().to_string())?;
-        files::warn(path, &notes);
-        return Ok(work);
+    if is_work(path, &bytes) {
+        return read_file(&bytes).with_context(|| path.display().to_string());
     }
-    read_file(&bytes).with_context(|| path.display().to_string())
+    let (work, notes) = import_drawing(&bytes).with_context(|| path.display().to_string())?;
+    files::warn(path, &notes);
+    Ok(work)
+}
+
+/// Whether a file is meant as one of ours: by how it begins or, if that tells nothing, by what it is called.
+pub(crate) fn is_work(path: &Path, bytes: &[u8]) -> bool {
+    match bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes).trim_ascii_start() {
+        [b'{', ..] => true,
+        [b'<', ..] => false,
+        _ => matches!(&*extension(path), "scumble" | "json") || palette_kind(path).is_some(),
+    }
 }
 
 /// Writes work as its file, or the colours of its picture as diffusion curves.

@@ -21,6 +21,9 @@ pub enum ImportError {
     /// Text in an encoding that SVG readers rarely know.
     #[error("the file is in UTF-16; save it in UTF-8")]
     Utf16,
+    /// PDF or PostScript, also as `.ai` or `.eps`.
+    #[error("the file is a {0} file; save it as SVG in the program that made it")]
+    ForPrint(&'static str),
     /// Binary data.
     #[error("the file is not an SVG drawing: it is no text in UTF-8; save it so, or choose an SVG file")]
     NotText,

@@ -135,3 +135,29 @@ pub(crate) fn largest_paint_server<'a, 'input>(
 fn is_paint_server(node: Node) -> bool {
     matches!(node.tag_name().name(), "linearGradient" | "radialGradient" | "pattern")
 }
+
+/// Most elements and segments that clip paths in the units of what they clip are copied to.
+const MAX_CLIP_COPIES: u64 = 2_000_000;
+
+/// The clip paths of a tree.
+pub(crate) fn clip_paths<'a, 'input>(xml: &'a Document<'input>) -> impl Iterator<Item = Node<'a, 'input>> {
+    xml.descendants().filter(|node| node.tag_name().name() == "clipPath")
+}
+
+/// Whether a clip path consists of shapes alone, and is not too large to be copied for each of so many elements where its units
+/// are theirs.
+pub(crate) fn can_clip(clip_path: Node, ids: &Ids, elements: u64) -> bool {
+    let is_shape = |node: Node| {
+        let target = href(node).and_then(|id| ids.get(id));
+        let is_text =
+            [Some(&node), target].into_iter().flatten().any(|node| node.tag_name().name() == "text");
+        !is_text && !node.has_attribute("clip-path")
+    };
+    let is_copied = clip_path.attribute("clipPathUnits") == Some("objectBoundingBox");
+    let copied = |node: Node| match node.tag_name().name() {
+        "use" => MAX_CLIP_COPIES,
+        _ => 1 + geometry::cost(node).unwrap_or(0),
+    };
+    let size = clip_path.descendants().map(copied).fold(0, u64::saturating_add);
+    clip_path.descendants().all(is_shape) && (!is_copied || size.saturating_mul(elements) <= MAX_CLIP_COPIES)
+}

@@ -8,7 +8,11 @@
 //! | an SVG drawing as curves | `svg` |
 //! | … its part that is shown, and its units | `page` |
 //! | … its paints as single colours | `paint` |
+//! | … what its lines look like | `look` |
+//! | … its colours and styles as browsers read them | `css` |
 //! | … its paths as Bézier paths | `outline` |
+//! | … what its clip paths leave | `clip` |
+//! | … what its areas hide | `hidden` |
 //! | … what keeps a hostile file from hanging the reader | `limits`, `expansion`, `geometry`, `style_sheet` |
 //! | … what was left out | `survey`, `notes` |
 //! | diffusion curves as XML | `curve_set` |
@@ -23,15 +27,19 @@
 
 mod base64;
 mod checksum;
+mod clip;
+mod css;
 mod curve_set;
 mod drawing_file;
 mod error;
 mod expansion;
 mod geometry;
+mod hidden;
 mod image_file;
 mod json;
 mod limits;
 mod link;
+mod look;
 mod notes;
 mod outline;
 mod packed;
@@ -58,7 +66,7 @@ pub use palette::{PaletteKind, ReadPalette, read_palette, write_palette};
 pub use picture_file::{PictureFileError, write_png};
 pub use scribbles::{ReadScribbles, read_scribbles};
 pub use svg::{Import, import_svg};
-pub use svg_source::{COLORS_CLASS, write_svg_source};
+pub use svg_source::{COLORS_CLASS, keeps_work, write_svg_source};
 pub use work_file::{FILE_IMAGE, read_file, write_file};
 
 /// Largest file that is read, in bytes.

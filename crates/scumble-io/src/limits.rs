@@ -50,12 +50,19 @@ const MAX_DASHES_BYTES: usize = 400;
 /// bytes of class names as one.
 const MAX_STYLE_TESTS: f64 = 2e8;
 
+/// Most declarations of a style text times its bytes: `simplecss` counts lines from the beginning at the end of each.
+const MAX_STYLE_STEPS: u64 = 4_000_000_000;
+
 /// The file as text that may be parsed: within the limits, and with entities that stay small.
 pub(crate) fn readable_text(bytes: &[u8]) -> Result<&str, ImportError> {
     match bytes {
         [] => return Err(ImportError::Empty),
         [0x1f, 0x8b, ..] => return Err(ImportError::Compressed),
         [0xff, 0xfe, ..] | [0xfe, 0xff, ..] => return Err(ImportError::Utf16),
+        [b'%', b'P', b'D', b'F', ..] => return Err(ImportError::ForPrint("PDF")),
+        [b'%', b'!', b'P', b'S', ..] | [0xc5, 0xd0, 0xd3, 0xc6, ..] => {
+            return Err(ImportError::ForPrint("PostScript"));
+        }
         _ if bytes.len() > MAX_FILE_BYTES => return Err(ImportError::TooLarge),
         _ => {}
     }
@@ -93,8 +100,8 @@ pub(crate) fn parse_xml(text: &str) -> Result<Document<'_>, ImportError> {
 /// The name space of SVG elements.
 pub(crate) const SVG: &str = "http://www.w3.org/2000/svg";
 
-/// Checks what `usvg` would make of a tree.
-pub(crate) fn check_tree(xml: &Document) -> Result<(), ImportError> {
+/// Checks what `usvg` would make of a tree, and tells whether its clip paths are such as can be followed.
+pub(crate) fn check_tree(xml: &Document) -> Result<bool, ImportError> {
     check_lines(xml)?;
     let ids = expansion::ids(xml);
     let Expansion { elements, attribute_bytes, segments, class_bytes, height } = expansion::of(xml, &ids)?;
@@ -114,7 +121,10 @@ pub(crate) fn check_tree(xml: &Document) -> Result<(), ImportError> {
         return Err(ImportError::TooManyStops);
     }
     let tests = style_sheet::tests_per_element(xml, height) * (1000 + elements + class_bytes / 8) as f64;
-    if tests > MAX_STYLE_TESTS { Err(ImportError::TooManyStyles) } else { Ok(()) }
+    if tests > MAX_STYLE_TESTS {
+        return Err(ImportError::TooManyStyles);
+    }
+    Ok(expansion::clip_paths(xml).all(|clip_path| expansion::can_clip(clip_path, &ids, elements)))
 }
 
 /// The XML parser compares each attribute with all others of its element, and name spaces with those of the parent.
@@ -165,6 +175,10 @@ fn check_lines(xml: &Document) -> Result<(), ImportError> {
 }
 
 fn check_style(css: &str) -> Result<(), ImportError> {
+    let declarations = css.bytes().filter(|&byte| byte == b':').count();
+    if declarations as u64 * css.len() as u64 > MAX_STYLE_STEPS {
+        return Err(ImportError::TooManyStyles);
+    }
     let css = style_sheet::without_comments(css);
     for property in ["stroke-dasharray", "stroke-width", "stroke-miterlimit"] {
         values(&css, property).try_for_each(|value| check_property(property, value))?;

@@ -9,7 +9,7 @@ pub struct ImportNotes {
     pub texts: usize,
     /// Raster images.
     pub images: usize,
-    /// Clip paths: what they hide is shown.
+    /// Clip paths, where what they hide is shown.
     pub clip_paths: usize,
     /// Masks: what they hide is shown.
     pub masks: usize,
@@ -19,6 +19,8 @@ pub struct ImportNotes {
     pub markers: usize,
     /// Shapes and subpaths with coordinates that are no numbers or far too large.
     pub broken: usize,
+    /// Colours that cannot be read: lines are black, areas have an outline.
+    pub bad_colors: usize,
 }
 
 impl ImportNotes {
@@ -39,6 +41,7 @@ impl fmt::Display for ImportNotes {
             (self.filters, "filter", "filters"),
             (self.markers, "marker", "markers"),
             (self.broken, "shape with unusable coordinates", "shapes with unusable coordinates"),
+            (self.bad_colors, "colour that cannot be read", "colours that cannot be read"),
         ];
         write_counts(f, "left out: ", &counts)
     }
@@ -98,6 +101,8 @@ pub struct ScribbleNotes {
     pub bad_kinds: usize,
     /// Scribbles that shade with a strength outside `0..=1`.
     pub bad_strengths: usize,
+    /// Points with a pressure outside `0..=1`: the nearest one of these is taken.
+    pub bad_pressures: usize,
     /// Scribbles whose width is zero, negative, or wider than the page.
     pub bad_widths: usize,
     /// Scribbles without points.
@@ -131,6 +136,7 @@ impl fmt::Display for ScribbleNotes {
                 "shade with a strength not from 0 to 1",
                 "shades with a strength not from 0 to 1",
             ),
+            (self.bad_pressures, "pressure not from 0 to 1", "pressures not from 0 to 1"),
             (self.bad_widths, "scribble of unusable width", "scribbles of unusable width"),
             (self.no_points, "scribble without points", "scribbles without points"),
             (self.off_page, "scribble off the page", "scribbles off the page"),

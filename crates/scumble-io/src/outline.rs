@@ -106,9 +106,13 @@ pub(crate) fn mean_width_du(subpaths: &[BezPath], even_odd: bool) -> f64 {
     2.0 * covered / segments.map(|segment| length_du(segment.to_cubic())).sum::<f64>()
 }
 
+pub(crate) fn is_closed(path: &BezPath) -> bool {
+    path.elements().last() == Some(&PathEl::ClosePath)
+}
+
 /// The subpath with its end joined to its start.
 pub(crate) fn closed(mut path: BezPath) -> BezPath {
-    if path.elements().last() != Some(&PathEl::ClosePath) {
+    if !is_closed(&path) {
         path.close_path();
     }
     path

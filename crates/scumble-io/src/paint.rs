@@ -37,9 +37,20 @@ fn mean(stops: &[Stop]) -> ([u8; 3], f32) {
     ([channel(|c| c.red), channel(|c| c.green), channel(|c| c.blue)], opacity)
 }
 
+/// Whether nothing can be seen through a paint; of a pattern that is not known.
+pub(crate) fn is_opaque(paint: &Paint, opacity: f32) -> bool {
+    !matches!(paint, Paint::Pattern(_))
+        && color(paint, opacity).is_some_and(|Rgba8([.., alpha])| alpha == 255)
+}
+
 /// Whether an area of this colour belongs to the lines of a drawing.
-pub(crate) fn is_ink(Rgba8([r, g, b, alpha]): Rgba8) -> bool {
-    alpha >= INK_ALPHA && Blend::Oklab.from_srgb8(Srgb8([r, g, b]))[0] < INK_LIGHTNESS
+pub(crate) fn is_ink(color: Rgba8) -> bool {
+    color.0[3] >= INK_ALPHA && is_dark(color)
+}
+
+/// Whether a colour is darker than the middle.
+pub(crate) fn is_dark(Rgba8([r, g, b, _]): Rgba8) -> bool {
+    Blend::Oklab.from_srgb8(Srgb8([r, g, b]))[0] < INK_LIGHTNESS
 }
 
 /// Whether a colour is more than light or dark.

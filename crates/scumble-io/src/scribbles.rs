@@ -78,8 +78,13 @@ impl PointText {
         Point::new(x, y)
     }
 
+    /// As it is given, or that of a mouse.
     fn pressure(self) -> f64 {
-        if let Self::Pressed([.., pressure]) = self { pressure.clamp(0.0, 1.0) } else { 1.0 }
+        if let Self::Pressed([.., pressure]) = self { pressure } else { 1.0 }
+    }
+
+    fn has_pressure(self) -> bool {
+        (0.0..=1.0).contains(&self.pressure())
     }
 }
 
@@ -142,6 +147,7 @@ impl Reader {
         let usable_width = (width_du > 0.0 && width_du <= LONGER_SIDE_DU).then_some(width_du);
         let width_du = count_none(usable_width, &mut self.notes.bad_widths)?;
         let points = count_none((!text.points.is_empty()).then_some(text.points), &mut self.notes.no_points)?;
+        self.notes.bad_pressures += points.iter().filter(|point| !point.has_pressure()).count();
         let points: Vec<_> = points.iter().map(|point| self.du_from_page * point.place()).collect();
         let on_page = self.touches_page(&points, width_du).then_some(points);
         let points = count_none(on_page, &mut self.notes.off_page)?;
@@ -178,7 +184,7 @@ impl Reader {
 }
 
 fn pressure(text: &ScribbleText) -> PenPressure {
-    let parts: Vec<_> = text.points.iter().map(|point| point.pressure()).collect();
+    let parts: Vec<_> = text.points.iter().map(|point| point.pressure().clamp(0.0, 1.0)).collect();
     match text.pressure {
         _ if parts.iter().all(|&part| part == 1.0) => PenPressure::Even,
         PressureText::Radius => PenPressure::Radius(parts),

@@ -42,26 +42,3 @@ impl Survey {
         }
     }
 }
-
-/// A text without some parts of it, which are in the order of their starts.
-pub(crate) fn without(text: &str, parts: &[Range<usize>]) -> String {
-    let mut kept = String::with_capacity(text.len());
-    let mut at = 0;
-    for part in parts {
-        kept.push_str(text.get(at..part.start).unwrap_or_default());
-        at = at.max(part.end);
-    }
-    kept.push_str(text.get(at..).unwrap_or_default());
-    kept
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn parts_are_cut_out_also_where_one_holds_another() {
-        assert_eq!(without("0123456789", &[1..3, 4..8, 5..6, 9..10]), "038");
-        assert_eq!(without("0123", &[]), "0123");
-    }
-}

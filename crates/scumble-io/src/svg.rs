@@ -1,19 +1,22 @@
 //! An SVG drawing as curves: strokes along their centre line, areas by their outline.
 //!
 //! `usvg` resolves styles, units, shapes, transforms and references; what it gives is turned into curves in drawing
-//! units here. Clip paths, masks, filters and markers are ignored, text and images left out; all are counted.
+//! units here. Masks, filters and markers are ignored, text and images left out; all are counted.
 
-use kurbo::{Affine, BezPath, Cap, Join, Stroke};
+use kurbo::{Affine, BezPath};
 use roxmltree::Document;
 use scumble_core::work::MAX_CURVES;
 use scumble_core::{Curve, Drawing, Fill, Line, Rgba8};
-use usvg::{FillRule, LineCap, LineJoin, Node, Options};
+use usvg::{BlendMode, FillRule, Node, Options};
 
+use crate::clip::{Clip, Outlines, Rest, TooMuch};
+use crate::css::{self, Mends};
 use crate::error::ImportError;
+use crate::hidden::{Cover, without_hidden};
 use crate::notes::ImportNotes;
 use crate::page::{self, Page};
 use crate::survey::{self, Survey};
-use crate::{limits, outline, paint};
+use crate::{limits, look, outline, paint};
 
 /// A drawing, and what was left out of its file.
 #[derive(Clone, Debug)]
@@ -24,18 +27,19 @@ pub struct Import {
     pub notes: ImportNotes,
 }
 
-/// Width of the line drawn around an area that is not ink and has no stroke of its own, in du.
-const OUTLINE_WIDTH_DU: f64 = 1.0;
-
 /// Dark areas with a hue are lines up to this mean width, in du, and shapes beyond: navy trousers are to be coloured.
 const WIDEST_LINE_DU: f64 = 24.0;
 
 /// Keeps `usvg` from everything that is ignored anyway, from the colours of an exported picture, and from patterns
 /// within patterns.
-const IGNORED: &str = "* { clip-path: none !important; mask: none !important; filter: none !important;
+const IGNORED: &str = "* { mask: none !important; filter: none !important;
     marker-start: none !important; marker-mid: none !important; marker-end: none !important }
     text, image, .scumble-colors { display: none !important }
-    pattern * { fill: #808080 !important; stroke: none !important }";
+    pattern * { fill: #808080 !important; stroke: none !important }
+    clipPath, clipPath * { clip-path: none !important }";
+
+/// Keeps it from clip paths.
+const UNCLIPPED: &str = "* { clip-path: none !important }";
 
 /// Reads an SVG drawing.
 ///
@@ -47,21 +51,25 @@ const IGNORED: &str = "* { clip-path: none !important; mask: none !important; fi
 pub fn import_svg(bytes: &[u8]) -> Result<Import, ImportError> {
     let text = limits::readable_text(bytes)?;
     let xml = limits::parse_svg(text)?;
-    let Survey { notes, broken } = survey::of(&xml);
-    if broken.is_empty() {
+    let Survey { mut notes, broken } = survey::of(&xml);
+    let Mends { mut edits, unreadable } = css::of(&xml);
+    notes.bad_colors = unreadable;
+    edits.extend(broken.into_iter().map(|shape| (shape, String::new())));
+    if edits.is_empty() {
         return import_tree(&xml, notes);
     }
-    let sound = survey::without(text, &broken);
+    let sound = css::edited(text, edits);
     import_tree(&limits::parse_svg(&sound)?, notes)
 }
 
 /// Imports a tree of which every shape has usable coordinates.
 fn import_tree(xml: &Document, notes: ImportNotes) -> Result<Import, ImportError> {
-    limits::check_tree(xml)?;
-    let options = Options { style_sheet: Some(IGNORED.to_owned()), ..Options::default() };
+    let is_clipped = limits::check_tree(xml)?;
+    let style_sheet = if is_clipped { IGNORED.to_owned() } else { [IGNORED, UNCLIPPED].concat() };
+    let options = Options { style_sheet: Some(style_sheet), ..Options::default() };
     let tree = usvg::Tree::from_xmltree(xml, &options).map_err(import_error)?;
     let size_px = [tree.size().width(), tree.size().height()].map(f64::from);
-    let mut importer = Importer::new(page::of(xml, size_px)?, notes);
+    let mut importer = Importer::new(page::of(xml, size_px)?, notes, is_clipped);
     importer.group(tree.root(), 1.0);
     importer.finish()
 }
@@ -74,20 +82,70 @@ fn import_error(error: usvg::Error) -> ImportError {
     }
 }
 
+/// A shape before it is cut.
+struct Shape {
+    subpaths: Vec<BezPath>,
+    line: Option<Line>,
+    fill: Option<Filling>,
+}
+
+#[derive(Clone, Copy)]
+struct Filling {
+    color: Rgba8,
+    even_odd: bool,
+    /// Whether it belongs to the lines.
+    is_ink: bool,
+    /// Whether it hides what is painted before it.
+    covers: bool,
+}
+
 struct Importer {
     drawing: Drawing,
     notes: ImportNotes,
     du_from_px: Affine,
+    clip: Clip,
+    /// Whether no clip path was left out.
+    is_clipped: bool,
+    /// Whether the paper is dark: here it is white, so light lines are black.
+    is_dark: bool,
+    /// Groups within each other that are mixed with what is painted before them.
+    blends: usize,
+    /// In painting order.
+    covers: Vec<Cover>,
 }
 
 impl Importer {
-    fn new(page: Page, notes: ImportNotes) -> Self {
+    fn new(page: Page, notes: ImportNotes, is_clipped: bool) -> Self {
         let drawing = Drawing::new(page.rect);
         let du_from_px = drawing.drawing_from_page() * page.page_from_px;
-        Self { drawing, notes, du_from_px }
+        let clip = Clip::new(drawing.frame());
+        Self { drawing, notes, du_from_px, clip, is_clipped, is_dark: false, blends: 0, covers: Vec::new() }
     }
 
     fn group(&mut self, group: &usvg::Group, opacity: f32) {
+        let is_clipped = group.clip_path().is_some_and(|clip_path| self.enter(group, clip_path));
+        let blends = usize::from(group.blend_mode() != BlendMode::Normal);
+        self.blends += blends;
+        self.children(group, opacity);
+        self.blends -= blends;
+        if is_clipped {
+            self.clip.pop();
+        }
+    }
+
+    /// Whether a clip path hides anything; then it is one of those that shapes are cut by.
+    fn enter(&mut self, group: &usvg::Group, clip_path: &usvg::ClipPath) -> bool {
+        let du_from_clip = self.du_from_px * affine(group.abs_transform()) * affine(clip_path.transform());
+        let mut areas = Vec::new();
+        clip_areas(clip_path.root(), du_from_clip, &mut areas);
+        let frame = self.drawing.frame();
+        let is_page = matches!(&*areas, [(path, _)] if matches!(&**path, [path] if outline::is_rectangle_over(path, frame)));
+        let is_pushed = !is_page && self.clip.push(areas).is_ok();
+        self.is_clipped &= is_pushed || is_page;
+        is_pushed
+    }
+
+    fn children(&mut self, group: &usvg::Group, opacity: f32) {
         for child in group.children() {
             match child {
                 Node::Group(group) => self.group(group, opacity * group.opacity().get()),
@@ -98,30 +156,94 @@ impl Importer {
     }
 
     fn path(&mut self, path: &usvg::Path, opacity: f32) {
+        let shape = self.shape(path, opacity);
+        if self.is_paper(&shape) {
+            return;
+        }
+        let rest = self.rest(&shape);
+        if let Some(fill) = shape.fill {
+            let area = match &rest {
+                Some(rest) => (rest.area.clone(), true),
+                None => (shape.subpaths.clone(), fill.even_odd),
+            };
+            self.fill(fill, area);
+        }
+        self.draw(shape, rest);
+    }
+
+    fn shape(&mut self, path: &usvg::Path, opacity: f32) -> Shape {
         let du_from_path = self.du_from_px * affine(path.abs_transform());
         let subpaths = self.usable(outline::subpaths(path.data(), du_from_path));
-        let stroke = path.stroke().and_then(|stroke| line(stroke, opacity, du_from_path));
-        let shown_fill = path.fill().filter(|_| subpaths.iter().any(outline::has_area));
-        let fill = shown_fill.and_then(|fill| {
-            let color = paint::color(fill.paint(), opacity * fill.opacity().get())?;
-            Some((color, fill.rule() == FillRule::EvenOdd))
-        });
-        let is_shape = |color, even_odd| {
-            paint::has_hue(color) && outline::mean_width_du(&subpaths, even_odd) > WIDEST_LINE_DU
-        };
-        let ink = fill.filter(|&(color, even_odd)| paint::is_ink(color) && !is_shape(color, even_odd));
-        if let Some((color, even_odd)) = ink {
-            self.drawing.fills.push(Fill { path: joined(&subpaths), even_odd, color });
+        let line = path.stroke().and_then(|stroke| look::line(stroke, opacity, du_from_path));
+        let line = line.map(|line| if self.is_dark { look::darkened(line) } else { line });
+        let fill = path.fill().filter(|_| subpaths.iter().any(outline::has_area));
+        let fill = fill.and_then(|fill| self.filling(fill, opacity, &subpaths));
+        Shape { subpaths, line, fill }
+    }
+
+    fn filling(&self, fill: &usvg::Fill, opacity: f32, subpaths: &[BezPath]) -> Option<Filling> {
+        let opacity = opacity * fill.opacity().get();
+        let color = paint::color(fill.paint(), opacity)?;
+        let even_odd = fill.rule() == FillRule::EvenOdd;
+        let is_shape =
+            || paint::has_hue(color) && outline::mean_width_du(subpaths, even_odd) > WIDEST_LINE_DU;
+        let is_ink = paint::is_ink(color) && !is_shape();
+        let covers = !is_ink && self.blends == 0 && paint::is_opaque(fill.paint(), opacity);
+        Some(Filling { color, even_odd, is_ink, covers })
+    }
+
+    /// What is filled belongs to the lines, or hides what is painted before it.
+    fn fill(&mut self, Filling { color, is_ink, covers, .. }: Filling, area: Outlines) {
+        let Drawing { curves, fills, .. } = &mut self.drawing;
+        if area.0.is_empty() {
+            // Clip paths hide all of it.
+        } else if is_ink {
+            fills.push(Fill { path: joined(&area.0), even_odd: area.1, color });
+        } else if covers {
+            self.covers.push(Cover { area, curves: curves.len(), fills: fills.len() });
         }
-        match (stroke, fill) {
-            (Some(line), _) => {
-                let gaps = if ink.is_some() { outline::gaps(&subpaths) } else { Vec::new() };
-                self.curves(subpaths, Some(line));
-                self.curves(gaps, None);
+    }
+
+    /// The curves of a shape of which clip paths leave a part or, without that, all.
+    fn draw(&mut self, Shape { subpaths, line, fill }: Shape, rest: Option<Rest>) {
+        let is_ink = fill.is_some_and(|fill| fill.is_ink);
+        let edge = (!is_ink).then(look::thin);
+        match (line, rest) {
+            (Some(line), rest) => {
+                let gaps = if is_ink { outline::gaps(&subpaths) } else { Vec::new() };
+                self.lines(subpaths, Some(line));
+                self.lines(gaps, None);
+                self.curves(rest.map_or_else(Vec::new, |rest| rest.edges), edge);
             }
-            (None, Some(_)) => self.outlines(subpaths, ink.is_some()),
+            (None, Some(rest)) => self.curves(rest.outlines, edge),
+            (None, None) if fill.is_some() => {
+                self.curves(
+                    subpaths.into_iter().filter(outline::has_area).map(outline::closed).collect(),
+                    edge,
+                );
+            }
             (None, None) => {}
         }
+    }
+
+    /// Whether an area is no shape: a rectangle over the whole page, if it is ink the first of all. Lines upon dark paper are
+    /// light.
+    fn is_paper(&mut self, Shape { subpaths, line, fill }: &Shape) -> bool {
+        let Some(Filling { color, is_ink, .. }) = fill.filter(|_| line.is_none()) else { return false };
+        let is_first = self.drawing.curves.is_empty() && self.drawing.fills.is_empty();
+        let frame = self.drawing.frame();
+        let is_over_page = matches!(&**subpaths, [path] if outline::is_rectangle_over(path, frame));
+        let is_paper = is_over_page && (is_first || !is_ink);
+        self.is_dark |= is_paper && is_first && paint::is_ink(color);
+        is_paper
+    }
+
+    /// What clip paths leave of an area, where they hide any of it.
+    fn rest(&mut self, Shape { subpaths, fill, .. }: &Shape) -> Option<Rest> {
+        let Filling { even_odd, .. } = fill.filter(|_| !self.clip.is_empty())?;
+        let rest = self.clip.area((subpaths.clone(), even_odd));
+        self.is_clipped &= rest.is_ok();
+        rest.ok().flatten()
     }
 
     /// The subpaths whose coordinates are within reach.
@@ -132,23 +254,29 @@ impl Importer {
         subpaths
     }
 
+    /// Lines, as far as clip paths do not hide them.
+    fn lines(&mut self, subpaths: Vec<BezPath>, line: Option<Line>) {
+        if self.clip.is_empty() {
+            return self.curves(subpaths, line);
+        }
+        for path in subpaths {
+            let seen = self.clip.line(&path);
+            self.is_clipped &= seen.is_ok();
+            self.curves(seen.unwrap_or_else(|TooMuch| vec![path]), line.clone());
+        }
+    }
+
     fn curves(&mut self, subpaths: Vec<BezPath>, line: Option<Line>) {
         self.drawing.curves.extend(subpaths.into_iter().map(|path| Curve { path, line: line.clone() }));
     }
 
-    /// The outlines of an area without a stroke. A rectangle over the whole page that is no ink is paper, not a shape.
-    fn outlines(&mut self, subpaths: Vec<BezPath>, is_ink: bool) {
-        let frame = self.drawing.frame();
-        if !is_ink && matches!(&*subpaths, [path] if outline::is_rectangle_over(path, frame)) {
-            return;
-        }
-        let outlines = subpaths.into_iter().filter(outline::has_area).map(outline::closed).collect();
-        let thin = Line { stroke: Stroke::new(OUTLINE_WIDTH_DU), color: Rgba8([0, 0, 0, 255]) };
-        self.curves(outlines, (!is_ink).then_some(thin));
-    }
-
     fn finish(self) -> Result<Import, ImportError> {
-        let Self { drawing, notes, .. } = self;
+        let Self { drawing, mut notes, is_clipped, covers, .. } = self;
+        notes.clip_paths *= usize::from(!is_clipped);
+        // Of what is masked, filtered or not clipped, it is not known what it covers.
+        let is_known = is_clipped && notes.masks + notes.filters == 0;
+        let seen = if is_known { without_hidden(&drawing, &covers).ok() } else { None };
+        let drawing = seen.unwrap_or(drawing);
         match drawing.curves.len() {
             0 => Err(ImportError::NoCurves(notes)),
             1..=MAX_CURVES => Ok(Import { drawing: drawing.kept(), notes }),
@@ -161,40 +289,21 @@ fn affine(t: usvg::Transform) -> Affine {
     Affine::new([t.sx, t.ky, t.kx, t.sy, t.tx, t.ty].map(f64::from))
 }
 
+/// The areas of a clip path.
+fn clip_areas(group: &usvg::Group, du_from_clip: Affine, areas: &mut Vec<Outlines>) {
+    for child in group.children() {
+        match child {
+            Node::Group(group) => clip_areas(group, du_from_clip, areas),
+            Node::Path(path) => {
+                let subpaths = outline::subpaths(path.data(), du_from_clip * affine(path.abs_transform()));
+                let even_odd = path.fill().is_some_and(|fill| fill.rule() == FillRule::EvenOdd);
+                areas.push((subpaths, even_odd));
+            }
+            Node::Image(_) | Node::Text(_) => {}
+        }
+    }
+}
+
 fn joined(subpaths: &[BezPath]) -> BezPath {
     subpaths.iter().flatten().collect()
-}
-
-/// The drawn line of a stroke. Under a transform that is no similarity its width is scaled as areas are, by the
-/// square root of the determinant.
-fn line(stroke: &usvg::Stroke, opacity: f32, du_from_path: Affine) -> Option<Line> {
-    let color = paint::color(stroke.paint(), opacity * stroke.opacity().get())?;
-    let scale = du_from_path.determinant().abs().sqrt();
-    let width_du = f64::from(stroke.width().get()) * scale;
-    if !width_du.is_finite() || width_du <= 0.0 {
-        return None;
-    }
-    let dashes = stroke.dasharray().unwrap_or_default().iter().map(|dash| f64::from(*dash) * scale);
-    let stroke = Stroke::new(width_du)
-        .with_join(join(stroke.linejoin()))
-        .with_miter_limit(f64::from(stroke.miterlimit().get()))
-        .with_caps(cap(stroke.linecap()))
-        .with_dashes(f64::from(stroke.dashoffset()) * scale, dashes);
-    Some(Line { stroke, color })
-}
-
-fn join(join: LineJoin) -> Join {
-    match join {
-        LineJoin::Miter | LineJoin::MiterClip => Join::Miter,
-        LineJoin::Round => Join::Round,
-        LineJoin::Bevel => Join::Bevel,
-    }
-}
-
-fn cap(cap: LineCap) -> Cap {
-    match cap {
-        LineCap::Butt => Cap::Butt,
-        LineCap::Round => Cap::Round,
-        LineCap::Square => Cap::Square,
-    }
 }

@@ -59,6 +59,11 @@ pub(crate) fn open_svg(bytes: &[u8]) -> Result<(Work, String), ImportError> {
     Ok((Work::new(Document::new(drawing)), notes))
 }
 
+/// Whether an SVG keeps work that can be read.
+pub fn keeps_work(bytes: &[u8]) -> bool {
+    matches!(source(bytes), Some(Ok(_)))
+}
+
 /// The work that an SVG keeps; `None` where it keeps none, or is no SVG.
 fn source(bytes: &[u8]) -> Option<Result<Work, FileError>> {
     let text = openable(bytes);

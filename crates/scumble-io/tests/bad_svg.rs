@@ -22,6 +22,9 @@ fn what_is_no_svg_is_refused() {
     assert_eq!(error([0x1f, 0x8b, 8, 0, 0]), ImportError::Compressed);
     assert_eq!(error(b"\xff\xfe<\0s\0v\0g\0"), ImportError::Utf16);
     assert_eq!(error([0x89, b'P', b'N', b'G', 0, 1, 2, 255, 254]), ImportError::NotText);
+    assert_eq!(error("%PDF-1.7\n%\u{e2}"), ImportError::ForPrint("PDF"));
+    assert_eq!(error("%!PS-Adobe-3.0 EPSF-3.0"), ImportError::ForPrint("PostScript"));
+    assert_eq!(error([0xc5, 0xd0, 0xd3, 0xc6, 30, 0]), ImportError::ForPrint("PostScript"));
     assert_eq!(error("<html><body/></html>"), ImportError::NotSvg("html".into()));
     assert_eq!(error(r#"<svg xmlns="urn:other"/>"#), ImportError::NotSvg("svg".into()));
     assert!(matches!(error("not a drawing"), ImportError::NotXml(_)));
@@ -203,6 +206,8 @@ fn style_sheet_bombs_are_refused() {
     let classes =
         format!("<style>{}</style><g class='{}'/>", ".a{fill:red}".repeat(1000), "b ".repeat(1_000_000));
     assert_eq!(error(svg(&classes)), ImportError::TooManyStyles);
+    let long = format!("<g style='{}'/>", "fill:red;".repeat(1_000_000));
+    assert_eq!(error(svg(&long)), ImportError::TooManyStyles);
     let comment = format!("<style>/* {} */ .a{{fill:red}}</style>{LINE}", "a, b { } ".repeat(10_000));
     assert!(import_svg(svg(&comment).as_bytes()).is_ok());
 }
@@ -220,6 +225,43 @@ fn dashes_without_end_are_refused() {
     let entity = format!(r#"<!DOCTYPE svg [<!ENTITY w "{dashes}">]>"#);
     let dashed = svg(&format!(r#"<g stroke-dasharray="&w;">{LINE}</g>"#));
     assert_eq!(error(format!("{entity}{dashed}")), ImportError::TooManyDashes);
+}
+
+/// Values within values, of about so many bytes.
+fn nested_values(bytes: usize) -> Vec<String> {
+    let nested = |open: &&str| {
+        let count = bytes / (open.len() + 1);
+        format!("{}{}", open.repeat(count), ")".repeat(count))
+    };
+    ["(", "var(--a,", "rgb(from ", "light-dark(", "color-mix(in a,"].iter().map(nested).collect()
+}
+
+#[test]
+fn colours_and_styles_without_end_are_answered_soon() {
+    let mut files = Vec::new();
+    for value in nested_values(6_000_000) {
+        files.push(format!(r#"<g fill="{value}" style="stroke:{value};--b:{value}"/>"#));
+        files.push(format!("<style>a{{fill:{value};--b:{value}}}</style>"));
+    }
+    for value in nested_values(240) {
+        files.push(format!(r#"<g fill="{value}"/>"#).repeat(70_000));
+        files.push(format!(r#"<g style="fill:{value};width:{value};--a:{value}"/>"#).repeat(24_000));
+    }
+    let names = |count: usize| (0..count).map(|i| format!("--a{i}:var(--a{});", i + 1)).collect::<String>();
+    files.push(format!("<style>a{{{}}}</style>", names(700_000)));
+    files.push(format!("<style>{}</style>", "a{".repeat(9_000_000)));
+    files.push(format!("<style>{}</style>", "a{--b:c}".repeat(2_000_000)));
+    files.push(format!("<g style=\"fill:{}\"/>", r"\'".repeat(9_000_000)));
+    files.push(format!("<g style='{}'/>", ";:".repeat(9_000_000)));
+    files.push(format!("<g style='{}{}'/>", "fill:red;".repeat(1_000_000), "stroke:#;".repeat(1_000_000)));
+    for content in files {
+        let file = svg(&content);
+        assert!(file.len() < 20_000_000);
+        let start = std::time::Instant::now();
+        let _ = import_svg(file.as_bytes());
+        let took = start.elapsed();
+        assert!(took.as_secs() < 10, "{took:?} for {}…", &content[..60]);
+    }
 }
 
 #[test]

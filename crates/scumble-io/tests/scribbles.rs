@@ -146,6 +146,13 @@ fn faulty_scribbles_are_left_out_and_counted() {
 }
 
 #[test]
+fn pressures_that_no_pen_has_are_counted() {
+    let read = read(&with_points(&["[[20,30,7],[21,30,0.5],[22,30,-1],[23,30]]"])).unwrap();
+    assert_eq!(read.notes, ScribbleNotes { bad_pressures: 2, ..ScribbleNotes::default() });
+    assert_eq!(read.notes.to_string(), "left out: 2 pressures not from 0 to 1");
+}
+
+#[test]
 fn scribbles_of_which_none_can_be_used_are_refused() {
     let error = read(r##"{"scribbles":[{"color":"red","width":1,"points":[[20,30]]}]}"##).unwrap_err();
     assert_eq!(

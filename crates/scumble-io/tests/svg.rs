@@ -216,10 +216,106 @@ fn gradients_and_patterns_stand_as_one_colour() {
     assert_eq!(import.drawing.curves.iter().map(|c| c.line.is_some()).collect::<Vec<_>>(), [false, true]);
 }
 
+/// The colours of the lines of shapes, and whether there is ink.
+fn line_colors(shapes: &str) -> (Vec<[u8; 4]>, bool) {
+    let drawing = on_page(shapes).drawing;
+    let colors = drawing.curves.iter().filter_map(|curve| Some(curve.line.as_ref()?.color.0));
+    (colors.collect(), !drawing.fills.is_empty())
+}
+
+#[test]
+fn colours_are_read_as_browsers_read_them() {
+    for (attributes, color) in [
+        (r#"stroke="currentcolor""#, [0, 0, 0, 255]),
+        (r##"color="rgb(0 0 255 / 100%)" stroke="currentcolor""##, [0, 0, 255, 255]),
+        (r#"stroke="rgba(0,0,0,50%)""#, [0, 0, 0, 128]),
+        (r#"stroke="rgb(0 0 0 / 50%)" stroke-opacity="0.5""#, [0, 0, 0, 64]),
+        (r#"stroke="rebeccapurple""#, [0x66, 0x33, 0x99, 255]),
+        (r#"stroke="CanvasText""#, [0, 0, 0, 255]),
+        (r#"stroke="oklch(0.628 0.2577 29.23)""#, [255, 0, 0, 255]),
+        (r#"stroke="var(--stroke-0, black)""#, [0, 0, 0, 255]),
+        (r#"stroke="var(--a, var(--b, color(display-p3 0 0 0)))""#, [0, 0, 0, 255]),
+        (r#"style="stroke: light-dark(rgb(1,2,3), rgb(255,255,255));""#, [1, 2, 3, 255]),
+        (r##"style="--x:1;fill:none;stroke:#00f""##, [0, 0, 255, 255]),
+        (r##"style="fill:;stroke:#00f""##, [0, 0, 255, 255]),
+        (
+            r##"style="font:12px/1.5 'A';stroke:color-mix(in srgb, red, rgb(0 0 255)) !important""##,
+            [128, 0, 128, 255],
+        ),
+        (
+            r##"stroke="#1E1E1E" style="stroke:#1E1E1E;stroke:color(display-p3 .1176 .1176 .1176)""##,
+            [0x1e, 0x1e, 0x1e, 255],
+        ),
+    ] {
+        let read = line_colors(&format!(r#"<g fill="none"><path d="M8 8h16v16" {attributes}/></g>"#));
+        assert_eq!(read, (vec![color], false), "{attributes}");
+    }
+    let drawn = r#"<rect x="8" y="8" width="9" height="9" style="fill: light-dark(#ffffff, #121212); stroke: light-dark(rgb(0, 0, 0), rgb(255, 255, 255));"/>"#;
+    assert_eq!(line_colors(drawn), (vec![[0, 0, 0, 255]], false));
+}
+
+#[test]
+fn a_declaration_that_cannot_be_read_leaves_the_one_before_it() {
+    for attributes in [
+        r##"fill="none" stroke="#123" style="stroke:nothing""##,
+        r##"fill="none" style="stroke:#123;stroke:contrast-color(red)""##,
+        r##"fill="nothing" style="fill:none;stroke:#123""##,
+    ] {
+        let import = on_page(&format!(r#"<path d="M8 8h16v16" {attributes}/>"#));
+        assert!(import.drawing.fills.is_empty(), "{attributes}");
+        let line = import.drawing.curves[0].line.as_ref().unwrap();
+        assert_eq!(line.color, Rgba8([0x11, 0x22, 0x33, 255]), "{attributes}");
+    }
+}
+
+#[test]
+fn style_sheets_with_variables_are_read() {
+    let sheet = r##"/* { */ :root { --ink: #123; --w: 2px } @media (prefers-color-scheme: dark) { :root { --ink: #eee } }
+        .a{--y:2;fill:none;stroke:var(--ink);stroke-width:var(--w)} g > .b { fill : NONE ; stroke : oklab(0 0 0) }"##;
+    let shapes = r#"<g><path class="a" d="M8 8h16v16"/><path class="b" d="M9 9h16v16"/></g>"#;
+    for sheet in
+        [sheet.replace('>', "&gt;"), format!("<![CDATA[{sheet}]]>"), format!("\n<![CDATA[{sheet}]]>\n")]
+    {
+        let import = on_page(&format!(r#"<style type="text/css">{sheet}</style>{shapes}"#));
+        assert!(import.drawing.fills.is_empty() && import.notes.is_empty());
+        let lines = import.drawing.curves.iter().filter_map(|curve| curve.line.as_ref());
+        let looks: Vec<_> = lines.map(|line| (line.color.0, line.stroke.width)).collect();
+        assert_eq!(looks, [([0x11, 0x22, 0x33, 255], 32.0), ([0, 0, 0, 255], 16.0)]);
+    }
+}
+
+#[test]
+fn colours_that_nobody_can_read_are_lines_and_counted() {
+    let import = on_page(
+        r#"<linearGradient id="g"><stop stop-color="nothing"/></linearGradient><path d="M8 8h8v8z" fill="url(#g)"/>
+           <path d="M8 8h16" stroke="var(--gone)"/><path d="M8 8h16v16" fill="nothing"/><path d="M0 NaN" fill="?"/>
+           <path d="M8 8h16" style="stroke:nothing"/><g fill="none"><path d="M8 8h16v9" fill="" stroke="red"/></g>"#,
+    );
+    assert_eq!(
+        import.notes.to_string(),
+        "left out: 1 shape with unusable coordinates, 5 colours that cannot be read"
+    );
+    assert!(import.drawing.fills.is_empty());
+    let widths: Vec<_> =
+        import.drawing.curves.iter().map(|curve| curve.line.as_ref().unwrap().stroke.width).collect();
+    assert_eq!(widths, [1.0, 16.0, 1.0, 16.0, 16.0]);
+}
+
+#[test]
+fn entities_for_styles_are_read() {
+    let import = import(
+        r##"<!DOCTYPE svg [<!ENTITY st "fill:none;--x:1;stroke:color(srgb 0 0 1)"><!ENTITY p "<path fill='' style=';stroke:red' d='M1 1h6'/>">]>
+            <svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 8 8"><path style="&st;" d="M1 1h6v6"/>&p;&p;</svg>"##,
+    );
+    let colors: Vec<_> =
+        import.drawing.curves.iter().map(|curve| curve.line.as_ref().unwrap().color.0).collect();
+    assert_eq!(colors, [[0, 0, 255, 255], [255, 0, 0, 255], [255, 0, 0, 255]]);
+}
+
 #[test]
 fn what_is_left_out_is_counted() {
     let import = on_page(
-        r##"<clipPath id="c"><rect width="8" height="8"/></clipPath><mask id="m"><rect width="8" height="8"/></mask>
+        r##"<clipPath id="c"><rect width="8" height="8" clip-path="url(#c)"/></clipPath><mask id="m"><rect width="8" height="8"/></mask>
             <filter id="f"/><marker id="k"><path d="M0 0h4v4z"/></marker><text>one</text><text>two</text><image href="x.png"/>
             <path d="M0 32h64" stroke="black" clip-path="url(#c)" mask="url(#m)" filter="url(#f)" marker-end="url(#k)"/>"##,
     );
@@ -294,4 +390,155 @@ fn entities_for_name_spaces_are_read() {
             <svg xmlns="&ns_svg;" viewBox="0 0 8 8"><path d="M1 1h6" stroke="#000"/></svg>"##,
     );
     assert_eq!(import.drawing.curves.len(), 1);
+}
+
+/// Shapes in a group that a path in page units clips.
+fn clipped(clip: &str, shapes: &str) -> Import {
+    on_page(&format!(r##"<clipPath id="c">{clip}</clipPath><g clip-path="url(#c)">{shapes}</g>"##))
+}
+
+const SQUARE: &str = r#"<rect x="8" y="8" width="16" height="16"/>"#;
+
+#[test]
+fn lines_end_where_a_clip_path_does() {
+    let import = clipped(
+        SQUARE,
+        r#"<path d="M 0 16 H 64 M 16 0 C 16 4 16 12 16 16 M 32 0 V 64" fill="none" stroke="black"/>"#,
+    );
+    let [across, curved] = &*import.drawing.curves else { panic!("{:?}", import.drawing.curves) };
+    assert_close(bounds(&across.path), [128.0, 256.0, 384.0, 256.0]);
+    assert_close(bounds(&curved.path), [256.0, 128.0, 256.0, 256.0]);
+    assert!(matches!(curved.path.elements()[1], PathEl::CurveTo(..)));
+    assert!(import.notes.is_empty());
+}
+
+#[test]
+fn a_shape_is_cut_where_a_clip_path_ends_and_is_one_outline() {
+    let import = clipped(SQUARE, r#"<circle cx="24" cy="16" r="4" fill="gold"/>"#);
+    let [outline] = &*import.drawing.curves else { panic!("{:?}", import.drawing.curves) };
+    assert_close(bounds(&outline.path), [320.0, 192.0, 384.0, 320.0]);
+    assert_eq!(outline.path.elements().last(), Some(&PathEl::ClosePath));
+    let half_disk = std::f64::consts::PI * 64.0 * 64.0 / 2.0;
+    assert!((outline.path.area().abs() - half_disk).abs() < 4.0, "{}", outline.path.area());
+}
+
+#[test]
+fn ink_is_cut_with_its_outline() {
+    let import = clipped(
+        SQUARE,
+        r#"<path d="M 16 2 L 30 16 L 16 30 L 2 16 Z M 16 14 L 18 16 L 16 18 L 14 16 Z" fill-rule="evenodd"/>"#,
+    );
+    let [fill] = &*import.drawing.fills else { panic!("{:?}", import.drawing.fills) };
+    assert_close(bounds(&fill.path), [128.0, 128.0, 384.0, 384.0]);
+    for (point, winding) in [
+        ((140.0, 140.0), 0),
+        ((200.0, 200.0), 1),
+        ((256.0, 256.0), 0),
+        ((130.0, 256.0), 1),
+        ((100.0, 256.0), 0),
+    ] {
+        assert_eq!(fill.path.winding(Point::from(point)) % 2 != 0, winding != 0, "{point:?}");
+    }
+    assert!(import.drawing.curves.iter().all(|curve| curve.line.is_none()));
+}
+
+#[test]
+fn a_line_along_a_clip_path_stays_whole() {
+    let disk = r#"<circle cx="32" cy="32" r="20"/>"#;
+    let import =
+        clipped(disk, r#"<circle cx="32" cy="32" r="20" fill="gold" stroke="black" stroke-width="2"/>"#);
+    let [outline] = &*import.drawing.curves else { panic!("{:?}", import.drawing.curves) };
+    assert_eq!(outline.path.elements().last(), Some(&PathEl::ClosePath));
+    assert_close(bounds(&outline.path), [192.0, 192.0, 832.0, 832.0]);
+}
+
+#[test]
+fn clip_paths_within_each_other_hide_what_either_does() {
+    let inner = format!(
+        r##"<clipPath id="d" transform="translate(8 0)">{SQUARE}<rect x="8" y="40" width="4" height="4"/></clipPath>
+            <g clip-path="url(#d)"><path d="M0 12h64 M0 42h64" stroke="black"/></g>"##
+    );
+    let curves = clipped(SQUARE, &inner).drawing.curves;
+    let [line] = &*curves else { panic!("{curves:?}") };
+    assert_close(bounds(&line.path), [256.0, 192.0, 384.0, 192.0]);
+}
+
+#[test]
+fn what_a_clip_path_cuts_at_the_border_of_the_page_has_no_line_there() {
+    let page = r#"<path d="M 0 0 H 64 V 64 H 4 L 0 60 Z"/>"#;
+    let import = clipped(page, r#"<rect x="-8" y="32" width="80" height="40" fill="gold"/>"#);
+    let [corner, top] = &*import.drawing.curves else { panic!("{:?}", import.drawing.curves) };
+    assert_close(bounds(&top.path), [0.0, 512.0, 1024.0, 512.0]);
+    assert!(bounds(&corner.path)[2] < 64.0 && bounds(&corner.path)[1] > 960.0, "{}", corner.path.to_svg());
+}
+
+#[test]
+fn a_clip_path_in_units_of_what_it_clips_is_followed() {
+    let import = on_page(
+        r##"<clipPath id="c" clipPathUnits="objectBoundingBox"><rect width="0.5" height="1"/></clipPath>
+            <path d="M8 8h16v16" fill="none" stroke="black" clip-path="url(#c)"/>"##,
+    );
+    let [line] = &*import.drawing.curves else { panic!("{:?}", import.drawing.curves) };
+    assert_close(bounds(&line.path), [128.0, 128.0, 256.0, 128.0]);
+}
+
+#[test]
+fn clip_paths_that_cannot_be_followed_are_counted() {
+    for clip in
+        ["<text>A</text>", r##"<use href="#t"/>"##, r##"<rect width="8" height="8" clip-path="url(#c)"/>"##]
+    {
+        let import = clipped(clip, r#"<text id="t">A</text><path d="M0 32h64" stroke="black"/>"#);
+        assert_eq!(import.drawing.curves.len(), 1, "{clip}");
+        assert_eq!(import.notes.clip_paths, 1, "{clip}");
+    }
+}
+
+#[test]
+fn lines_under_a_shape_are_hidden_where_it_is_opaque() {
+    let under = r#"<path d="M 0 32 H 64" stroke="black"/>"#;
+    let over = r#"<rect x="16" y="16" width="32" height="32" stroke="black" fill="white"/>"#;
+    let curves = on_page(&[under, over].concat()).drawing.curves;
+    let [left, right, square] = &*curves else { panic!("{curves:?}") };
+    assert_close(bounds(&left.path), [0.0, 512.0, 256.0, 512.0]);
+    assert_close(bounds(&right.path), [768.0, 512.0, 1024.0, 512.0]);
+    assert_close(bounds(&square.path), [256.0, 256.0, 768.0, 768.0]);
+    for seen_through in
+        ["fill-opacity=\"0.9\"", "style=\"mix-blend-mode:multiply\"", "opacity=\"0.5\"", "mask=\"url(#m)\""]
+    {
+        let over = over.replace("fill=", &[seen_through, " fill="].concat());
+        let mask = r#"<mask id="m"><rect width="8" height="8"/></mask>"#;
+        assert_eq!(on_page(&[mask, under, &over].concat()).drawing.curves.len(), 2, "{seen_through}");
+    }
+    assert_eq!(
+        on_page(&[over, under].concat()).drawing.curves.len(),
+        2,
+        "what is painted later is not hidden"
+    );
+}
+
+#[test]
+fn a_light_shape_is_cut_out_of_the_ink_under_it() {
+    let import = on_page(r#"<circle cx="32" cy="32" r="20"/><circle cx="40" cy="24" r="6" fill="white"/>"#);
+    let [fill] = &*import.drawing.fills else { panic!("{:?}", import.drawing.fills) };
+    let is_ink = |x: f64, y: f64| fill.path.winding(Point::new(x * 16.0, y * 16.0)) % 2 != 0;
+    assert!(fill.even_odd && is_ink(32.0, 40.0) && !is_ink(40.0, 24.0) && is_ink(40.0, 32.0));
+    let [pupil, light] = &*import.drawing.curves else { panic!("{:?}", import.drawing.curves) };
+    assert!(pupil.line.is_none() && light.line.is_some());
+    let hidden =
+        on_page(r#"<circle cx="32" cy="32" r="4"/><circle cx="32" cy="32" r="6" fill="white"/>"#).drawing;
+    assert_eq!((hidden.fills.len(), hidden.curves.len()), (0, 1));
+}
+
+#[test]
+fn light_lines_upon_dark_paper_are_dark_upon_white() {
+    for paper in ["#111", "navy"] {
+        let import = on_page(&format!(
+            r##"<rect x="-1" width="66" height="64" fill="{paper}"/><g fill="none"><path d="M8 8h8v8" stroke="white"
+                stroke-opacity="0.5"/><path d="M8 8h8v8" stroke="#820"/></g>"##
+        ));
+        assert_eq!(import.drawing.fills, []);
+        let lines = import.drawing.curves.iter().flat_map(|curve| &curve.line);
+        let colors: Vec<_> = lines.map(|line| line.color).collect();
+        assert_eq!(colors, [Rgba8([0, 0, 0, 128]), Rgba8([0x88, 0x22, 0, 255])]);
+    }
 }

@@ -31,6 +31,8 @@ fn drawings_that_are_none() {
     refused("html", "<html/>", INSIDE, "starts with <html>");
     refused("text", "just some text", INSIDE, "not an SVG drawing");
     refused("junk", [0_u8, 159, 146, 150, 255, 0, 7], INSIDE, "not an SVG drawing");
+    refused("pdf", "%PDF-1.7", INSIDE, "d.svg: the file is a PDF file; save it as SVG");
+    refused("eps", "%!PS-Adobe-3.0", INSIDE, "PostScript");
     refused("gzip", [0x1f_u8, 0x8b, 8, 0, 1, 2, 3], INSIDE, "compressed");
     refused("no-curves", svg("<g/>"), INSIDE, "no lines");
     refused("only-text", svg("<text>a</text>"), INSIDE, "1 text");
@@ -42,6 +44,21 @@ fn a_version_is_asked_for_alone() {
     assert!(output.status.success());
     assert_eq!(String::from_utf8_lossy(&output.stdout), format!("scumble {}\n", env!("CARGO_PKG_VERSION")));
     refused_call(&Folder::new("version-more"), &["color", "d.svg", "--version"], "are expected");
+}
+
+#[test]
+fn help_is_given_for_all_commands_at_once() {
+    for call in [&["help"][..], &["help", "color"], &["color", "--help"], &[]] {
+        let output = Folder::new("help").run(call);
+        assert!(output.status.success(), "{call:?}: {}", stderr(&output));
+        assert!(String::from_utf8_lossy(&output.stdout).contains("scumble color DRAWING.svg"), "{call:?}");
+    }
+}
+
+#[test]
+fn a_message_names_the_file_that_it_is_about() {
+    refused("names-drawing", svg(""), INSIDE, "d.svg: the drawing has no lines");
+    refused("names-scribbles", CIRCLE, "{}", "s.json: the scribbles file");
 }
 
 #[test]
@@ -136,6 +153,9 @@ fn calls_that_make_no_sense() {
         (&["--gap-closing", "NaN"], "from 0 to 1"),
         (&["--gap-closing", "wide"], "from 0 to 1"),
         (&["--wide"], "--wide is unknown"),
+        (&["--lines=yes"], "--lines is unknown here, or takes no value"),
+        (&["--size=0"], "--size 0: give a number"),
+        (&["-"], "“-” names no file"),
         (&["-o", "p.png"], "given twice"),
         (&["e.svg"], "2 arguments"),
     ] {
@@ -164,12 +184,12 @@ fn calls_that_make_no_sense() {
     refused_call(&folder, &saved, "no/s.scumble cannot be written");
     assert!(!folder.names().contains(&"o.png".to_owned()), "no picture without its work");
     refused_call(&folder, &["color", "d.svg", "--scribbles", "s.json", "-o", "."], "cannot be written");
-    refused_call(&folder, &["color", "d.scumble", "--scribbles", "s.json", "-o", "o.png"], "scumble render");
     refused_call(&folder, &["color", "d.svg", "--scribbles", "s.json", "-o", "o.jpg"], "ends in .png");
     refused_call(&folder, &["corpus", ".", "--take", "0"], "above zero");
     refused_call(&folder, &["corpus", "nowhere"], "nowhere cannot be read");
     refused_call(&folder, &["bench", "nowhere"], "cannot be read");
     refused_call(&folder, &["bench", "--made", "nowhere"], "arguments");
+    refused_call(&folder, &["bench", "--made", "--memory"], "--memory is unknown here");
     assert_eq!(folder.names(), ["d.svg", "s.json"]);
 }
 

@@ -12,11 +12,11 @@ fn sound_and_empty_drawings_pass_and_faulty_ones_fail() {
     let text = String::from_utf8_lossy(&output.stdout);
     assert!(text.contains("2 drawings: 1 sound, 1 without lines, 0 faulty"), "{text}");
     assert_eq!(output.status.code(), Some(0));
-    let folder = folder.with("d.svg", "<svg");
+    let folder = folder.with("D.SVG", "<svg");
     let output = folder.run(&["corpus", "."]);
     let text = String::from_utf8_lossy(&output.stdout);
     assert!(text.contains("3 drawings: 1 sound, 1 without lines, 1 faulty"), "{text}");
-    assert!(text.contains("d.svg: the file is not an SVG drawing"), "{text}");
+    assert!(text.contains("D.SVG: the file is not an SVG drawing"), "{text}");
     assert_eq!(output.status.code(), Some(1));
 }
 

@@ -100,6 +100,8 @@ fn damaged_links_are_refused() {
     refused(&folder, &["open", link, "-o", "x.png"], ".scumble");
     refused(&folder, &["open", link], "-o is missing");
     refused(&folder, &["link", "w.scumble", "--base", "https://example.org/#"], "up to it");
+    refused(&folder, &["link", "w.scumble", "--base", "--stats"], "--base --stats is no address");
+    refused(&folder, &["link", "w.scumble", "--base", "a b"], "is no address");
 }
 
 #[test]
@@ -113,6 +115,47 @@ fn a_link_to_a_sample_takes_its_lines_from_the_folder_of_samples() {
     refused(&folder, &["open", link, "-o", "x.scumble", "--samples", "nowhere"], "cannot be read");
     run(&folder, &["open", link, "-o", "opened.scumble", "--samples", "."]);
     assert_eq!(text(&folder, "opened.scumble"), named);
+}
+
+#[test]
+fn curves_of_a_sample_are_written_with_its_lines() {
+    let named = text(&saved("sample-curves"), "w.scumble").replacen(
+        "\"canvas\"",
+        "\"sample\": \"d.svg\",\n\"canvas\"",
+        1,
+    );
+    let lines = named.find(",\n\"curves\"").unwrap();
+    let end = named[lines + 1..].find("\n],").unwrap() + lines + 3;
+    let bare = [&named[..lines], &named[end..]].concat();
+    let folder = Folder::new("sample-curves").with("d.svg", CIRCLE).with("n.scumble", bare);
+    refused(&folder, &["convert", "n.scumble", "n.xml"], "name the folder with the samples");
+    run(&folder, &["convert", "n.scumble", "n.xml", "--samples=."]);
+    assert!(text(&folder, "n.xml").contains("<curve "));
+    run(&folder, &["convert", "n.scumble", "n.json"]);
+}
+
+#[test]
+fn a_file_is_told_by_how_it_begins_whatever_it_is_called() {
+    let folder = saved("kinds");
+    let work = text(&folder, "w.scumble");
+    let folder = folder.with("line", CIRCLE).with("line.json", format!("\u{feff}\n{CIRCLE}"));
+    let folder = folder.with("work", &work).with("work.svg", format!("\u{feff} {work}"));
+    for name in ["line", "line.json", "work", "work.svg"] {
+        run(&folder, &["render", name, "-o=r.png", "--size=64"]);
+        run(&folder, &["convert", name, "c.scumble"]);
+    }
+    for name in ["work", "work.svg", "w.scumble"] {
+        let color = ["color", name, "--scribbles", "s.json", "-o", "r.png"];
+        refused(&folder, &color, "scumble render");
+    }
+}
+
+#[test]
+fn an_exported_picture_is_not_coloured_anew() {
+    let folder = saved("exported");
+    run(&folder, &["render", "w.scumble", "-o", "e.svg"]);
+    let color = ["color", "e.svg", "--scribbles", "s.json", "-o", "x.png"];
+    refused(&folder, &color, "e.svg was made of a .scumble file, which it keeps; `scumble render`");
 }
 
 #[test]

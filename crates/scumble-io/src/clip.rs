@@ -1,0 +1,181 @@
+//! What clip paths, or what is painted over them, leave of shapes, as the Bézier curves that they are.
+//!
+//! Each outline is parted where it crosses another one, and every part is asked for what lies at its two sides: of lines there
+//! remain those that are seen, of an area what has the seen on one side alone. Rounding can misplace an end, or a part
+//! of no length to speak of, and nothing else. (Libraries that cut areas make polygons of them, or fail on some.)
+
+mod area;
+mod joining;
+mod parts;
+mod work;
+
+use std::rc::Rc;
+
+use kurbo::{BezPath, Point, Rect};
+
+pub(crate) use area::{Area, Outlines};
+use joining::grown;
+use parts::parts;
+pub(crate) use work::TooMuch;
+use work::Work;
+
+use crate::outline::is_closed;
+
+/// What is nearer to the border of the page is at it, in du.
+const AT_PAGE_DU: f64 = 0.5;
+
+/// What is left of an area of which a part is hidden.
+#[derive(Debug)]
+pub(crate) struct Rest {
+    /// Its outlines, to be filled by turns.
+    pub(crate) area: Vec<BezPath>,
+    /// The same without what is at the border of the page.
+    pub(crate) outlines: Vec<BezPath>,
+    /// What of these are outlines of clip paths.
+    pub(crate) edges: Vec<BezPath>,
+}
+
+/// What shapes are cut by.
+#[derive(Debug)]
+struct Level {
+    areas: Vec<Rc<Area>>,
+    /// Whether they hide what is within any of them, as what is painted over it does; clip paths hide the rest.
+    covers: bool,
+}
+
+/// Clip paths within each other, or what covers shapes.
+#[derive(Debug)]
+pub(crate) struct Clip {
+    levels: Vec<Level>,
+    /// What is not at its border.
+    page: Area,
+    work: Work,
+}
+
+impl Clip {
+    /// With no clip path yet, for shapes on a page.
+    pub(crate) fn new(page: Rect) -> Self {
+        let page = Area::rectangle(page.inset(-AT_PAGE_DU));
+        Self { levels: Vec::new(), page, work: Work::new() }
+    }
+
+    /// Adds a clip path that consists of some areas.
+    ///
+    /// # Errors
+    /// When it takes too long to look at them.
+    pub(crate) fn push(&mut self, areas: Vec<Outlines>) -> Result<(), TooMuch> {
+        let areas = areas.into_iter().map(|area| self.shape(area)).collect::<Result<_, _>>()?;
+        self.levels.push(Level { areas, covers: false });
+        Ok(())
+    }
+
+    /// An area that may cover others.
+    ///
+    /// # Errors
+    /// When it takes too long to look at it.
+    pub(crate) fn shape(&mut self, outlines: Outlines) -> Result<Rc<Area>, TooMuch> {
+        Area::new(outlines, &mut self.work).map(Rc::new)
+    }
+
+    /// Takes some comparisons from those that are left.
+    ///
+    /// # Errors
+    /// When there are fewer.
+    pub(crate) fn spend(&mut self, work: u64) -> Result<(), TooMuch> {
+        self.work.spend(work)
+    }
+
+    /// Has some areas cover what is looked at next.
+    pub(crate) fn cover(&mut self, areas: Vec<Rc<Area>>) {
+        self.levels = vec![Level { areas, covers: true }];
+    }
+
+    /// Takes the last one away.
+    pub(crate) fn pop(&mut self) {
+        self.levels.pop();
+    }
+
+    pub(crate) fn is_empty(&self) -> bool {
+        self.levels.is_empty()
+    }
+
+    /// What is seen of a line, and of one that runs along the outline of a clip path all.
+    ///
+    /// # Errors
+    /// When it takes too long to find that.
+    pub(crate) fn line(&mut self, path: &BezPath) -> Result<Vec<BezPath>, TooMuch> {
+        let Self { levels, work, .. } = self;
+        let areas: Vec<_> = areas(levels).collect();
+        let bounds = bounds(levels);
+        parts(path, bounds, &areas, work, |sides| sides.into_iter().any(|side| is_seen(levels, side)))
+    }
+
+    /// What is seen of an area of which a part is hidden.
+    ///
+    /// # Errors
+    /// When it takes too long to find that.
+    pub(crate) fn area(&mut self, outlines: Outlines) -> Result<Option<Rest>, TooMuch> {
+        let area = Area::new(outlines, &mut self.work)?;
+        let [own, edges] = self.border(&area)?;
+        if edges.is_empty() && own == area.outlines {
+            return Ok(None);
+        }
+        let edges_on_page = self.on_page(&edges)?;
+        Ok(Some(Rest {
+            area: self.joined([&*own, &edges].concat())?,
+            outlines: self.joined([&*own, &edges_on_page].concat())?,
+            edges: self.joined(edges_on_page)?,
+        }))
+    }
+
+    /// Parts of the outlines of an area, and of those of clip paths, around what is seen of it.
+    fn border(&mut self, area: &Area) -> Result<[Vec<BezPath>; 2], TooMuch> {
+        let Self { levels, work, .. } = self;
+        let areas: Vec<_> = std::iter::once(area).chain(areas(levels)).collect();
+        let bounds = bounds(levels).intersect(area.bounds);
+        let mut border = [Vec::new(), Vec::new()];
+        for (i, of) in areas.iter().enumerate() {
+            // Where borders run along each other, the part is that of the first.
+            let is_border = |sides: [Point; 2]| {
+                let [left, right] = sides.map(|side| area.contains(side) && is_seen(levels, side));
+                left != right && areas[..=i].iter().position(|area| area.is_parted(sides)) == Some(i)
+            };
+            for outline in &of.outlines {
+                border[usize::from(i > 0)].extend(parts(outline, bounds, &areas, work, is_border)?);
+            }
+        }
+        Ok(border)
+    }
+
+    /// What of some paths is on the page, and not at its border.
+    fn on_page(&mut self, paths: &[BezPath]) -> Result<Vec<BezPath>, TooMuch> {
+        let Self { page, work, .. } = self;
+        let parts =
+            paths.iter().map(|path| parts(path, page.bounds, &[page], work, |sides| page.contains(sides[0])));
+        Ok(parts.collect::<Result<Vec<_>, _>>()?.concat())
+    }
+
+    /// Parts of outlines put together where they meet: closed, where nothing is missing.
+    fn joined(&mut self, parts: Vec<BezPath>) -> Result<Vec<BezPath>, TooMuch> {
+        self.spend((parts.len() as u64).pow(2))?;
+        let (mut joined, mut open): (Vec<_>, Vec<_>) = parts.into_iter().partition(is_closed);
+        while let Some(first) = open.pop() {
+            joined.push(grown(first, &mut open));
+        }
+        Ok(joined)
+    }
+}
+
+fn areas(levels: &[Level]) -> impl Iterator<Item = &Area> {
+    levels.iter().flat_map(|level| &level.areas).map(Rc::as_ref)
+}
+
+fn is_seen(levels: &[Level], point: Point) -> bool {
+    levels.iter().all(|level| level.areas.iter().any(|area| area.contains(point)) != level.covers)
+}
+
+/// Beyond these bounds nothing is seen, or all where something covers it.
+fn bounds(levels: &[Level]) -> Rect {
+    let bounds_of = |level: &Level| level.areas.iter().map(|area| area.bounds).reduce(|a, b| a.union(b));
+    levels.iter().filter_map(bounds_of).reduce(|a, b| a.intersect(b)).unwrap_or_default()
+}

@@ -1,0 +1,117 @@
+//! The parts of a path between its crossings with outlines.
+
+use kurbo::{BezPath, Line, ParamCurve, PathEl, PathSeg, Point, Rect, Shape};
+
+use super::area::Area;
+use super::work::{TooMuch, Work};
+use crate::outline::is_closed;
+
+/// How far at either side of an outline it is looked, in du: several times as far as chords are from their curves.
+const BESIDE_DU: f64 = 0.05;
+
+/// Comparisons that a crossing with a chord takes.
+const CROSSING_WORK: u64 = 10;
+
+/// The parts of a path between its crossings with the outlines of some areas within some bounds that are kept, as is
+/// told by a point at each side; those that go on from each other as one.
+pub(super) fn parts(
+    path: &BezPath,
+    bounds: Rect,
+    areas: &[&Area],
+    work: &mut Work,
+    is_kept: impl Fn([Point; 2]) -> bool,
+) -> Result<Vec<BezPath>, TooMuch> {
+    let size: u64 = areas.iter().map(|area| area.size()).sum();
+    let mut parts = Parts::default();
+    for segment in path.segments() {
+        let cuts = cuts(&segment, bounds, areas, work)?;
+        for ends in cuts.windows(2) {
+            work.spend(2 * size)?;
+            let part = segment.subsegment(ends[0]..ends[1]);
+            parts.add(part, is_kept(sides(&part)));
+        }
+    }
+    Ok(parts.finish(path))
+}
+
+/// Where a segment is parted within some bounds, and its ends: parameters in their order.
+fn cuts(segment: &PathSeg, bounds: Rect, areas: &[&Area], work: &mut Work) -> Result<Vec<f64>, TooMuch> {
+    let own = segment.bounding_box();
+    if !own.overlaps(bounds) {
+        return Ok(vec![0.0, 1.0]);
+    }
+    let bounds = own.intersect(bounds);
+    let mut cuts = Vec::new();
+    for area in areas.iter().filter(|area| area.bounds.overlaps(bounds)) {
+        for band in &area.bands[area.bands_of(bounds)] {
+            work.spend(1 + band.len() as u64)?;
+            for chord in band.iter().filter(|chord| chord.bounding_box().overlaps(bounds)) {
+                work.spend(CROSSING_WORK)?;
+                // Longer than it is by next to nothing, so that no crossing falls between two chords.
+                let line = Line::new(chord.eval(-1e-6), chord.eval(1.0 + 1e-6));
+                cuts.extend(
+                    segment.intersect_line(line).iter().map(|crossing| crossing.segment_t.clamp(0.0, 1.0)),
+                );
+            }
+        }
+    }
+    cuts.sort_by(f64::total_cmp);
+    Ok(apart(segment, &cuts))
+}
+
+/// Cuts that are as far apart that their sides can be told, and both ends.
+fn apart(segment: &PathSeg, cuts: &[f64]) -> Vec<f64> {
+    let is_apart = |a: f64, b: f64| segment.eval(a).distance(segment.eval(b)) > 2.0 * BESIDE_DU;
+    let mut kept = vec![0.0];
+    for &cut in cuts {
+        if is_apart(kept[kept.len() - 1], cut) && is_apart(cut, 1.0) {
+            kept.push(cut);
+        }
+    }
+    kept.push(1.0);
+    kept
+}
+
+/// A point at each side of the middle of a segment.
+fn sides(segment: &PathSeg) -> [Point; 2] {
+    let along = segment.eval(0.55) - segment.eval(0.45);
+    let across = if along.hypot() > 0.0 { along.turn_90() * (BESIDE_DU / along.hypot()) } else { along };
+    let middle = segment.eval(0.5);
+    [middle - across, middle + across]
+}
+
+/// Parts of a path, as they are found along it.
+#[derive(Debug, Default)]
+struct Parts {
+    done: Vec<BezPath>,
+    begins: bool,
+    goes_on: bool,
+    lacks_some: bool,
+}
+
+impl Parts {
+    fn add(&mut self, part: PathSeg, is_kept: bool) {
+        self.begins |= is_kept && self.done.is_empty() && !self.lacks_some;
+        self.lacks_some |= !is_kept;
+        if is_kept && !self.goes_on {
+            self.done.push(BezPath::from_vec(vec![PathEl::MoveTo(part.start())]));
+        }
+        if let Some(last) = self.done.last_mut().filter(|_| is_kept) {
+            last.push(part.as_path_el());
+        }
+        self.goes_on = is_kept;
+    }
+
+    /// What is left of a path; a closed one begins in the middle of a part.
+    fn finish(self, path: &BezPath) -> Vec<BezPath> {
+        let Self { mut done, begins, goes_on, lacks_some } = self;
+        if !lacks_some {
+            return vec![path.clone()];
+        }
+        if let Some(mut last) = if is_closed(path) && begins && goes_on { done.pop() } else { None } {
+            last.extend(done[0].elements()[1..].iter().copied());
+            done[0] = last;
+        }
+        done
+    }
+}
