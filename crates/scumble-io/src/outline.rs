@@ -91,9 +91,10 @@ pub(crate) fn has_area(path: &BezPath) -> bool {
     points.iter().any(|p| along.cross(*p - start).abs() > FLAT_DU * along.hypot())
 }
 
-/// The mean width of an area, in du: twice what it covers, by the length of its outlines, as far as their control points tell.
+/// How wide an area is in the mean, and how long the lines along its middle are, in du: with half the length of its outlines, as
+/// far as their control points tell, they are what it covers.
 /// What lies within the largest outline of an area that is filled by turns is a hole in it.
-pub(crate) fn mean_width_du(subpaths: &[BezPath], even_odd: bool) -> f64 {
+pub(crate) fn mean_size_du(subpaths: &[BezPath], even_odd: bool) -> [f64; 2] {
     let areas: Vec<f64> = subpaths.iter().map(|path| closed(path.clone()).area()).collect();
     let covered: f64 = if even_odd {
         let largest = areas.iter().fold(0.0, |largest: f64, area| largest.max(area.abs()));
@@ -103,7 +104,8 @@ pub(crate) fn mean_width_du(subpaths: &[BezPath], even_odd: bool) -> f64 {
     };
     let length_du = |c: CubicBez| (c.p1 - c.p0).hypot() + (c.p2 - c.p1).hypot() + (c.p3 - c.p2).hypot();
     let segments = subpaths.iter().flat_map(BezPath::segments);
-    2.0 * covered / segments.map(|segment| length_du(segment.to_cubic())).sum::<f64>()
+    let long_du = segments.map(|segment| length_du(segment.to_cubic())).sum::<f64>() / 2.0;
+    [covered / long_du, long_du]
 }
 
 pub(crate) fn is_closed(path: &BezPath) -> bool {

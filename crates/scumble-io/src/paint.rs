@@ -9,6 +9,9 @@ const PATTERN_COLOR: [u8; 3] = [0x80; 3];
 /// Lightness in OKLab below which a fill is ink.
 const INK_LIGHTNESS: f64 = 0.5;
 
+/// Lightness in OKLab above which a grey hardly shows on white.
+const PALE_LIGHTNESS: f64 = 0.9;
+
 /// Chroma in OKLab from which on a colour has a hue.
 const HUE_CHROMA: f64 = 0.06;
 
@@ -49,14 +52,23 @@ pub(crate) fn is_ink(color: Rgba8) -> bool {
 }
 
 /// Whether a colour is darker than the middle.
-pub(crate) fn is_dark(Rgba8([r, g, b, _]): Rgba8) -> bool {
-    Blend::Oklab.from_srgb8(Srgb8([r, g, b]))[0] < INK_LIGHTNESS
+pub(crate) fn is_dark(color: Rgba8) -> bool {
+    lightness(color) < INK_LIGHTNESS
 }
 
 /// Whether a colour is more than light or dark.
 pub(crate) fn has_hue(Rgba8([r, g, b, _]): Rgba8) -> bool {
     let [_, green_red, blue_yellow, _] = Blend::Oklab.from_srgb8(Srgb8([r, g, b]));
     green_red.hypot(blue_yellow) >= HUE_CHROMA
+}
+
+/// Whether a colour hardly shows on white.
+pub(crate) fn is_pale(color: Rgba8) -> bool {
+    lightness(color) > PALE_LIGHTNESS && !has_hue(color)
+}
+
+fn lightness(Rgba8([r, g, b, _]): Rgba8) -> f64 {
+    Blend::Oklab.from_srgb8(Srgb8([r, g, b]))[0]
 }
 
 #[cfg(test)]

@@ -16,7 +16,7 @@ use crate::hidden::{Cover, without_hidden};
 use crate::notes::ImportNotes;
 use crate::page::{self, Page};
 use crate::survey::{self, Survey};
-use crate::{limits, look, outline, paint};
+use crate::{limits, look, outline, paint, style_sheet};
 
 /// A drawing, and what was left out of its file.
 #[derive(Clone, Debug)]
@@ -30,12 +30,17 @@ pub struct Import {
 /// Dark areas with a hue are lines up to this mean width, in du, and shapes beyond: navy trousers are to be coloured.
 const WIDEST_LINE_DU: f64 = 24.0;
 
+/// Areas of other colours that are as thin are lines where they are so many times as long as wide: a pencil's strokes that were
+/// made outlines.
+const LEAST_LENGTHS: f64 = 40.0;
+
 /// Keeps `usvg` from everything that is ignored anyway, from the colours of an exported picture, and from patterns
-/// within patterns.
+/// within patterns. What is masked or filtered is taken for what others can be seen through.
 const IGNORED: &str = "* { mask: none !important; filter: none !important;
     marker-start: none !important; marker-mid: none !important; marker-end: none !important }
     text, image, .scumble-colors { display: none !important }
     pattern * { fill: #808080 !important; stroke: none !important }
+    [mask], [filter] { mix-blend-mode: multiply !important }
     clipPath, clipPath * { clip-path: none !important }";
 
 /// Keeps it from clip paths.
@@ -70,8 +75,15 @@ fn import_tree(xml: &Document, notes: ImportNotes) -> Result<Import, ImportError
     let tree = usvg::Tree::from_xmltree(xml, &options).map_err(import_error)?;
     let size_px = [tree.size().width(), tree.size().height()].map(f64::from);
     let mut importer = Importer::new(page::of(xml, size_px)?, notes, is_clipped);
+    importer.blends += usize::from(has_masking_style(xml));
     importer.group(tree.root(), 1.0);
     importer.finish()
+}
+
+/// Whether anything may be masked or filtered by its style.
+fn has_masking_style(xml: &Document) -> bool {
+    let styles = xml.descendants().filter_map(|node| node.attribute("style"));
+    styles.chain(style_sheet::texts(xml)).any(|css| css.contains("mask:") || css.contains("filter:"))
 }
 
 fn import_error(error: usvg::Error) -> ImportError {
@@ -185,9 +197,10 @@ impl Importer {
         let opacity = opacity * fill.opacity().get();
         let color = paint::color(fill.paint(), opacity)?;
         let even_odd = fill.rule() == FillRule::EvenOdd;
-        let is_shape =
-            || paint::has_hue(color) && outline::mean_width_du(subpaths, even_odd) > WIDEST_LINE_DU;
-        let is_ink = paint::is_ink(color) && !is_shape();
+        let [wide_du, long_du] = outline::mean_size_du(subpaths, even_odd);
+        let is_thin = wide_du <= WIDEST_LINE_DU;
+        let is_line = is_thin && long_du >= LEAST_LENGTHS * wide_du && !paint::is_pale(color);
+        let is_ink = is_line || paint::is_ink(color) && (is_thin || !paint::has_hue(color));
         let covers = !is_ink && self.blends == 0 && paint::is_opaque(fill.paint(), opacity);
         Some(Filling { color, even_odd, is_ink, covers })
     }
@@ -273,10 +286,9 @@ impl Importer {
     fn finish(self) -> Result<Import, ImportError> {
         let Self { drawing, mut notes, is_clipped, covers, .. } = self;
         notes.clip_paths *= usize::from(!is_clipped);
-        // Of what is masked, filtered or not clipped, it is not known what it covers.
-        let is_known = is_clipped && notes.masks + notes.filters == 0;
-        let seen = if is_known { without_hidden(&drawing, &covers).ok() } else { None };
-        let drawing = seen.unwrap_or(drawing);
+        // Of what is not clipped it is not known what it covers.
+        let seen = if is_clipped { without_hidden(&drawing, &covers).ok() } else { None };
+        let drawing = seen.filter(|seen| !seen.curves.is_empty()).unwrap_or(drawing);
         match drawing.curves.len() {
             0 => Err(ImportError::NoCurves(notes)),
             1..=MAX_CURVES => Ok(Import { drawing: drawing.kept(), notes }),

@@ -165,6 +165,19 @@ fn a_dark_area_with_a_hue_is_ink_if_it_is_as_thin_as_a_line() {
 }
 
 #[test]
+fn a_long_thin_area_is_a_line_of_its_colour() {
+    let ring = |side: u32| format!("M8 8h{side}v{side}h-{side}z M9 9v{0}h{0}v-{0}z", side - 2);
+    let [long, short] = [ring(48), ring(8)];
+    for (path, color, is_line) in
+        [(&long, "#39f", true), (&long, "gray", true), (&long, "white", false), (&short, "#39f", false)]
+    {
+        let drawing = on_page(&format!(r#"<path d="{path}" fill="{color}"/>"#)).drawing;
+        assert_eq!(drawing.fills.len(), usize::from(is_line), "{path} {color}");
+        assert!(drawing.curves.iter().all(|curve| curve.line.is_none() == is_line), "{path} {color}");
+    }
+}
+
+#[test]
 fn a_light_area_gets_a_thin_outline() {
     let import = on_page(r##"<path d="M8 8h16v16" fill="#fed"/><path d="M8 8h16v16z" opacity="0.2"/>"##);
     assert!(import.drawing.fills.is_empty());
@@ -502,11 +515,18 @@ fn lines_under_a_shape_are_hidden_where_it_is_opaque() {
     assert_close(bounds(&left.path), [0.0, 512.0, 256.0, 512.0]);
     assert_close(bounds(&right.path), [768.0, 512.0, 1024.0, 512.0]);
     assert_close(bounds(&square.path), [256.0, 256.0, 768.0, 768.0]);
-    for seen_through in
-        ["fill-opacity=\"0.9\"", "style=\"mix-blend-mode:multiply\"", "opacity=\"0.5\"", "mask=\"url(#m)\""]
-    {
+    for seen_through in [
+        "fill-opacity=\"0.9\"",
+        "style=\"mix-blend-mode:multiply\"",
+        "opacity=\"0.5\"",
+        "mask=\"url(#m)\"",
+        "style=\"filter: url(#m)\"",
+        "class=\"m\"",
+    ] {
         let over = over.replace("fill=", &[seen_through, " fill="].concat());
         let mask = r#"<mask id="m"><rect width="8" height="8"/></mask>"#;
+        let mask =
+            if seen_through.starts_with("class") { "<style>.m { mask: url(#m) }</style>" } else { mask };
         assert_eq!(on_page(&[mask, under, &over].concat()).drawing.curves.len(), 2, "{seen_through}");
     }
     assert_eq!(
