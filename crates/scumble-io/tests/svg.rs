@@ -329,7 +329,7 @@ fn entities_for_styles_are_read() {
 fn what_is_left_out_is_counted() {
     let import = on_page(
         r##"<clipPath id="c"><rect width="8" height="8" clip-path="url(#c)"/></clipPath><mask id="m"><rect width="8" height="8"/></mask>
-            <filter id="f"/><marker id="k"><path d="M0 0h4v4z"/></marker><text>one</text><text>two</text><image href="x.png"/>
+            <filter id="f"/><marker id="k"><path d="M0 0h4v4z"/></marker><switch><foreignObject/></switch><text>one</text><text>two</text><image href="x.png"/>
             <path d="M0 32h64" stroke="black" clip-path="url(#c)" mask="url(#m)" filter="url(#f)" marker-end="url(#k)"/>"##,
     );
     let notes = import.notes.to_string();
