@@ -1,14 +1,14 @@
 //! What clip paths, or what is painted over them, leave of shapes, as the Bézier curves that they are.
 //!
 //! Each outline is parted where it crosses another one, and every part is asked for what lies at its two sides: of lines there
-//! remain those that are seen, of an area what has the seen on one side alone. Rounding can misplace an end, or a part
-//! of no length to speak of, and nothing else. (Libraries that cut areas make polygons of them, or fail on some.)
+//! remain those that are seen, of an area what has the seen on one side alone. (Libraries that cut areas make polygons of them, or fail on some.)
 
 mod area;
 mod joining;
 mod parts;
 mod work;
 
+use std::collections::HashSet;
 use std::rc::Rc;
 
 use kurbo::{BezPath, Point, Rect};
@@ -23,6 +23,12 @@ use crate::outline::is_closed;
 
 /// What is nearer to the border of the page is at it, in du.
 const AT_PAGE_DU: f64 = 0.5;
+
+/// Parts that are as near to each other meet, in du: where curves run along each other, crossings are told less well.
+const MEET_DU: f64 = 0.5;
+
+/// Parts with their middles in the same square of such a side, or in the next one, are the same, in du.
+const SAME_DU: f64 = 0.04;
 
 /// What is left of an area of which a part is hidden.
 #[derive(Debug)]
@@ -105,6 +111,7 @@ impl Clip {
     /// When it takes too long to find that.
     pub(crate) fn line(&mut self, path: &BezPath) -> Result<Vec<BezPath>, TooMuch> {
         let Self { levels, work, .. } = self;
+        work.spend(levels.iter().map(|level| level.areas.len() as u64).sum())?;
         let areas: Vec<_> = areas(levels).collect();
         let bounds = bounds(levels);
         parts(path, bounds, &areas, work, |sides| sides.into_iter().any(|side| is_seen(levels, side)))
@@ -122,9 +129,10 @@ impl Clip {
         }
         let edges_on_page = self.on_page(&edges)?;
         Ok(Some(Rest {
-            area: self.joined([&*own, &edges].concat())?,
-            outlines: self.joined([&*own, &edges_on_page].concat())?,
-            edges: self.joined(edges_on_page)?,
+            // What is filled is closed in any case: better by the nearest way.
+            area: self.joined([&*own, &edges].concat(), f64::INFINITY)?,
+            outlines: self.joined([&*own, &edges_on_page].concat(), MEET_DU)?,
+            edges: self.joined(edges_on_page, MEET_DU)?,
         }))
     }
 
@@ -132,16 +140,20 @@ impl Clip {
     fn border(&mut self, area: &Area) -> Result<[Vec<BezPath>; 2], TooMuch> {
         let Self { levels, work, .. } = self;
         let areas: Vec<_> = std::iter::once(area).chain(areas(levels)).collect();
-        let bounds = bounds(levels).intersect(area.bounds);
+        // Beyond clip paths nothing is seen, but beyond what covers it all of it.
+        let is_covered = levels.iter().any(|level| level.covers);
+        let bounds = if is_covered { area.bounds } else { bounds(levels).intersect(area.bounds) };
         let mut border = [Vec::new(), Vec::new()];
+        let mut known = HashSet::new();
         for (i, of) in areas.iter().enumerate() {
             // Where borders run along each other, the part is that of the first.
-            let is_border = |sides: [Point; 2]| {
+            let mut is_border = |sides: [Point; 2]| {
                 let [left, right] = sides.map(|side| area.contains(side) && is_seen(levels, side));
-                left != right && areas[..=i].iter().position(|area| area.is_parted(sides)) == Some(i)
+                let is_first = || areas[..=i].iter().position(|area| area.is_parted(sides)) == Some(i);
+                left != right && is_first() && is_new(&mut known, sides[0].midpoint(sides[1]))
             };
             for outline in &of.outlines {
-                border[usize::from(i > 0)].extend(parts(outline, bounds, &areas, work, is_border)?);
+                border[usize::from(i > 0)].extend(parts(outline, bounds, &areas, work, &mut is_border)?);
             }
         }
         Ok(border)
@@ -155,15 +167,22 @@ impl Clip {
         Ok(parts.collect::<Result<Vec<_>, _>>()?.concat())
     }
 
-    /// Parts of outlines put together where they meet: closed, where nothing is missing.
-    fn joined(&mut self, parts: Vec<BezPath>) -> Result<Vec<BezPath>, TooMuch> {
+    /// Parts of outlines put together where they come as near as this: closed, where nothing is missing.
+    fn joined(&mut self, parts: Vec<BezPath>, meet_du: f64) -> Result<Vec<BezPath>, TooMuch> {
         self.spend((parts.len() as u64).pow(2))?;
         let (mut joined, mut open): (Vec<_>, Vec<_>) = parts.into_iter().partition(is_closed);
         while let Some(first) = open.pop() {
-            joined.push(grown(first, &mut open));
+            joined.push(grown(first, &mut open, meet_du));
         }
         Ok(joined)
     }
+}
+
+/// Whether a part with this middle is not known yet: an outline may run along itself.
+fn is_new(known: &mut HashSet<[i64; 2]>, middle: Point) -> bool {
+    let [column, row] = [middle.x, middle.y].map(|along| (along / SAME_DU).floor() as i64);
+    let mut beside = (-1..=1).flat_map(|x| (-1..=1).map(move |y| [column + x, row + y]));
+    !beside.any(|square| known.contains(&square)) && known.insert([column, row])
 }
 
 fn areas(levels: &[Level]) -> impl Iterator<Item = &Area> {

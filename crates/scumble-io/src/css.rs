@@ -118,7 +118,9 @@ impl Mender<'_> {
         let blocks = text::blocks(&css).into_iter();
         let edits: Vec<_> =
             blocks.filter_map(|block| Some((block.clone(), self.declarations(&css[block], None)?))).collect();
-        let place = node.first_child().filter(|_| !edits.is_empty()).and_then(|first| {
+        // What an entity stands for lies elsewhere: it stays.
+        let is_here = |first: &Node| !edits.is_empty() && node.range().contains(&first.range().start);
+        let place = node.first_child().filter(is_here).and_then(|first| {
             let end = self.text.get(node.range())?.rfind("</")?;
             Some(first.range().start..node.range().start + end)
         });
@@ -133,9 +135,10 @@ impl Mender<'_> {
         let whole = css.trim_start_matches(|c: char| c == ';' || c.is_whitespace());
         let mut is_mended = css.trim_start().starts_with(';') && !whole.is_empty();
         let mut kept = Vec::new();
-        let mut known = Vec::new();
+        let given = node.iter().flat_map(Node::attributes).filter_map(|given| Property::of(given.name()));
+        let mut known: Vec<_> = given.collect();
         for declaration in text::parts(whole, |b| b == b';').filter(|text| !text.trim().is_empty()) {
-            let anew = self.declaration(declaration, node, &mut known);
+            let anew = self.declaration(declaration, &mut known);
             is_mended |= !matches!(anew, Some(Cow::Borrowed(_)));
             kept.extend(anew);
         }
@@ -143,17 +146,16 @@ impl Mender<'_> {
     }
 
     /// A declaration as `usvg` reads it; `None` where what came before it stands.
-    fn declaration<'c>(
-        &mut self,
-        declaration: &'c str,
-        node: Option<Node>,
-        known: &mut Vec<Property>,
-    ) -> Option<Cow<'c, str>> {
+    fn declaration<'c>(&mut self, declaration: &'c str, known: &mut Vec<Property>) -> Option<Cow<'c, str>> {
         let (name, value) = declared(declaration).filter(|(name, _)| !name.starts_with("--"))?;
+        if name.bytes().any(|byte| byte.is_ascii_uppercase()) {
+            let lower = [&name.to_ascii_lowercase(), ":", value].concat();
+            return self.declaration(&lower, known).map(|anew| Cow::Owned(anew.into_owned()));
+        }
         let Some(property) = Property::of(name) else { return self.other(declaration, name, value) };
         let (value, important) = split_important(value);
         let anew = readable(property, value, &self.variables).filter(|_| !value.is_empty());
-        let is_known = known.contains(&property) || node.is_some_and(|node| node.has_attribute(name));
+        let is_known = known.contains(&property);
         // Once each: this list is searched for each declaration.
         known
             .extend(Some(property).filter(|_| (is_known || !value.is_empty()) && !known.contains(&property)));
@@ -228,6 +230,7 @@ mod tests {
             (r#"<svg style=";fill:;stroke:red"/>"#, r#"<svg style="stroke:red"/>"#),
             (r#"<svg style="font:&quot;A&quot;;--x:'"/>"#, r#"<svg style="font:&quot;A&quot;"/>"#),
             (r#"<svg style="/*;*/--x:1;stroke-width:var(--x)"/>"#, r#"<svg style="stroke-width:1"/>"#),
+            (r#"<svg style="FILL:none;Stroke-Width:2"/>"#, r#"<svg style="fill:none;stroke-width:2"/>"#),
             (r#"<svg fill="a" stroke="b"/>"#, r#"<svg fill="white" stroke="black"/>"#),
             (
                 "<svg><style><![CDATA[a>b{--y:2;fill:none}]]> c{x:1} </style></svg>",

@@ -51,6 +51,11 @@ pub(crate) fn is_ink(color: Rgba8) -> bool {
     color.0[3] >= INK_ALPHA && is_dark(color)
 }
 
+/// Whether an area of this colour shows on ink.
+pub(crate) fn is_light(color: Rgba8) -> bool {
+    color.0[3] >= INK_ALPHA && lightness(color) > PALE_LIGHTNESS
+}
+
 /// Whether a colour is darker than the middle.
 pub(crate) fn is_dark(color: Rgba8) -> bool {
     lightness(color) < INK_LIGHTNESS

@@ -107,8 +107,8 @@ struct Filling {
     even_odd: bool,
     /// Whether it belongs to the lines.
     is_ink: bool,
-    /// Whether it hides what is painted before it.
-    covers: bool,
+    /// Whether it hides lines that are painted before it, and ink.
+    hides: [bool; 2],
 }
 
 struct Importer {
@@ -149,12 +149,38 @@ impl Importer {
     fn enter(&mut self, group: &usvg::Group, clip_path: &usvg::ClipPath) -> bool {
         let du_from_clip = self.du_from_px * affine(group.abs_transform()) * affine(clip_path.transform());
         let mut areas = Vec::new();
-        clip_areas(clip_path.root(), du_from_clip, &mut areas);
+        if self.clip_areas(clip_path.root(), du_from_clip, &mut areas).is_err() {
+            self.is_clipped = false;
+            return false;
+        }
         let frame = self.drawing.frame();
         let is_page = matches!(&*areas, [(path, _)] if matches!(&**path, [path] if outline::is_rectangle_over(path, frame)));
         let is_pushed = !is_page && self.clip.push(areas).is_ok();
         self.is_clipped &= is_pushed || is_page;
         is_pushed
+    }
+
+    /// The areas of a clip path.
+    fn clip_areas(
+        &mut self,
+        group: &usvg::Group,
+        du_from_clip: Affine,
+        areas: &mut Vec<Outlines>,
+    ) -> Result<(), TooMuch> {
+        for child in group.children() {
+            match child {
+                Node::Group(group) => self.clip_areas(group, du_from_clip, areas)?,
+                Node::Path(path) if path.is_visible() => {
+                    self.clip.spend(path.data().verbs().len() as u64)?;
+                    let subpaths =
+                        outline::subpaths(path.data(), du_from_clip * affine(path.abs_transform()));
+                    let even_odd = path.fill().is_some_and(|fill| fill.rule() == FillRule::EvenOdd);
+                    areas.push((subpaths, even_odd));
+                }
+                Node::Path(_) | Node::Image(_) | Node::Text(_) => {}
+            }
+        }
+        Ok(())
     }
 
     fn children(&mut self, group: &usvg::Group, opacity: f32) {
@@ -169,10 +195,10 @@ impl Importer {
 
     fn path(&mut self, path: &usvg::Path, opacity: f32) {
         let shape = self.shape(path, opacity);
-        if self.is_paper(&shape) {
+        let rest = self.rest(&shape);
+        if rest.is_none() && self.is_paper(&shape) {
             return;
         }
-        let rest = self.rest(&shape);
         if let Some(fill) = shape.fill {
             let area = match &rest {
                 Some(rest) => (rest.area.clone(), true),
@@ -201,19 +227,25 @@ impl Importer {
         let is_thin = wide_du <= WIDEST_LINE_DU;
         let is_line = is_thin && long_du >= LEAST_LENGTHS * wide_du && !paint::is_pale(color);
         let is_ink = is_line || paint::is_ink(color) && (is_thin || !paint::has_hue(color));
-        let covers = !is_ink && self.blends == 0 && paint::is_opaque(fill.paint(), opacity);
-        Some(Filling { color, even_odd, is_ink, covers })
+        let is_opaque = paint::is_opaque(fill.paint(), opacity);
+        // A light in an eye may be glassy.
+        let hides_ink = !is_ink && (is_opaque || paint::is_light(color));
+        let hides = [is_opaque, hides_ink].map(|hides| hides && self.blends == 0);
+        Some(Filling { color, even_odd, is_ink, hides })
     }
 
-    /// What is filled belongs to the lines, or hides what is painted before it.
-    fn fill(&mut self, Filling { color, is_ink, covers, .. }: Filling, area: Outlines) {
+    /// What is filled hides what is painted before it, and may belong to the lines.
+    fn fill(&mut self, Filling { color, is_ink, hides, .. }: Filling, area: Outlines) {
         let Drawing { curves, fills, .. } = &mut self.drawing;
         if area.0.is_empty() {
             // Clip paths hide all of it.
-        } else if is_ink {
+            return;
+        }
+        if hides != [false; 2] {
+            self.covers.push(Cover { area: area.clone(), hides, under: [curves.len(), fills.len()] });
+        }
+        if is_ink {
             fills.push(Fill { path: joined(&area.0), even_odd: area.1, color });
-        } else if covers {
-            self.covers.push(Cover { area, curves: curves.len(), fills: fills.len() });
         }
     }
 
@@ -247,7 +279,9 @@ impl Importer {
         let frame = self.drawing.frame();
         let is_over_page = matches!(&**subpaths, [path] if outline::is_rectangle_over(path, frame));
         let is_paper = is_over_page && (is_first || !is_ink);
-        self.is_dark |= is_paper && is_first && paint::is_ink(color);
+        if is_paper && is_first {
+            self.is_dark = paint::is_ink(color);
+        }
         is_paper
     }
 
@@ -288,7 +322,10 @@ impl Importer {
         notes.clip_paths *= usize::from(!is_clipped);
         // Of what is not clipped it is not known what it covers.
         let seen = if is_clipped { without_hidden(&drawing, &covers).ok() } else { None };
-        let drawing = seen.filter(|seen| !seen.curves.is_empty()).unwrap_or(drawing);
+        let mut drawing = seen.filter(|seen| !seen.curves.is_empty()).unwrap_or(drawing);
+        // What the drawing has no line for is not drawn over its lines.
+        let thin = Some(look::thin());
+        drawing.curves.sort_by_key(|curve| curve.line != thin);
         match drawing.curves.len() {
             0 => Err(ImportError::NoCurves(notes)),
             1..=MAX_CURVES => Ok(Import { drawing: drawing.kept(), notes }),
@@ -299,21 +336,6 @@ impl Importer {
 
 fn affine(t: usvg::Transform) -> Affine {
     Affine::new([t.sx, t.ky, t.kx, t.sy, t.tx, t.ty].map(f64::from))
-}
-
-/// The areas of a clip path.
-fn clip_areas(group: &usvg::Group, du_from_clip: Affine, areas: &mut Vec<Outlines>) {
-    for child in group.children() {
-        match child {
-            Node::Group(group) => clip_areas(group, du_from_clip, areas),
-            Node::Path(path) => {
-                let subpaths = outline::subpaths(path.data(), du_from_clip * affine(path.abs_transform()));
-                let even_odd = path.fill().is_some_and(|fill| fill.rule() == FillRule::EvenOdd);
-                areas.push((subpaths, even_odd));
-            }
-            Node::Image(_) | Node::Text(_) => {}
-        }
-    }
 }
 
 fn joined(subpaths: &[BezPath]) -> BezPath {

@@ -10,9 +10,6 @@ use crate::outline;
 /// How far from its curve a chord may be, in du.
 const FLAT_DU: f64 = 0.01;
 
-/// Outlines that are larger than this are flattened more coarsely, in du.
-const FAR_DU: f64 = 4096.0;
-
 /// Bands of an area, at most.
 const MOST_BANDS: f64 = 256.0;
 
@@ -95,11 +92,10 @@ fn turn(chord: &Line, point: Point) -> i32 {
 
 /// Adds the chords of a closed outline, segment by segment, so that it ends where it takes too much work.
 fn flatten(outline: &BezPath, chords: &mut Vec<Line>, work: &mut Work) -> Result<(), TooMuch> {
-    let reach = outline.control_box().size().max_side();
     for segment in outline.segments() {
         let (before, mut from) = (chords.len(), segment.start());
         let elements = [PathEl::MoveTo(from), segment.as_path_el()];
-        kurbo::flatten(elements, FLAT_DU * (reach / FAR_DU).max(1.0), |element| {
+        kurbo::flatten(elements, FLAT_DU, |element| {
             if let PathEl::LineTo(to) = element {
                 chords.push(Line::new(from, to));
                 from = to;

@@ -2,26 +2,23 @@
 
 use kurbo::{BezPath, PathEl, Point};
 
-/// Parts that are as near to each other meet, in du: where curves run along each other, crossings are told less well.
-const MEET_DU: f64 = 0.5;
-
-/// A part with those that go on from its end, as long as there are some.
-pub(super) fn grown(mut outline: BezPath, parts: &mut Vec<BezPath>) -> BezPath {
+/// A part with those that go on from its end, as long as there are some as near as this.
+pub(super) fn grown(mut outline: BezPath, parts: &mut Vec<BezPath>, meet_du: f64) -> BezPath {
     loop {
         let Some([start, end]) = ends(&outline) else { return outline };
         let distances =
             parts.iter().enumerate().filter_map(|(i, part)| Some((i, ends(part)?))).flat_map(
                 |(i, [first, last])| [(first.distance(end), i, false), (last.distance(end), i, true)],
             );
-        let next = distances.min_by(|a, b| a.0.total_cmp(&b.0)).filter(|next| next.0 <= MEET_DU);
+        let next = distances.min_by(|a, b| a.0.total_cmp(&b.0)).filter(|next| next.0 <= meet_du);
         let to_start = start.distance(end);
         match next {
-            Some((distance, i, is_reversed)) if distance < to_start || to_start > MEET_DU => {
+            Some((distance, i, is_reversed)) if distance < to_start || to_start > meet_du => {
                 let part = parts.remove(i);
                 let part = if is_reversed { part.reverse_subpaths() } else { part };
                 outline.extend(part.elements()[1..].iter().copied());
             }
-            _ if to_start <= MEET_DU => {
+            _ if to_start <= meet_du => {
                 outline.close_path();
                 return outline;
             }

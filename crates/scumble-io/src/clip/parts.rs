@@ -1,6 +1,7 @@
 //! The parts of a path between its crossings with outlines.
 
-use kurbo::{BezPath, Line, ParamCurve, PathEl, PathSeg, Point, Rect, Shape};
+use kurbo::common::{solve_cubic, solve_quadratic};
+use kurbo::{BezPath, CubicBez, Line, ParamCurve, PathEl, PathSeg, Point, Rect, Shape, Vec2};
 
 use super::area::Area;
 use super::work::{TooMuch, Work};
@@ -19,16 +20,19 @@ pub(super) fn parts(
     bounds: Rect,
     areas: &[&Area],
     work: &mut Work,
-    is_kept: impl Fn([Point; 2]) -> bool,
+    mut is_kept: impl FnMut([Point; 2]) -> bool,
 ) -> Result<Vec<BezPath>, TooMuch> {
     let size: u64 = areas.iter().map(|area| area.size()).sum();
     let mut parts = Parts::default();
     for segment in path.segments() {
         let cuts = cuts(&segment, bounds, areas, work)?;
-        for ends in cuts.windows(2) {
-            work.spend(2 * size)?;
-            let part = segment.subsegment(ends[0]..ends[1]);
-            parts.add(part, is_kept(sides(&part)));
+        work.spend(2 * size * cuts.len() as u64)?;
+        let part = |from: f64, to: f64| segment.subsegment(from..to);
+        let asked: Vec<_> =
+            cuts.windows(2).map(|ends| (ends[0], ends[1], is_kept(sides(&part(ends[0], ends[1]))))).collect();
+        // A curve that was cut for nothing stays what it is.
+        for alike in asked.chunk_by(|a, b| a.2 == b.2) {
+            parts.add(part(alike[0].0, alike[alike.len() - 1].1), alike[0].2);
         }
     }
     Ok(parts.finish(path))
@@ -49,9 +53,7 @@ fn cuts(segment: &PathSeg, bounds: Rect, areas: &[&Area], work: &mut Work) -> Re
                 work.spend(CROSSING_WORK)?;
                 // Longer than it is by next to nothing, so that no crossing falls between two chords.
                 let line = Line::new(chord.eval(-1e-6), chord.eval(1.0 + 1e-6));
-                cuts.extend(
-                    segment.intersect_line(line).iter().map(|crossing| crossing.segment_t.clamp(0.0, 1.0)),
-                );
+                cuts.extend(crossings(segment, line));
             }
         }
     }
@@ -59,17 +61,56 @@ fn cuts(segment: &PathSeg, bounds: Rect, areas: &[&Area], work: &mut Work) -> Re
     Ok(apart(segment, &cuts))
 }
 
+/// Where a segment crosses a line, as parameters.
+fn crossings(segment: &PathSeg, line: Line) -> Vec<f64> {
+    let along = line.p1 - line.p0;
+    let PathSeg::Cubic(CubicBez { p0, p1, p2, p3 }) = *segment else {
+        return segment
+            .intersect_line(line)
+            .iter()
+            .map(|crossing| crossing.segment_t.clamp(0.0, 1.0))
+            .collect();
+    };
+    let across = |v: Vec2| along.cross(v);
+    let (first, second) = (p1 - p0, p2 - p1);
+    let coefficients = [
+        across(p0 - line.p0),
+        across(3.0 * first),
+        across(3.0 * (second - first)),
+        across(p3 - p0 - 3.0 * second),
+    ];
+    let is_on_line = |&t: &f64| {
+        let place = along.dot(segment.eval(t) - line.p0) / along.hypot2();
+        (0.0..=1.0).contains(&t) && (0.0..=1.0).contains(&place)
+    };
+    roots(coefficients).into_iter().filter(is_on_line).collect()
+}
+
+/// The roots of a polynomial. A cubic part that is nothing but rounding, as that of a quadratic curve that was raised, would
+/// lead to wrong ones.
+fn roots([c0, c1, c2, c3]: [f64; 4]) -> Vec<f64> {
+    if c3.abs() < 1e-8 * c1.abs().max(c2.abs()) {
+        return solve_quadratic(c0, c1, c2).to_vec();
+    }
+    solve_cubic(c0, c1, c2, c3).to_vec()
+}
+
 /// Cuts that are as far apart that their sides can be told, and both ends.
 fn apart(segment: &PathSeg, cuts: &[f64]) -> Vec<f64> {
-    let is_apart = |a: f64, b: f64| segment.eval(a).distance(segment.eval(b)) > 2.0 * BESIDE_DU;
     let mut kept = vec![0.0];
     for &cut in cuts {
-        if is_apart(kept[kept.len() - 1], cut) && is_apart(cut, 1.0) {
+        if is_apart(segment, kept[kept.len() - 1], cut) && is_apart(segment, cut, 1.0) {
             kept.push(cut);
         }
     }
     kept.push(1.0);
     kept
+}
+
+/// Whether a segment goes away from a place before it comes to another one, which may be there again.
+fn is_apart(segment: &PathSeg, a: f64, b: f64) -> bool {
+    let is_away = |part: f64| segment.eval(a).distance(segment.eval(a + (b - a) * part)) > 2.0 * BESIDE_DU;
+    [0.25, 0.5, 0.75, 1.0].into_iter().any(is_away)
 }
 
 /// A point at each side of the middle of a segment.

@@ -1,7 +1,7 @@
 //! What it takes to find what is hidden, and its limit.
 
 /// What all shapes of a drawing may take, in comparisons of numbers: some tenths of a second.
-const MOST_WORK: u64 = 50_000_000;
+const MOST_WORK: u64 = 150_000_000;
 
 /// It would take too long to find what is hidden.
 #[derive(Debug)]
@@ -19,9 +19,10 @@ impl Work {
     /// Takes some comparisons.
     ///
     /// # Errors
-    /// When there are fewer left.
+    /// When there are fewer left; then there are none.
     pub(crate) fn spend(&mut self, comparisons: u64) -> Result<(), TooMuch> {
-        self.0 = self.0.checked_sub(comparisons).ok_or(TooMuch)?;
-        Ok(())
+        let left = self.0.checked_sub(comparisons);
+        self.0 = left.unwrap_or(0);
+        left.map(|_| ()).ok_or(TooMuch)
     }
 }

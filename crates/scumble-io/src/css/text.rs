@@ -43,15 +43,10 @@ pub(crate) fn parts(text: &str, is_separator: fn(u8) -> bool) -> impl Iterator<I
 /// What is in the parentheses that a text begins with, and what is behind them.
 pub(crate) fn enclosed(text: &str) -> Option<(&str, &str)> {
     let inner = text.strip_prefix('(')?;
-    let mut depth = 0_usize;
+    let mut depth = 1;
     let close = unquoted(inner).find(|&(_, byte)| {
-        let is_end = depth == 0 && byte == b')';
-        match byte {
-            b'(' => depth += 1,
-            b')' => depth = depth.saturating_sub(1),
-            _ => {}
-        }
-        is_end
+        depth += i32::from(byte == b'(') - i32::from(byte == b')');
+        depth == 0
     });
     close.map(|(at, _)| (&inner[..at], &inner[at + 1..]))
 }

@@ -80,7 +80,8 @@ pub(crate) fn readable<'v>(
     if let Some(server) = value.strip_prefix("url") {
         return paint_server(property, server, variables).map(Cow::Owned);
     }
-    let mixes_with_current = || has_current(value).then_some(Cow::Borrowed("currentColor"));
+    let is_of_line = matches!(property, Property::Stroke | Property::Color);
+    let mixes_with_current = || (is_of_line && has_current(value)).then_some(Cow::Borrowed("currentColor"));
     color(value).map(|color| Cow::Owned(written(color))).or_else(mixes_with_current)
 }
 
@@ -124,13 +125,21 @@ fn color(text: &str) -> Option<Rgba8> {
     match &*name.to_ascii_lowercase() {
         "light-dark" => color(colors.next()?),
         "color-mix" => mixed(colors.nth(1)?, colors.next()?),
-        _ if arguments.trim_start().starts_with("from ") => color(words(arguments).nth(1)?),
+        _ if arguments.trim_start().starts_with("from ") => {
+            color(words(arguments).nth(1)?).map(|color| with_alpha(color, arguments))
+        }
         "color" => {
             let (space, channels) = arguments.trim_start().split_once(' ')?;
             in_space(Space::of_profile(&space.to_ascii_lowercase())?, channels)
         }
         name => in_space(Space::of_function(name)?, arguments),
     }
+}
+
+/// A colour with the opacity behind a slash, if it is a number.
+fn with_alpha(Rgba8([r, g, b, own]): Rgba8, arguments: &str) -> Rgba8 {
+    let alpha = arguments.rsplit_once('/').and_then(|(_, alpha)| channel(alpha.trim(), 1.0));
+    Rgba8([r, g, b, alpha.map_or(own, |alpha| (alpha.clamp(0.0, 1.0) * 255.0).round() as u8)])
 }
 
 /// Colours that are not known to `usvg`: one of a person's name, and those of a system with dark writing on white.
@@ -164,17 +173,19 @@ fn in_space(space: Space, arguments: &str) -> Option<Rgba8> {
 
 /// A number, a percentage of what is the whole, or an angle in degrees.
 fn channel(word: &str, whole: f64) -> Option<f64> {
-    const UNITS: [(&str, f64); 4] =
-        [("deg", 1.0), ("grad", 0.9), ("rad", 180.0 / std::f64::consts::PI), ("turn", 360.0)];
     if word.eq_ignore_ascii_case("none") {
         return Some(0.0);
     }
-    let named = || UNITS.iter().find_map(|(name, unit)| Some((word.strip_suffix(name)?, *unit)));
-    let (number, unit) = match word.strip_suffix('%') {
-        Some(number) => (number, whole),
-        None => named().unwrap_or((word, 1.0)),
-    };
-    let per = if word.ends_with('%') { 100.0 } else { 1.0 };
+    const HALF_TURN: f64 = std::f64::consts::PI;
+    let units = [
+        ("%", whole, 100.0),
+        ("deg", 1.0, 1.0),
+        ("grad", 0.9, 1.0),
+        ("rad", 180.0, HALF_TURN),
+        ("turn", 360.0, 1.0),
+    ];
+    let given = units.iter().find_map(|(name, unit, per)| Some((word.strip_suffix(name)?, *unit, *per)));
+    let (number, unit, per) = given.unwrap_or((word, 1.0, 1.0));
     number.parse::<f64>().ok().map(|number| number * unit / per).filter(|number| number.is_finite())
 }
 
@@ -266,7 +277,7 @@ mod tests {
             ("color-mix(in oklch shorter hue, red 25%, rgb(0 0 255))", "#4000bf"),
             ("color-mix(in srgb, red 50%, transparent)", "#ff000080"),
             ("color-mix(in srgb, currentColor 50%, transparent)", "currentColor"),
-            ("rgb(from #123456 r g b / 50%)", "#123456"),
+            ("rgb(from #123456 r g b / 50%)", "#12345680"),
             ("#CD853F icc-color(acmecmyk, 0.11, 0.48, 0.83, 0.00)", "#cd853f"),
             ("url(#a) currentcolor", "url(#a) currentColor"),
             ("url('#a') rgb(0 0 0 / 50%)", "url('#a') #00000080"),
