@@ -31,10 +31,10 @@ import { done, failed } from "./toolbar.js";
 export class Colors {
   #engine;
   #open;
-  #panels = lazily(async () => {
-    const { Panels } = await import("./color_panels.js");
-    return new Panels(this.#shell());
-  });
+  #panels = lazily(
+    () => import("./color_panels.js"),
+    ({ Panels }) => new Panels(this.#shell()),
+  );
 
   /**
    * @param {import("./engine.js").Engine} engine

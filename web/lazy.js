@@ -27,13 +27,15 @@ function haveStyle() {
 }
 
 /**
- * @template T
- * @param {() => Promise<T>} fetch
+ * @template T, M
+ * @param {() => Promise<M>} fetch a module
+ * @param {(module: M) => T} build what it is for, once its words are there
  */
-export function lazily(fetch) {
+export function lazily(fetch, build) {
   const load = async () => {
     try {
-      [part.now] = await Promise.all([fetch(), haveRest()]);
+      const [module] = await Promise.all([fetch(), haveRest()]);
+      part.now = build(module);
     } catch (fault) {
       console.warn(fault);
       part.loading = undefined;

@@ -178,41 +178,45 @@ function nameShown() {
   showName(shown.name, isUnsaved(shown), isKept(shown));
 }
 
-const sharing = lazily(async () => {
-  const { Share } = await import("./share.js");
-  return new Share({ say, codeOf: formats.qrCode, openDialog });
-});
+const sharing = lazily(
+  () => import("./share.js"),
+  ({ Share }) => new Share({ say, codeOf: formats.qrCode, openDialog }),
+);
 
-const gallery = lazily(async () => {
-  const { Gallery } = await import("./gallery.js");
-  const open = opening.sample.bind(opening);
-  return new Gallery({ say, name, openDialog, list: sampleList, nameOf: sampleName, folder: FOLDER, open });
-});
+const gallery = lazily(
+  () => import("./gallery.js"),
+  ({ Gallery }) => {
+    const open = opening.sample.bind(opening);
+    return new Gallery({ say, name, openDialog, list: sampleList, nameOf: sampleName, folder: FOLDER, open });
+  },
+);
 
-const recent = lazily(async () => {
-  const { Recent } = await import("./recent.js");
-  const remove = async (/** @type {string} */ id) => {
-    const isGone = await removed(id);
-    if (isGone) keeper.drop(drawings.forget(id));
-    return isGone;
-  };
-  return new Recent({ say, name, openDialog, entries, picture, open: (id) => opening.kept(id), remove });
-});
+const recent = lazily(
+  () => import("./recent.js"),
+  ({ Recent }) => {
+    const remove = async (/** @type {string} */ id) => {
+      const isGone = await removed(id);
+      if (isGone) keeper.drop(drawings.forget(id));
+      return isGone;
+    };
+    return new Recent({ say, name, openDialog, entries, picture, open: (id) => opening.kept(id), remove });
+  },
+);
 
-const exporting = lazily(async () => {
-  const { Export } = await import("./export.js");
-  return new Export({ engine, formats, say, done, openDialog, download });
-});
+const exporting = lazily(
+  () => import("./export.js"),
+  ({ Export }) => new Export({ engine, formats, say, done, openDialog, download }),
+);
 
-const help = lazily(async () => {
-  const { Help } = await import("./help.js");
-  return new Help({ say, label: labelNames, openDialog, shortcuts: SHORTCUTS, written, haveSingles, setSingles });
-});
+const help = lazily(
+  () => import("./help.js"),
+  ({ Help }) => new Help({ say, label: labelNames, openDialog, shortcuts: SHORTCUTS, written, haveSingles, setSingles }),
+);
 
-const keyboardPen = lazily(async () => {
-  const { KeyboardPen } = await import("./keyboard_pen.js");
-  return new KeyboardPen({ stage, engine, make, say, tell });
-});
+const keyboardPen = lazily(
+  () => import("./keyboard_pen.js"),
+  ({ KeyboardPen }) => new KeyboardPen({ stage, engine, make, say, tell }),
+);
 
 function share() {
   const work = engine.work();

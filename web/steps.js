@@ -8,10 +8,10 @@ const button = /** @type {HTMLButtonElement} */ (document.getElementById("histor
 
 export class Steps {
   #engine;
-  #panel = lazily(async () => {
-    const { History } = await import("./history.js");
-    return new History({ say, done, history: () => this.#engine.history(), go: (place) => this.#engine.command("go-to", place) });
-  });
+  #panel = lazily(
+    () => import("./history.js"),
+    ({ History }) => new History({ say, done, history: () => this.#engine.history(), go: (place) => this.#engine.command("go-to", place) }),
+  );
 
   /** @param {import("./engine.js").Engine} engine */
   constructor(engine) {
