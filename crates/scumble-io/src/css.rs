@@ -31,6 +31,10 @@ pub(crate) struct Mends {
 /// Bytes that a declaration with variables may grow by.
 const MOST_GROWTH: usize = 16;
 
+/// What stands for a line whose width is that of the whole picture, whatever its transform: `usvg` keeps no other mark of it,
+/// and nothing else is made of this one.
+pub(crate) const UNSCALED: &str = "shape-rendering:optimizeSpeed";
+
 /// Looks through all elements.
 pub(crate) fn of(xml: &Document) -> Mends {
     let mut mender = Mender { text: xml.input_text(), variables: variables(xml), mends: Mends::default() };
@@ -169,6 +173,9 @@ impl Mender<'_> {
 
     /// A declaration of something else than a colour.
     fn other<'c>(&self, declaration: &'c str, name: &str, value: &str) -> Option<Cow<'c, str>> {
+        if name == "vector-effect" && value == "non-scaling-stroke" {
+            return Some(Cow::Owned(UNSCALED.to_owned()));
+        }
         if is_plain(name, value) && !value.contains("var(") {
             return Some(Cow::Borrowed(declaration));
         }

@@ -11,9 +11,9 @@ const OUTLINE_WIDTH_DU: f64 = 1.0;
 
 /// The drawn line of a stroke. Under a transform that is no similarity its width is scaled as areas are, by the
 /// square root of the determinant.
-pub(crate) fn line(stroke: &usvg::Stroke, opacity: f32, du_from_path: Affine) -> Option<Line> {
+pub(crate) fn line(stroke: &usvg::Stroke, opacity: f32, du_from_line: Affine) -> Option<Line> {
     let color = paint::color(stroke.paint(), opacity * stroke.opacity().get())?;
-    let scale = du_from_path.determinant().abs().sqrt();
+    let scale = du_from_line.determinant().abs().sqrt();
     let width_du = f64::from(stroke.width().get()) * scale;
     if !width_du.is_finite() || width_du <= 0.0 {
         return None;

@@ -7,7 +7,7 @@ use kurbo::{Affine, BezPath};
 use roxmltree::Document;
 use scumble_core::work::MAX_CURVES;
 use scumble_core::{Curve, Drawing, Fill, Line, Rgba8};
-use usvg::{BlendMode, FillRule, Node, Options};
+use usvg::{BlendMode, FillRule, Node, Options, ShapeRendering};
 
 use crate::clip::{Clip, Outlines, Rest, TooMuch};
 use crate::css::{self, Mends};
@@ -70,7 +70,8 @@ pub fn import_svg(bytes: &[u8]) -> Result<Import, ImportError> {
 /// Imports a tree of which every shape has usable coordinates.
 fn import_tree(xml: &Document, notes: ImportNotes) -> Result<Import, ImportError> {
     let is_clipped = limits::check_tree(xml)?;
-    let style_sheet = if is_clipped { IGNORED.to_owned() } else { [IGNORED, UNCLIPPED].concat() };
+    let unscaled = ["[vector-effect=non-scaling-stroke] {", css::UNSCALED, "}"].concat();
+    let style_sheet = [IGNORED, if is_clipped { "" } else { UNCLIPPED }, &unscaled].concat();
     let options = Options { style_sheet: Some(style_sheet), ..Options::default() };
     let tree = usvg::Tree::from_xmltree(xml, &options).map_err(import_error)?;
     let size_px = [tree.size().width(), tree.size().height()].map(f64::from);
@@ -212,7 +213,9 @@ impl Importer {
     fn shape(&mut self, path: &usvg::Path, opacity: f32) -> Shape {
         let du_from_path = self.du_from_px * affine(path.abs_transform());
         let subpaths = self.usable(outline::subpaths(path.data(), du_from_path));
-        let line = path.stroke().and_then(|stroke| look::line(stroke, opacity, du_from_path));
+        let is_scaled = path.rendering_mode() != ShapeRendering::OptimizeSpeed;
+        let du_from_line = if is_scaled { du_from_path } else { self.du_from_px };
+        let line = path.stroke().and_then(|stroke| look::line(stroke, opacity, du_from_line));
         let line = line.map(|line| if self.is_dark { look::darkened(line) } else { line });
         let fill = path.fill().filter(|_| subpaths.iter().any(outline::has_area));
         let fill = fill.and_then(|fill| self.filling(fill, opacity, &subpaths));

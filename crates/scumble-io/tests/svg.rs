@@ -114,6 +114,22 @@ fn transforms_move_curves_and_scale_widths() {
 }
 
 #[test]
+fn a_line_that_does_not_scale_is_as_wide_as_in_the_picture() {
+    let look = [
+        r#"vector-effect="non-scaling-stroke""#,
+        r#"style="vector-effect:non-scaling-stroke;fill:none""#,
+        "",
+    ];
+    let widths_du = look.map(|look| {
+        let path = format!(r#"<path transform="scale(4)" d="M2 2h9" stroke="black" stroke-width="2" {look}/>"#);
+        let svg = format!(r#"<svg xmlns="http://www.w3.org/2000/svg" width="640" height="640" viewBox="0 0 64 64">{path}</svg>"#);
+        import(&svg).drawing.curves[0].line.as_ref().unwrap().stroke.width
+    });
+    // Two of 640 pixels; otherwise four times two of 64 units.
+    assert_eq!(widths_du, [3.2, 3.2, 128.0]);
+}
+
+#[test]
 fn use_symbols_styles_and_units_are_resolved() {
     let import = import(
         r##"<svg xmlns="http://www.w3.org/2000/svg" xmlns:xlink="http://www.w3.org/1999/xlink" viewBox="0 0 64 64">
