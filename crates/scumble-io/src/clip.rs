@@ -15,9 +15,9 @@ use kurbo::{BezPath, Point, Rect};
 
 pub(crate) use area::{Area, Outlines};
 use joining::grown;
+pub(crate) use parts::Parts;
 use parts::parts;
-pub(crate) use work::TooMuch;
-use work::Work;
+pub(crate) use work::{TooMuch, Work};
 
 use crate::outline::is_closed;
 

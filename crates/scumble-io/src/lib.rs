@@ -13,6 +13,7 @@
 //! | … its paths as Bézier paths | `outline` |
 //! | … what its clip paths leave | `clip` |
 //! | … what its areas hide | `hidden` |
+//! | … which of its outlines are lines, too | `doubles` |
 //! | … what keeps a hostile file from hanging the reader | `limits`, `expansion`, `geometry`, `style_sheet` |
 //! | … what was left out | `survey`, `notes` |
 //! | diffusion curves as XML | `curve_set` |
@@ -30,6 +31,7 @@ mod checksum;
 mod clip;
 mod css;
 mod curve_set;
+mod doubles;
 mod drawing_file;
 mod error;
 mod expansion;

@@ -11,6 +11,7 @@ use usvg::{BlendMode, FillRule, Node, Options, ShapeRendering};
 
 use crate::clip::{Clip, Outlines, Rest, TooMuch};
 use crate::css::{self, Mends};
+use crate::doubles::without_doubles;
 use crate::error::ImportError;
 use crate::hidden::{Cover, without_hidden};
 use crate::notes::ImportNotes;
@@ -325,7 +326,8 @@ impl Importer {
         notes.clip_paths *= usize::from(!is_clipped);
         // Of what is not clipped it is not known what it covers.
         let seen = if is_clipped { without_hidden(&drawing, &covers).ok() } else { None };
-        let mut drawing = seen.filter(|seen| !seen.curves.is_empty()).unwrap_or(drawing);
+        let drawing = seen.filter(|seen| !seen.curves.is_empty()).unwrap_or(drawing);
+        let mut drawing = without_doubles(&drawing).unwrap_or(drawing);
         // What the drawing has no line for is not drawn over its lines.
         let thin = Some(look::thin());
         drawing.curves.sort_by_key(|curve| curve.line != thin);

@@ -682,3 +682,17 @@ fn outlines_without_a_line_are_drawn_under_lines() {
     let colors: Vec<_> = curves.iter().flat_map(|curve| &curve.line).map(|line| line.color).collect();
     assert_eq!(colors, [Rgba8([0, 0, 0, 255]), Rgba8([255, 0, 0, 255])]);
 }
+
+#[test]
+fn an_outline_is_left_to_the_line_that_runs_along_it() {
+    let shirt = r#"<path d="M10 60L16 20C20 8 44 8 48 20L54 60Z" fill="white" stroke="black"/>"#;
+    let clip = shirt.replace(" fill=\"white\" stroke=\"black\"", "");
+    let stripes = r#"<g clip-path="url(#c)"><path d="M0 20h64v4h-64z" fill="red" fill-opacity="0.9"/></g>"#;
+    let curves = on_page(&format!(r#"<clipPath id="c">{clip}</clipPath>{shirt}{stripes}"#)).drawing.curves;
+    let widths: Vec<_> = curves.iter().flat_map(|curve| &curve.line).map(|line| line.stroke.width).collect();
+    assert_eq!(widths, [1.0, 1.0, 16.0], "the stripe has an upper and a lower edge");
+    let colored = r#"<circle cx="32" cy="32" r="9" fill="gold"/><circle cx="32" cy="32" r="9" fill="none" stroke="black"/>"#;
+    assert_eq!(on_page(colored).drawing.curves.len(), 1);
+    let apart = colored.replace(r#"r="9" fill="gold""#, r#"r="8.9" fill="gold""#);
+    assert_eq!(on_page(&apart).drawing.curves.len(), 2);
+}

@@ -123,7 +123,7 @@ fn sides(segment: &PathSeg) -> [Point; 2] {
 
 /// Parts of a path, as they are found along it.
 #[derive(Debug, Default)]
-struct Parts {
+pub(crate) struct Parts {
     done: Vec<BezPath>,
     begins: bool,
     goes_on: bool,
@@ -131,7 +131,7 @@ struct Parts {
 }
 
 impl Parts {
-    fn add(&mut self, part: PathSeg, is_kept: bool) {
+    pub(crate) fn add(&mut self, part: PathSeg, is_kept: bool) {
         self.begins |= is_kept && self.done.is_empty() && !self.lacks_some;
         self.lacks_some |= !is_kept;
         if is_kept && !self.goes_on {
@@ -144,7 +144,7 @@ impl Parts {
     }
 
     /// What is left of a path; a closed one begins in the middle of a part.
-    fn finish(self, path: &BezPath) -> Vec<BezPath> {
+    pub(crate) fn finish(self, path: &BezPath) -> Vec<BezPath> {
         let Self { mut done, begins, goes_on, lacks_some } = self;
         if !lacks_some {
             return vec![path.clone()];
