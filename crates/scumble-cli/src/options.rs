@@ -194,7 +194,8 @@ const VALUED: [&str; 16] = [
     "--take",
 ];
 
-/// An option and its value, which may have an equals sign between them.
+/// An option and its value, which may have an equals sign between them. (`pico-args` could tell them apart itself, but then takes
+/// no file names that are not in UTF-8.)
 fn apart(argument: OsString) -> Vec<OsString> {
     let parts = argument.to_str().and_then(|text| text.split_once('='));
     match parts.filter(|(name, _)| VALUED.contains(name)) {

@@ -1,7 +1,15 @@
 //! What clip paths, or what is painted over them, leave of shapes, as the Bézier curves that they are.
 //!
 //! Each outline is parted where it crosses another one, and every part is asked for what lies at its two sides: of lines there
-//! remain those that are seen, of an area what has the seen on one side alone. (Libraries that cut areas make polygons of them, or fail on some.)
+//! remain those that are seen, of an area what has the seen on one side alone. (Libraries that cut areas make polygons of
+//! them, or fail on some.)
+//!
+//! | noun | file |
+//! |---|---|
+//! | an area, and whether a point is in it | `area` |
+//! | the parts of a path between its crossings | `parts` |
+//! | parts that are put together | `joining` |
+//! | what all that may take | `work` |
 
 mod area;
 mod joining;

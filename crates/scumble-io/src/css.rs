@@ -2,6 +2,13 @@
 //!
 //! It leaves out a line whose colour it cannot read, makes such an area black, and passes over all declarations behind one that
 //! it does not understand. Only values of colours and styles are looked at here, each once.
+//!
+//! | noun | file |
+//! |---|---|
+//! | what lies between brackets, quotes and semicolons | `text` |
+//! | a colour, as it is written | `values` |
+//! | the spaces that colours are in | `spaces` |
+//! | variables | `variables` |
 
 mod spaces;
 mod text;

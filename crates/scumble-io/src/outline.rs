@@ -91,8 +91,9 @@ pub(crate) fn has_area(path: &BezPath) -> bool {
     points.iter().any(|p| along.cross(*p - start).abs() > FLAT_DU * along.hypot())
 }
 
-/// How wide an area is in the mean, and how long the lines along its middle are, in du: with half the length of its outlines, as
-/// far as their control points tell, they are what it covers.
+/// How wide an area is in the mean, and how long, in du, if it is taken for a line: that is half as long as the outlines, as far
+/// as their control points tell, and covers as much.
+///
 /// What lies within the largest outline of an area that is filled by turns is a hole in it.
 pub(crate) fn mean_size_du(subpaths: &[BezPath], even_odd: bool) -> [f64; 2] {
     let areas: Vec<f64> = subpaths.iter().map(|path| closed(path.clone()).area()).collect();
