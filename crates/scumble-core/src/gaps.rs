@@ -95,15 +95,8 @@ async fn find(map: &PlanarMap, clearance: &Clearance, ratio: f64) -> Vec<Gap> {
     pace::for_each(passages, |(width_du, h, twin)| {
         let [a, b] = [h, twin].map(|h| basins.sets.find(h.triangle() as u32));
         let narrower_du = basins.narrower_du([a, b], map.is_at_border(&mesh.ends(h))).max(0.0);
-        let is_at_tip = || {
-            let clear_du = clear_width_du(map, h);
-            mesh.ends(h).iter().any(|&node| clearance.tips.loose(node, clear_du).is_some())
-        };
-        let is_narrow = |below: f64| width_du < below * narrower_du;
-        if a != b && is_narrow(ratio) && is_gabriel(mesh, h) && (is_narrow(WAIST * ratio) || is_at_tip()) {
-            let [is_wide, is_plain] =
-                wide_widths_du(map, &lengths_du, h, width_du).map(|du| du > WIDE * narrower_du);
-            gaps.push(Gap { nodes: mesh.ends(h), is_wide, is_plain: is_wide && is_plain });
+        if a != b && stays_closed(map, clearance, h, [width_du, ratio * narrower_du]) {
+            gaps.push(gap(map, &lengths_du, h, [width_du, WIDE * narrower_du]));
         } else {
             basins.join(a, b);
         }
@@ -112,11 +105,25 @@ async fn find(map: &PlanarMap, clearance: &Clearance, ratio: f64) -> Vec<Gap> {
     gaps
 }
 
-/// The width by which a gap is wide, and the one by which it is plain. Beside the border of the page, what is at hand
-/// counts as much as a passage there counts, unless a line means to reach it.
-fn wide_widths_du(map: &PlanarMap, lengths_du: &[f64], h: HalfEdge, width_du: f64) -> [f64; 2] {
-    let counts = map.is_at_border(&map.triangulation().ends(h)) && !means_to_reach(map, lengths_du, h);
-    [if counts { width_du } else { clear_width_du(map, h) }, width_du]
+/// Whether a passage as wide as the first of these widths is a gap, if all that are narrower than the second may be.
+fn stays_closed(map: &PlanarMap, clearance: &Clearance, h: HalfEdge, [width_du, below_du]: [f64; 2]) -> bool {
+    let mesh = map.triangulation();
+    let is_at_tip = || {
+        let clear_du = clear_width_du(map, h);
+        mesh.ends(h).iter().any(|&node| clearance.tips.loose(node, clear_du).is_some())
+    };
+    width_du < below_du && is_gabriel(mesh, h) && (width_du < WAIST * below_du || is_at_tip())
+}
+
+/// The gap that counts as wide as the first of these widths, and is wide above the second. Beside the border of the page, what is
+/// at hand counts as much as a passage there counts, unless a line means to reach it.
+fn gap(map: &PlanarMap, lengths_du: &[f64], h: HalfEdge, [width_du, wide_du]: [f64; 2]) -> Gap {
+    let nodes = map.triangulation().ends(h);
+    let clear_du = clear_width_du(map, h);
+    let lines_du = nodes.iter().filter_map(|&node| map.half_width_du(node)).sum();
+    let counts = map.is_at_border(&nodes) && !means_to_reach(map, lengths_du, h);
+    let is_wide = if counts { width_du } else { clear_du } > wide_du;
+    Gap { nodes, is_wide, is_plain: is_wide && width_du > wide_du, is_slight: clear_du <= lines_du }
 }
 
 /// Whether a line that ends at an edge of the triangulation, and points along it, is so long beside it that it means to

@@ -65,6 +65,8 @@ pub struct Gap {
     pub is_wide: bool,
     /// Whether it is so even as far as widths count beside the tips of lines.
     pub is_plain: bool,
+    /// Whether it is no wider than the lines at its ends, so that a person hardly sees it.
+    pub is_slight: bool,
 }
 
 /// Why a drawing has no planar map.

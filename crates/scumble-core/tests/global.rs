@@ -434,6 +434,36 @@ fn colours_come_through_the_wider_door_however_lines_are_cut() {
     }
 }
 
+/// A sixth of a framed page is coloured with the rest of it through a hole that one sees, not through one that is hardly wider
+/// than its lines.
+#[test]
+fn a_window_that_is_not_quite_closed_is_no_corner_of_what_is_around_it() {
+    let stroke = Scribble {
+        color: Paint::Clear,
+        kind: ScribbleKind::Fill,
+        width_du: 8.0,
+        points: vec![Point::new(100.0, 100.0), Point::new(150.0, 150.0)],
+    };
+    for (gap_du, gap_closing, is_corner) in
+        [(0.2, 0.5, false), (6.0, 0.5, false), (6.0, 1.0, false), (11.0, 0.5, false), (40.0, 0.5, true)]
+    {
+        let window =
+            [(300.0 + gap_du, 300.0), (800.0, 300.0), (800.0, 500.0), (300.0, 500.0), (300.0, 300.0)];
+        let frame = Rect::new(25.0, 25.0, 998.0, 742.0).to_path(0.1);
+        let map = build(vec![(frame, 6.0), (polyline(&window.map(Point::from)), 6.0)], gap_closing);
+        let labels = fresh(&map, false, std::slice::from_ref(&stroke));
+        let mesh = map.triangulation();
+        let is_within = |h: &HalfEdge| {
+            let [a, b] = mesh.segment(*h);
+            a.y == 500.0 && b.y == 500.0 && mesh.segment(h.next())[1].y < 500.0
+        };
+        let within: Vec<_> = mesh.half_edges().filter(is_within).filter_map(|h| mesh.side(h)).collect();
+        assert!(within.len() > 20);
+        let colored = within.iter().filter(|side| labels.sides[side.index()].is_some()).count();
+        assert_eq!(colored, if is_corner { within.len() } else { 0 }, "{gap_du}, {gap_closing}");
+    }
+}
+
 /// The scribbles around the inside of a shape, one after the other.
 fn around(shape: &BezPath, center: Point, strokes: &[[Point; 2]]) -> Vec<usize> {
     let map = sampled(vec![(shape.clone(), 8.0)], 0.5, &Sampling::default());

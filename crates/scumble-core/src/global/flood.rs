@@ -88,9 +88,7 @@ impl Ways {
         pace::pause().await;
         let gaps: Vec<_> = mesh.half_edges().filter(|&h| mesh.gap(h).is_some()).collect();
         pace::pause().await;
-        let regions = mesh.finding_regions().await;
-        pace::pause().await;
-        let rooms = Rooms::new(map, &gaps, &room_of, room_count, regions).await;
+        let rooms = Rooms::new(map, &gaps, &room_of, room_count).await;
         pace::pause().await;
         let key = |&h: &HalfEdge| Some((sort::pair(pockets::door(map, &room_of, h)?), h.index() as u32));
         let mut doors = Vec::with_capacity(gaps.len());

@@ -73,14 +73,8 @@ struct Grown {
 }
 
 impl Rooms {
-    /// The rooms and regions that the triangles of the refined mesh belong to, and the half-edges in gaps between them.
-    pub(super) async fn new(
-        map: &PlanarMap,
-        gaps: &[HalfEdge],
-        room_of: &[u32],
-        room_count: usize,
-        regions: (Vec<u32>, usize),
-    ) -> Self {
+    /// The rooms that the triangles of the refined mesh belong to, and the half-edges in gaps between them.
+    pub(super) async fn new(map: &PlanarMap, gaps: &[HalfEdge], room_of: &[u32], room_count: usize) -> Self {
         let areas_du2 = areas_du2(map, room_of, room_count);
         pace::pause().await;
         let doors = doors(map, gaps, room_of, |gap, _| gap.is_wide);
@@ -94,7 +88,7 @@ impl Rooms {
             are_beside_border[from as usize] |= areas_du2[to as usize].is_infinite();
         }
         let hall_of = halls(&are_beside_border, &doors);
-        let shapes = Shapes::new(map, gaps, room_of, regions, &areas_du2);
+        let shapes = Shapes::new(map, gaps, room_of, &areas_du2);
         Self { areas_du2, are_beside_border, doors, plain_doors, hall_of, shapes, grown: Vec::new() }
     }
 
@@ -141,7 +135,7 @@ impl Rooms {
     fn colored_halls(&self, are_taken: &[bool]) -> Vec<bool> {
         let mut free_du2 = vec![0.0; are_taken.len()];
         for (room, &hall) in self.hall_of.iter().enumerate() {
-            let part = if self.shapes.contains(hall) { CLOSED_HALL } else { HALL };
+            let part = if self.shapes.is_closed(hall) { CLOSED_HALL } else { HALL };
             free_du2[hall as usize] += self.areas_du2[room] * if are_taken[room] { part - 1.0 } else { part };
         }
         free_du2.iter().map(|&free_du2| free_du2 < 0.0).collect()

@@ -1,10 +1,12 @@
-//! Closed shapes: regions of the map with lines all around, so that nothing runs out of them onto the page.
+//! Closed shapes: rooms with lines all around, so that nothing runs out of them onto the page. Where a gap is narrower than
+//! the lines beside it, people do not see that there is one.
 //!
 //! Once colours have half of one, they have its corners too, behind whatever gap: nobody leaves a hole between a loose
 //! scale and the outline of a fish. A larger room behind a narrow gap may well be a thing of its own.
 
 use super::pockets::{Door, doors};
 use crate::planar_map::PlanarMap;
+use crate::sets::Sets;
 use crate::triangulation::HalfEdge;
 
 /// Colours have the corners of a shape once they have more than this part of its area.
@@ -16,8 +18,10 @@ const CORNER: f64 = 1.0 / 6.0;
 /// The closed shapes of a map.
 #[derive(Clone, Debug)]
 pub(super) struct Shapes {
-    /// Per room its shape; none where the border of the page is reached without crossing a line.
+    /// Per room its shape; none where the border of the page is reached without crossing a line, or a slight gap.
     of_rooms: Vec<Option<u32>>,
+    /// Per room whether the border is not reached through slight gaps either.
+    are_closed: Vec<bool>,
     /// Per room the part of its shape that it has.
     parts: Vec<f64>,
     /// Between rooms of one shape, in ascending order.
@@ -25,31 +29,25 @@ pub(super) struct Shapes {
 }
 
 impl Shapes {
-    /// The shapes that rooms of these areas make up, by the regions of the mesh; the area of a room at the border of the page has no bound.
-    pub(super) fn new(
-        map: &PlanarMap,
-        gaps: &[HalfEdge],
-        room_of: &[u32],
-        (region_of, region_count): (Vec<u32>, usize),
-        areas_du2: &[f64],
-    ) -> Self {
-        let mut regions = vec![0; areas_du2.len()];
-        room_of.iter().zip(region_of).for_each(|(&room, region)| regions[room as usize] = region as usize);
-        let mut regions_du2 = vec![0.0; region_count];
-        regions.iter().zip(areas_du2).for_each(|(&region, area_du2)| regions_du2[region] += area_du2);
-        let parts = regions.iter().zip(areas_du2).map(|(&region, area_du2)| area_du2 / regions_du2[region]);
-        let shape = |&region: &usize| regions_du2[region].is_finite().then_some(region as u32);
-        let of_rooms: Vec<_> = regions.iter().map(shape).collect();
+    /// The shapes that rooms of these areas make up; the area of a room at the border of the page has no bound.
+    pub(super) fn new(map: &PlanarMap, gaps: &[HalfEdge], room_of: &[u32], areas_du2: &[f64]) -> Self {
+        let (shape_of, shapes_du2) = joined(&doors(map, gaps, room_of, |gap, _| !gap.is_slight), areas_du2);
+        let (region_of, regions_du2) = joined(&doors(map, gaps, room_of, |_, _| true), areas_du2);
+        let are_closed = region_of.iter().map(|&region| regions_du2[region as usize].is_finite()).collect();
+        let part = |(&shape, area_du2): (&u32, &f64)| area_du2 / shapes_du2[shape as usize];
+        let parts = shape_of.iter().zip(areas_du2).map(part).collect();
+        let is_closed = |shape: &u32| shapes_du2[*shape as usize].is_finite();
+        let of_rooms: Vec<_> = shape_of.into_iter().map(|shape| Some(shape).filter(is_closed)).collect();
         let doors = doors(map, gaps, room_of, |_, [from, to]| {
             let [from, to] = [from, to].map(|room| of_rooms[room as usize]);
             from.is_some() && from == to
         });
-        Self { parts: parts.collect(), of_rooms, doors }
+        Self { of_rooms, are_closed, parts, doors }
     }
 
-    /// Whether a room is in a closed shape.
-    pub(super) fn contains(&self, room: u32) -> bool {
-        self.of_rooms[room as usize].is_some()
+    /// Whether lines are all around a room, without any gap to the border of the page.
+    pub(super) fn is_closed(&self, room: u32) -> bool {
+        self.are_closed[room as usize]
     }
 
     /// The doors into the corners that colours, which have these rooms, do not have yet of shapes that they have for the
@@ -66,4 +64,17 @@ impl Shapes {
         let leads = move |[from, to]: Door| is_corner(to) && (are_colored[from as usize] || is_corner(from));
         self.doors.iter().copied().filter(move |&door| is_mostly(door[0]) && leads(door))
     }
+}
+
+/// Per room what it belongs to where doors join rooms of such areas, by one of the rooms in it; and how large that is, in du².
+fn joined(doors: &[Door], areas_du2: &[f64]) -> (Vec<u32>, Vec<f64>) {
+    let mut sets = Sets::new(areas_du2.len());
+    for door in doors {
+        let [from, to] = door.map(|room| sets.find(room));
+        sets.join(from, to);
+    }
+    let of_rooms: Vec<_> = (0..areas_du2.len() as u32).map(|room| sets.find(room)).collect();
+    let mut joined_du2 = vec![0.0; areas_du2.len()];
+    of_rooms.iter().zip(areas_du2).for_each(|(&set, area_du2)| joined_du2[set as usize] += area_du2);
+    (of_rooms, joined_du2)
 }
