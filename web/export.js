@@ -16,6 +16,7 @@ const BENT_PX = 16_384;
 const PATIENCE_MS = 100;
 
 /** @typedef {"png" | "svg" | "pdf"} Format */
+/** @typedef {"pixels" | "shapes"} Kind of what a picture is made of */
 
 const TYPES = { png: "image/png", svg: "image/svg+xml", pdf: "application/pdf" };
 
@@ -39,17 +40,27 @@ export class Export {
   #job;
   /** Whether lines were shown as the dialog was opened last: what is chosen in it holds until that changes. @type {boolean | undefined} */
   #linesBefore;
+  /** The sizes that were chosen: of pixels for good, of shapes for the drawing as the dialog was opened. @type {{[kind in Kind]?: string}} */
+  #sizes = {};
+  /** Done once the size is known. @type {Promise<void>} */
+  #sized = Promise.resolve();
 
   /** @param {Shell} shell */
   constructor(shell) {
     this.#shell = shell;
     dialog.addEventListener("close", () => this.cancel());
-    dialog.addEventListener("input", () => this.#judge());
+    dialog.addEventListener("input", ({ target }) => {
+      if (target === input("export-size")) this.#sizes[kind()] = input("export-size").value;
+      if (/** @type {HTMLInputElement} */ (target).name === "format") this.#sized = this.#showSize();
+      this.#judge();
+    });
   }
 
   /** @param {boolean} lines whether they are shown */
   open(lines) {
     if (lines !== this.#linesBefore) input("export-lines").checked = this.#linesBefore = lines;
+    delete this.#sizes.shapes;
+    this.#sized = this.#showSize();
     this.#judge();
     this.#shell.openDialog(dialog);
   }
@@ -60,7 +71,7 @@ export class Export {
 
   /** @param {number} times */
   setSize(times) {
-    input("export-size").valueAsNumber = times * ONE_PX;
+    input("export-size").value = this.#sizes[kind()] = String(times * ONE_PX);
     this.#judge();
   }
 
@@ -85,6 +96,19 @@ export class Export {
       return true;
     });
     if (copied) tell(this.#shell.say("copied"));
+  }
+
+  /** Shows the size that was chosen; shapes are else as large as the page that the drawing came with. */
+  async #showSize() {
+    const { engine, formats } = this.#shell;
+    const isOpen = () => kind() === "shapes" && this.#sizes.shapes === undefined;
+    input("export-size").value = this.#sizes[kind()] ?? String(ONE_PX);
+    const work = isOpen() && engine.work();
+    // Where that cannot be told, it is told as the file is made.
+    const page_px = work && (await formats.pagePx(work).catch(() => undefined));
+    if (!page_px || !isOpen()) return;
+    input("export-size").value = String(page_px);
+    this.#judge();
   }
 
   /** Says what is wrong with what is chosen, if anything is. */
@@ -134,30 +158,31 @@ export class Export {
 
   /**
    * The picture of the drawing as it is.
-   * @param {Format} kind
+   * @param {Format} format
    * @param {AbortSignal} signal
    */
-  async #made(kind, signal) {
+  async #made(format, signal) {
+    await this.#sized;
     const size_px = input("export-size").valueAsNumber;
     const [lines, transparent] = ["export-lines", "export-transparent"].map((id) => input(id).checked);
     await written(stoppable(this.#shell.engine.made(), signal));
     const look = { size_px, lines, transparent, signal };
-    if (kind !== "png") return this.#drawn(kind, look);
+    if (format !== "png") return this.#drawn(format, look);
     return this.#with(size_px, lines, signal, (picture) => painted(picture, transparent, signal));
   }
 
   /**
    * The same as a file of shapes; in SVG its shades are pixels.
-   * @param {"svg" | "pdf"} kind
+   * @param {"svg" | "pdf"} format
    * @param {{size_px: number, lines: boolean, transparent: boolean, signal: AbortSignal}} look
    */
-  async #drawn(kind, { size_px, lines, transparent, signal }) {
+  async #drawn(format, { size_px, lines, transparent, signal }) {
     const { engine, formats, say } = this.#shell;
     const field = await this.#with(BENT_PX, false, signal, async (picture) => picture.field());
     const work = engine.work();
     if (!work) throw new Error(say("error-export"));
     const wanted = /** @type {const} */ ([work, field, size_px, lines, transparent]);
-    if (kind === "pdf") return new Blob([await written(formats.pdf(signal, ...wanted))], { type: TYPES.pdf });
+    if (format === "pdf") return new Blob([await written(formats.pdf(signal, ...wanted))], { type: TYPES.pdf });
     const raster_px = Math.min(Math.max(size_px, RASTER_PX.least), RASTER_PX.most);
     const raster = await this.#with(raster_px, false, signal, (shades) => painted(shades, transparent, signal));
     const svg = formats.svg(signal, ...wanted, new Uint8Array(await raster.arrayBuffer()));
@@ -194,6 +219,11 @@ function hasSize() {
 /** @returns {Format} */
 function format() {
   return /** @type {any} */ (dialog.querySelector("[name=format]:checked")).value;
+}
+
+/** @returns {Kind} */
+function kind() {
+  return format() === "png" ? "pixels" : "shapes";
 }
 
 /** @param {string} text */

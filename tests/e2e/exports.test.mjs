@@ -117,6 +117,20 @@ for (const browser of /** @type {const} */ (["chromium", "firefox"])) {
       assert.deepEqual(editor.tab.faults, []);
     });
 
+    test("shapes are as large as the page was that the drawing came with, until another size is chosen", async () => {
+      const editor = await session.open("cpu");
+      const svg = '<svg xmlns="http://www.w3.org/2000/svg" width="210mm" height="297mm" viewBox="0 0 210 297"><path d="M20 20H90V90Z" fill="none" stroke="#000"/></svg>';
+      const path = await folder.write("a4.svg", Buffer.from(svg));
+      await editor.until("Opened a4.svg", () => editor.tab.chooseFiles([path]));
+      await catchFiles(editor);
+      const pdf = await exported(editor, "PDF");
+      assert.match(pdf.toString("latin1"), /MediaBox \[0 0 595\.276 841\.89\]/);
+      assert.match((await exported(editor, "SVG")).toString(), /<svg [^>]*width="210mm" height="297mm"/);
+      assert.match((await exported(editor, "SVG", () => editor.click("2×"))).toString(), /<svg [^>]*height="2048"/);
+      assert.equal(Picture.decode(await exported(editor, "PNG")).height, 1024);
+      assert.deepEqual(editor.tab.faults, []);
+    });
+
     test("a damaged SVG opens as its lines, and says so", async () => {
       const editor = await shaded();
       const svg = (await exported(editor, "SVG")).toString().replace('"points"', '"pints"');

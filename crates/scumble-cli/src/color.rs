@@ -116,9 +116,13 @@ fn kept(
     scribbles: &[Scribble],
     options: &ColorOptions,
 ) -> Result<Option<Vec<u8>>, FileError> {
+    if options.save.is_none() {
+        return Ok(None);
+    }
     let (settings, scribbles) = (options.settings, scribbles.to_vec());
-    let work = || Work::new(Document { scribbles, settings, ..opened.document.clone() });
-    options.save.as_ref().map(|_| write_file(&work())).transpose()
+    let document = Document { scribbles, settings, ..opened.document.clone() };
+    let work = Work { unknown: opened.unknown.clone(), ..Work::new(document) };
+    write_file(&work).map(Some)
 }
 
 /// Spreads the colours: of all scribbles at once or, where each is to be timed, of one more at a time.

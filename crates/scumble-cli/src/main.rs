@@ -68,7 +68,8 @@ scumble color DRAWING.svg --scribbles S.json -o OUT.png
 scumble render FILE -o OUT.png|OUT.svg|OUT.pdf
     the picture of a .scumble file, of an SVG that was made of one, or of a drawing
     [--size 1024] [--lines] [--transparent]
-                            as for color; an SVG keeps the scribbles
+                            as for color; an SVG keeps the scribbles. Without --size an SVG or a PDF is as large as the
+                            SVG that the drawing came from
     [--samples DIR]         where the samples are, for a file that only names one
 
 scumble convert A B

@@ -54,10 +54,17 @@ pub(crate) struct ColorOptions {
 /// How a picture is painted.
 #[derive(Debug)]
 pub(crate) struct Look {
-    /// Longer side.
-    pub(crate) size_px: u32,
+    /// Longer side, where it is asked for.
+    pub(crate) asked_px: Option<u32>,
     pub(crate) lines: bool,
     pub(crate) transparent: bool,
+}
+
+impl Look {
+    /// The longer side of pixels.
+    pub(crate) fn size_px(&self) -> u32 {
+        self.asked_px.unwrap_or(1024)
+    }
 }
 
 /// What spreads the colours of sides.
@@ -232,7 +239,7 @@ fn color(mut arguments: Arguments) -> anyhow::Result<ColorOptions> {
     let solver = value(&mut arguments, "--solver", solver)?.unwrap_or_default();
     ensure!(!timings || solver == Solver::Mesh, "--timings are those of the mesh solver; leave out --solver");
     ensure!(
-        solver != Solver::Jeschke || look.size_px <= MOST_PX,
+        solver != Solver::Jeschke || look.size_px() <= MOST_PX,
         "--solver jeschke goes with a --size of up to {MOST_PX} pixels; give a smaller one, or another solver"
     );
     let [drawing] = rest(arguments, ["DRAWING.svg"])?;
@@ -317,9 +324,9 @@ fn picture(arguments: &mut Arguments) -> anyhow::Result<PathBuf> {
 }
 
 fn look(arguments: &mut Arguments) -> anyhow::Result<Look> {
-    let size_px = value(arguments, "--size", size)?;
+    let asked_px = value(arguments, "--size", size)?;
     let lines = arguments.contains("--lines");
-    Ok(Look { size_px: size_px.unwrap_or(1024), lines, transparent: arguments.contains("--transparent") })
+    Ok(Look { asked_px, lines, transparent: arguments.contains("--transparent") })
 }
 
 fn eval(mut arguments: Arguments) -> anyhow::Result<EvalOptions> {

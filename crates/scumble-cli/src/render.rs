@@ -4,7 +4,7 @@ use anyhow::ensure;
 use scumble_core::drawing::LONGER_SIDE_DU;
 use scumble_core::{Document, Drawing};
 use scumble_export::{Export, PX_PER_DU};
-use scumble_io::write_png;
+use scumble_io::{PageSize, write_png};
 use scumble_solve::{Field, Picture, Pixmap, Shape, SolveError, line_shapes};
 
 use crate::options::{Format, Look, RenderOptions};
@@ -33,7 +33,9 @@ pub(crate) fn run(options: &RenderOptions) -> anyhow::Result<()> {
     } else {
         let field = &field_at(drawing, &mut picture, PX_PER_DU)?;
         let paper = (!look.transparent).then_some(PAPER);
-        let look = scumble_export::Look { size_px: look.size_px, lines: look.lines, paper };
+        let own_px = PageSize::of(&work).map(|own| own.longer_px());
+        let size_px = look.asked_px.or(own_px).unwrap_or_else(|| look.size_px());
+        let look = scumble_export::Look { size_px, lines: look.lines, paper };
         written(&Export::new(&work, field, look), field, options.format)?
     };
     files::write(&options.output, &bytes)
@@ -56,9 +58,9 @@ fn written(export: &Export<'_>, field: &Field, format: Format) -> anyhow::Result
 /// # Errors
 /// When the solver fails.
 pub(crate) fn paint(drawing: &Drawing, picture: &mut Picture, look: &Look) -> Result<Pixmap, SolveError> {
-    let view = stages::page_view(drawing, look.size_px);
+    let view = stages::page_view(drawing, look.size_px());
     let shapes = shapes(drawing, picture, look);
-    let field = field_at(drawing, picture, f64::from(look.size_px) / LONGER_SIDE_DU)?;
+    let field = field_at(drawing, picture, f64::from(look.size_px()) / LONGER_SIDE_DU)?;
     Ok(stages::paint_page(&field, &shapes, &view, (!look.transparent).then_some(PAPER)))
 }
 
@@ -70,6 +72,6 @@ fn field_at(drawing: &Drawing, picture: &mut Picture, px_per_du: f64) -> Result<
 
 /// What is painted over the colours.
 pub(crate) fn shapes(drawing: &Drawing, picture: &Picture, look: &Look) -> Vec<Shape> {
-    let tolerance_du = LINE_TOLERANCE_PX * LONGER_SIDE_DU / f64::from(look.size_px);
+    let tolerance_du = LINE_TOLERANCE_PX * LONGER_SIDE_DU / f64::from(look.size_px());
     if look.lines { line_shapes(drawing, Some(picture.map()), tolerance_du) } else { Vec::new() }
 }

@@ -3,6 +3,7 @@
 use kurbo::Affine;
 use scumble_core::drawing::LONGER_SIDE_DU;
 use scumble_core::pace::now;
+use scumble_core::work::Unknown;
 use scumble_core::{ColorPoint, Document, Drawing, Scribble, Settings, Srgb8, Work};
 use scumble_io::import_drawing;
 use scumble_solve::{Field, Picture, Pixmap, Scene, Shape, SolveError, View, paint};
@@ -16,6 +17,8 @@ pub(crate) const PAPER: Srgb8 = Srgb8([255; 3]);
 #[derive(Debug)]
 pub(crate) struct Opened {
     pub(crate) document: Document,
+    /// What it keeps beside that, as the size of its page.
+    pub(crate) unknown: Unknown,
     /// What was left out of it.
     pub(crate) notes: String,
     pub(crate) picture: Picture,
@@ -30,11 +33,11 @@ pub(crate) struct Opened {
 /// When the bytes are no drawing, or it has too many pieces.
 pub(crate) fn open(file: &[u8]) -> anyhow::Result<Opened> {
     let (imported, import_ms) = timed(|| import_drawing(file));
-    let (Work { document, .. }, notes) = imported?;
+    let (Work { document, unknown, .. }, notes) = imported?;
     let (picture, map_ms) = timed(|| Picture::new(&document.drawing));
     let mut picture = picture?;
     let (_, mesh_ms) = timed(|| picture.mesh().triangle_count());
-    Ok(Opened { document, notes, picture, import_ms, map_ms, mesh_ms })
+    Ok(Opened { document, unknown, notes, picture, import_ms, map_ms, mesh_ms })
 }
 
 /// The milliseconds that scribbles took.

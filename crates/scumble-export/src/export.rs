@@ -5,10 +5,11 @@ use std::ops::RangeInclusive;
 use kurbo::Affine;
 use scumble_core::drawing::LONGER_SIDE_DU;
 use scumble_core::{Srgb8, Work};
-use scumble_io::FileError;
+use scumble_io::{FileError, PageSize};
 use scumble_solve::{Field, View};
 
 use crate::regions::Regions;
+use crate::sheet::Sheet;
 use crate::tint::Tint;
 use crate::{pdf, svg};
 
@@ -22,7 +23,8 @@ pub const PX_PER_DU: f64 = 16.0;
 /// How a picture is to look.
 #[derive(Clone, Copy, Debug)]
 pub struct Look {
-    /// The longer side of the page, in pixels of 1/96 inch.
+    /// The longer side of the page, in pixels of 1/96 inch. Where it is that of the drawing's own size, rounded, the page is
+    /// exactly as large as that.
     pub size_px: u32,
     /// Whether lines and solid ink are drawn over the colours.
     pub lines: bool,
@@ -70,6 +72,12 @@ impl<'a> Export<'a> {
     /// How it is to look.
     pub fn look(&self) -> Look {
         self.look
+    }
+
+    /// The page as it is written.
+    pub(crate) fn sheet(&self) -> Sheet {
+        let own = PageSize::of(self.work).filter(|own| own.longer_px() == self.look.size_px);
+        own.map_or_else(|| Sheet::of_view(&self.view(self.look.size_px)), Sheet::of_size)
     }
 
     /// The whole page with a longer side of so many pixels.

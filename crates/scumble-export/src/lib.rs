@@ -6,6 +6,7 @@
 //! | noun | file |
 //! |---|---|
 //! | what is exported, and how it is to look | `export` |
+//! | the page that it is written on | `sheet` |
 //! | regions of a field, those of one colour as paths | `regions`, `outline` |
 //! | colours as other programs have them | `tint` |
 //! | shades as triangles that are blended linearly | `mesh` |
@@ -21,6 +22,7 @@ mod numbers;
 mod outline;
 mod pdf;
 mod regions;
+mod sheet;
 mod svg;
 mod tint;
 

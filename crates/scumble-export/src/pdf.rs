@@ -69,7 +69,7 @@ fn add_group(objects: &mut Objects, shading: usize, space: &str, page: &Page) ->
     objects.stream(&[frame, group, resources].concat(), SHADES.as_bytes())
 }
 
-/// The page, which is that of the view in pixels.
+/// The page in points.
 struct Page {
     size_pt: [f64; 2],
     size_du: [f64; 2],
@@ -78,10 +78,12 @@ struct Page {
 
 impl Page {
     fn new(export: &Export) -> Self {
-        let view = export.view(export.look.size_px);
-        let pt_per_du = PT_PER_PX * view.px_from_du.as_coeffs()[0];
-        let size_pt = [view.width_px, view.height_px].map(|side| PT_PER_PX * f64::from(side));
-        Self { size_pt, size_du: size_pt.map(|side| side / pt_per_du), pt_per_du }
+        let sheet = export.sheet();
+        Self {
+            size_pt: sheet.sides_px.map(|side| PT_PER_PX * side),
+            size_du: sheet.sides_du(),
+            pt_per_du: PT_PER_PX * sheet.px_per_du,
+        }
     }
 
     /// The file with this page alone.

@@ -4,22 +4,22 @@
 use kurbo::{Cap, Join, Stroke};
 use scumble_core::{Rgba8, Srgb8};
 use scumble_io::{COLORS_CLASS, FileError, base64, write_svg_source};
-use scumble_solve::View;
 
 use crate::export::Export;
 use crate::ink::{Ink, Manner, ink};
 use crate::numbers::{number, svg_path};
 use crate::regions::{Flat, SEAM_DU};
+use crate::sheet::Sheet;
 
 /// The document.
 pub(crate) fn written(export: &Export, raster: Option<&[u8]>) -> Result<String, FileError> {
     let source = write_svg_source(export.work)?;
-    let view = export.view(export.look.size_px);
-    let [width_px, height_px] = [view.width_px, view.height_px].map(|side| side.to_string());
-    let [width_du, height_du] = size_du(&view).map(number);
+    let sheet = export.sheet();
+    let [width, height] = &sheet.sides;
+    let [width_du, height_du] = sheet.sides_du().map(number);
     let mut text = String::from("<svg xmlns=\"http://www.w3.org/2000/svg\"");
     text.push_str(" xmlns:xlink=\"http://www.w3.org/1999/xlink\"");
-    text.extend([" width=\"", &width_px, "\" height=\"", &height_px]);
+    text.extend([" width=\"", width, "\" height=\"", height]);
     text.extend(["\" viewBox=\"0 0 ", &width_du, " ", &height_du, "\">\n", &source]);
     if let Some(paper) = export.look.paper {
         let paper = paper.to_string();
@@ -43,18 +43,12 @@ pub(crate) fn written(export: &Export, raster: Option<&[u8]>) -> Result<String, 
     Ok(text)
 }
 
-/// What a view shows, in du: the page, to the last pixel.
-fn size_du(view: &View) -> [f64; 2] {
-    let [px_per_du, ..] = view.px_from_du.as_coeffs();
-    [view.width_px, view.height_px].map(|side| f64::from(side) / px_per_du)
-}
-
 /// Pixels hold the colours of all regions, so that nothing shines through between them and the areas over them. Where
 /// there are none, lines along the seams do that.
 fn push_colors(text: &mut String, export: &Export, raster: Option<&[u8]>) {
     let flats = &export.regions.flats;
     match (raster, export.raster_view()) {
-        (Some(png), Some(view)) => push_raster(text, png, size_du(&view)),
+        (Some(png), Some(view)) => push_raster(text, png, Sheet::of_view(&view).sides_du()),
         _ => flats.iter().for_each(|flat| push_seams(text, flat)),
     }
     for Flat { color, path, .. } in flats {

@@ -14,7 +14,7 @@ use exporting::Wanted;
 use js_sys::Uint8Array;
 use opening::Content;
 use scumble_core::{Swatch, Work, exact};
-use scumble_io::{LinkError, MAX_FILE_BYTES, PaletteKind, write_link, write_palette};
+use scumble_io::{LinkError, MAX_FILE_BYTES, PageSize, PaletteKind, write_link, write_palette};
 use wasm_bindgen::JsError;
 use wasm_bindgen::prelude::wasm_bindgen;
 
@@ -114,6 +114,16 @@ pub fn palette_file(swatches: Vec<String>, extension: &str) -> Result<Vec<u8>, J
 fn swatch(color_and_name: &[String]) -> Option<Swatch> {
     let [color, name] = color_and_name else { return None };
     Some(Swatch { color: color.parse().ok()?, name: name.clone() })
+}
+
+/// The longer side of the page that some work came with, in pixels; none where it came without. A picture of that size is exactly
+/// as large.
+///
+/// # Errors
+/// A sentence for people, where the work is damaged.
+#[wasm_bindgen(js_name = pagePx)]
+pub fn page_px(work: &[u8]) -> Result<Option<u32>, JsError> {
+    Ok(PageSize::of(&opening::exact(work)?).map(|size| size.longer_px()))
 }
 
 /// The picture as SVG, with the work in it; `raster` is a PNG of the field alone, on the same paper, for its shades.

@@ -148,9 +148,7 @@ impl Clip {
     fn border(&mut self, area: &Area) -> Result<[Vec<BezPath>; 2], TooMuch> {
         let Self { levels, work, .. } = self;
         let areas: Vec<_> = std::iter::once(area).chain(areas(levels)).collect();
-        // Beyond clip paths nothing is seen, but beyond what covers it all of it.
-        let is_covered = levels.iter().any(|level| level.covers);
-        let bounds = if is_covered { area.bounds } else { bounds(levels).intersect(area.bounds) };
+        let bounds = border_bounds(levels, area);
         let mut border = [Vec::new(), Vec::new()];
         let mut known = HashSet::new();
         for (i, of) in areas.iter().enumerate() {
@@ -199,6 +197,12 @@ fn areas(levels: &[Level]) -> impl Iterator<Item = &Area> {
 
 fn is_seen(levels: &[Level], point: Point) -> bool {
     levels.iter().all(|level| level.areas.iter().any(|area| area.contains(point)) != level.covers)
+}
+
+/// Where outlines may be around what is seen of an area: beyond clip paths nothing is seen, but beyond what covers it all of it.
+fn border_bounds(levels: &[Level], area: &Area) -> Rect {
+    let is_covered = levels.iter().any(|level| level.covers);
+    if is_covered { area.bounds } else { bounds(levels).intersect(area.bounds) }
 }
 
 /// Beyond these bounds nothing is seen, or all where something covers it.

@@ -6,10 +6,12 @@
 //! | noun | file |
 //! |---|---|
 //! | what lies between brackets, quotes and semicolons | `text` |
+//! | rules that hold on some condition | `at_rules` |
 //! | a colour, as it is written | `values` |
 //! | the spaces that colours are in | `spaces` |
 //! | variables | `variables` |
 
+mod at_rules;
 mod spaces;
 mod text;
 mod values;
@@ -70,7 +72,8 @@ pub(crate) fn edited(text: &str, mut edits: Vec<(Range<usize>, String)>) -> Stri
 
 /// The variables of all style sheets, and of all elements after these.
 fn variables(xml: &Document) -> Variables {
-    let sheets: Vec<_> = texts(xml).filter(|css| css.contains("--")).map(without_comments).collect();
+    let sheets = texts(xml).filter(|css| css.contains("--")).map(without_comments);
+    let sheets: Vec<_> = sheets.map(|css| at_rules::plain(&css).into_owned()).collect();
     let blocks = sheets.iter().flat_map(|css| text::blocks(css).into_iter().map(|block| &css[block]));
     let styles = xml.descendants().filter_map(|node| node.attribute("style"));
     let styles: Vec<_> = styles.filter(|css| css.contains("--")).map(without_comments).collect();
@@ -125,12 +128,15 @@ impl Mender<'_> {
 
     fn sheet(&mut self, node: Node) {
         let texts: String = node.children().filter(Node::is_text).filter_map(|text| text.text()).collect();
-        let css = without_comments(&texts);
+        let whole = without_comments(&texts);
+        let is_shown = node.attribute("media").is_none_or(at_rules::is_shown);
+        let css = if is_shown { at_rules::plain(&whole) } else { Cow::Borrowed("") };
         let blocks = text::blocks(&css).into_iter();
         let edits: Vec<_> =
             blocks.filter_map(|block| Some((block.clone(), self.declarations(&css[block], None)?))).collect();
         // What an entity stands for lies elsewhere: it stays.
-        let is_here = |first: &Node| !edits.is_empty() && node.range().contains(&first.range().start);
+        let is_mended = css != whole || !edits.is_empty();
+        let is_here = |first: &Node| is_mended && node.range().contains(&first.range().start);
         let place = node.first_child().filter(is_here).and_then(|first| {
             let end = self.text.get(node.range())?.rfind("</")?;
             Some(first.range().start..node.range().start + end)
@@ -228,7 +234,7 @@ mod tests {
     fn what_is_read_anyway_is_not_touched() {
         for svg in [
             r##"<svg fill="none" stroke="#123" style="fill:url(#a) none;stroke-dasharray:1,2;;font:'A/B'"/>"##,
-            r##"<svg><style>/* x:y */ @import url(a;b); .a, #b > c { fill: none; stroke: red !important }</style></svg>"##,
+            r##"<svg><style>/* x:y */ .a, #b > c { fill: none; stroke: red !important }</style></svg>"##,
             r##"<svg><animate fill="freeze"/><x:a xmlns:x="urn:x" fill="nothing"/></svg>"##,
         ] {
             assert!(of(&Document::parse(svg).unwrap()).edits.is_empty(), "{svg}");
@@ -246,6 +252,18 @@ mod tests {
             (r#"<svg style="/*;*/--x:1;stroke-width:var(--x)"/>"#, r#"<svg style="stroke-width:1"/>"#),
             (r#"<svg style="FILL:none;Stroke-Width:2"/>"#, r#"<svg style="fill:none;stroke-width:2"/>"#),
             (r#"<svg fill="a" stroke="b"/>"#, r#"<svg fill="white" stroke="black"/>"#),
+            (
+                "<svg><style>@import url('x;y');@media all{a{x:1}}</style></svg>",
+                "<svg><style>a{x:1}</style></svg>",
+            ),
+            (
+                r#"<svg><style media="print">a{x:1}</style></svg>"#,
+                r#"<svg><style media="print"></style></svg>"#,
+            ),
+            (
+                "<svg><style>@layer{a{--x:1}}b{y:var(--x)}</style></svg>",
+                "<svg><style>a{}b{y:1}</style></svg>",
+            ),
             (
                 "<svg><style><![CDATA[a>b{--y:2;fill:none}]]> c{x:1} </style></svg>",
                 "<svg><style>a&gt;b{fill:none} c{x:1} </style></svg>",

@@ -7,6 +7,7 @@
 //! |---|---|
 //! | an SVG drawing as curves | `svg` |
 //! | … its part that is shown, and its units | `page` |
+//! | … how large it is where it is printed | `page_size` |
 //! | … its paints as single colours | `paint` |
 //! | … what its lines look like | `look` |
 //! | … its colours and styles as browsers read them | `css` |
@@ -46,6 +47,7 @@ mod notes;
 mod outline;
 mod packed;
 mod page;
+mod page_size;
 mod paint;
 mod palette;
 mod picture_file;
@@ -64,6 +66,7 @@ pub use image_file::{ImageError, MAX_IMAGE_BYTES, check_image, is_image, other_k
 pub use link::{Link, MAX_LINK, read_link, write_link};
 pub use notes::{CurveNotes, CurveSetNotes, ImportNotes, ScribbleNotes};
 pub use packed::PackedSizes;
+pub use page_size::PageSize;
 pub use palette::{PaletteKind, ReadPalette, read_palette, write_palette};
 pub use picture_file::{PictureFileError, write_png};
 pub use scribbles::{ReadScribbles, read_scribbles};

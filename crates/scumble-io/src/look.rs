@@ -36,6 +36,12 @@ pub(crate) fn darkened(mut line: Line) -> Line {
     line
 }
 
+/// A line of which an area hides the inner half: as wide as what is seen of it, though not moved out.
+pub(crate) fn halved(mut line: Line) -> Line {
+    line.stroke.width /= 2.0;
+    line
+}
+
 /// The line around an area that is not ink.
 pub(crate) fn thin() -> Line {
     Line { stroke: Stroke::new(OUTLINE_WIDTH_DU), color: Rgba8([0, 0, 0, 255]) }

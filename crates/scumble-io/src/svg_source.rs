@@ -51,12 +51,16 @@ pub(crate) fn open_svg(bytes: &[u8]) -> Result<(Work, String), ImportError> {
         Some(Err(fault)) => Some(fault),
         None => None,
     };
-    let Import { drawing, notes } = import_svg(bytes)?;
+    let Import { drawing, size, notes } = import_svg(bytes)?;
+    let mut work = Work::new(Document::new(drawing));
+    if let Some(size) = size {
+        size.keep_in(&mut work);
+    }
     let notes = match fault {
         Some(fault) => format!("its lines alone, without the scribbles: {fault}"),
         None => notes.to_string(),
     };
-    Ok((Work::new(Document::new(drawing)), notes))
+    Ok((work, notes))
 }
 
 /// Whether an SVG keeps work that can be read.

@@ -23,7 +23,7 @@ mod write;
 
 /// The version of these files: what is written says the least one that has all its fields. A file of a higher first
 /// number is refused.
-const VERSION: [u32; 2] = [1, 2];
+const VERSION: [u32; 2] = [1, 3];
 
 /// The second number of the first version with a picture under the lines.
 const TRACING_MINOR: u32 = 1;

@@ -35,7 +35,7 @@ fn seeds(folder: &str, ending: &str) -> Vec<Vec<u8>> {
 }
 
 fn files_of_all_versions() -> Vec<Vec<u8>> {
-    ["tests/fixtures/v1.0", "tests/fixtures/v1.1", "tests/fixtures/v1.2"]
+    ["tests/fixtures/v1.0", "tests/fixtures/v1.1", "tests/fixtures/v1.2", "tests/fixtures/v1.3"]
         .iter()
         .flat_map(|folder| seeds(folder, ".scumble"))
         .collect()
@@ -132,6 +132,7 @@ fn links() -> Vec<String> {
         include_str!("fixtures/v1.0/links.txt"),
         include_str!("fixtures/v1.1/links.txt"),
         include_str!("fixtures/v1.2/links.txt"),
+        include_str!("fixtures/v1.3/links.txt"),
     ];
     let links = versions.into_iter().flat_map(str::lines);
     links.map(|line| line.split_once(' ').unwrap().1.to_owned()).collect()

@@ -696,3 +696,43 @@ fn an_outline_is_left_to_the_line_that_runs_along_it() {
     let apart = colored.replace(r#"r="9" fill="gold""#, r#"r="8.9" fill="gold""#);
     assert_eq!(on_page(&apart).drawing.curves.len(), 2);
 }
+
+#[test]
+fn rules_that_hold_for_a_light_screen_are_taken() {
+    let colors = |style: &str| {
+        let svg = [style, r#"<path class="a" fill="none" stroke="blue" d="M1 1H50"/>"#].concat();
+        let drawing = on_page(&svg).drawing;
+        drawing.curves[0].line.as_ref().map(|line| line.color.0[..3].to_vec())
+    };
+    let [red, blue] = [vec![255, 0, 0], vec![0, 0, 255]].map(Some);
+    for (style, expected) in [
+        ("<style>@media (prefers-color-scheme: dark){.a{stroke:red}}</style>", &blue),
+        ("<style>@media (prefers-color-scheme: light){.a{stroke:red}}</style>", &red),
+        ("<style>@media print{.a{stroke:red}}</style>", &blue),
+        ("<style>@media screen and (min-width:400px){.a{stroke:red}}</style>", &red),
+        ("<style>@supports (stroke:red){@layer x{.a{stroke:red}}}</style>", &red),
+        ("<style>@import url('x?a;b');.a{stroke:red}</style>", &red),
+        (r#"<style media="print">.a{stroke:red}</style>"#, &blue),
+        (r#"<style media="screen">.a{stroke:red}</style>"#, &red),
+        ("<style>@media screen{.b{--c:red}} .a{stroke:var(--c)}</style>", &red),
+    ] {
+        assert_eq!(&colors(style), expected, "{style}");
+    }
+}
+
+#[test]
+fn a_line_under_its_own_area_is_half_as_wide() {
+    for (look, width_du) in [
+        (r#"fill="white""#, 64.0),
+        (r#"fill="white" paint-order="normal""#, 64.0),
+        (r#"fill="white" paint-order="stroke""#, 32.0),
+        (r#"fill="white" style="paint-order: markers stroke""#, 32.0),
+        (r#"fill="white" fill-opacity="0.5" paint-order="stroke""#, 64.0),
+        (r#"fill="none" paint-order="stroke""#, 64.0),
+        (r#"fill="black" paint-order="stroke""#, 64.0),
+    ] {
+        let svg = format!(r#"<path {look} stroke="black" stroke-width="4" d="M8 8H40V40H8Z"/>"#);
+        let curves = on_page(&svg).drawing.curves;
+        assert_eq!(curves[0].line.as_ref().map(|line| line.stroke.width), Some(width_du), "{look}");
+    }
+}

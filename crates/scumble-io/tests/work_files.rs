@@ -3,8 +3,8 @@
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
 use kurbo::{Point, Rect};
-use scumble_core::{Blend, Document, EngineKind, Paint, PenPressure, Settings, Srgb8, Swatch, Work};
-use scumble_io::{FileError, read_file, read_link, write_file, write_link};
+use scumble_core::{Blend, Document, EngineKind, Paint, PenPressure, Settings, Srgb8, Swatch, Work, exact};
+use scumble_io::{FileError, PageSize, import_drawing, read_file, read_link, write_file, write_link};
 
 /// A file with some members beside what it must have.
 fn file(members: &str) -> String {
@@ -120,6 +120,27 @@ fn names_of_swatches_make_a_newer_version_and_go_along_with_unknown_fields() {
     for read in [linked, read_file(text.as_bytes()).unwrap()] {
         assert_eq!(self::text(&read), text);
         assert_eq!(read.document.palette, work.document.palette);
+    }
+}
+
+#[test]
+fn the_size_of_a_page_goes_along_with_the_work() {
+    let svg = r#"<svg width="148mm" height="21cm" viewBox="0 0 148 210"><path d="M1 1H9V9Z"/></svg>"#;
+    let (work, _) = import_drawing(svg.as_bytes()).unwrap();
+    let size = PageSize::of(&work).unwrap();
+    assert_eq!((&size.sides, size.longer_px()), (&["148mm".to_owned(), "21cm".to_owned()], 794));
+    let text = text(&work);
+    assert!(text.contains(r#""version": "1.3""#) && text.contains(r#""size": ["148mm", "21cm"]"#), "{text}");
+    let linked = read_link(&write_link(&work).unwrap().fragment).unwrap();
+    for again in [linked, read_file(text.as_bytes()).unwrap(), exact::read(&exact::write(&work)).unwrap()] {
+        assert_eq!(PageSize::of(&again).as_ref(), Some(&size));
+        assert!(self::text(&again).contains(r#""version": "1.3""#));
+    }
+    for bare in
+        [svg.replace("148mm", "100%"), svg.replace("148mm", "148cm"), svg.replace(r#"height="21cm""#, "")]
+    {
+        let (work, _) = import_drawing(bare.as_bytes()).unwrap();
+        assert_eq!((PageSize::of(&work), self::text(&work).matches("\"size\"").count()), (None, 0));
     }
 }
 

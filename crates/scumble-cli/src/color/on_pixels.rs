@@ -26,7 +26,7 @@ pub(super) fn paint(opened: &Opened, options: &ColorOptions) -> anyhow::Result<P
         picture: &opened.picture,
         boundary: opened.picture.boundary(),
         blend: options.settings.blend,
-        view: stages::page_view(drawing, look.size_px),
+        view: stages::page_view(drawing, look.size_px()),
         shapes: &render::shapes(drawing, &opened.picture, look),
         paper: (!look.transparent).then_some(PAPER),
         most_px: MOST_PX,

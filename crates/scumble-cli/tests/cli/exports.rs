@@ -100,6 +100,22 @@ fn a_pdf_is_written_as_large_as_asked_for() {
 }
 
 #[test]
+fn a_picture_is_as_large_as_its_drawing_was() {
+    let a4 =
+        CIRCLE.replace("viewBox", r#"width="210mm" height="297mm" viewBox"#).replace("64 64\"", "420 594\"");
+    let folder = Folder::new("export-size").with("d.svg", a4).with("s.json", INSIDE);
+    run(&folder, &["color", "d.svg", "--scribbles", "s.json", "-o", "o.png", "--save", "w.scumble"]);
+    assert!(text(&folder, "w.scumble").contains(r#""version": "1.3""#));
+    run(&folder, &["render", "w.scumble", "-o", "o.svg"]);
+    assert!(text(&folder, "o.svg").contains(r#"width="210mm" height="297mm" viewBox="0 0 724.04 1024""#));
+    run(&folder, &["render", "o.svg", "-o", "o.pdf"]);
+    let pdf = String::from_utf8_lossy(&folder.read("o.pdf")).into_owned();
+    assert!(pdf.contains("/MediaBox [0 0 595.276 841.89]"), "{pdf}");
+    run(&folder, &["render", "o.svg", "-o", "small.svg", "--size", "512"]);
+    assert!(text(&folder, "small.svg").contains(r#"width="362" height="512""#));
+}
+
+#[test]
 fn a_name_of_another_kind_of_picture_is_refused() {
     let folder = kept("export-jpg");
     refused(&folder, &["render", "w.scumble", "-o", "o.jpg"], "name a file that ends in .png, .svg or .pdf");

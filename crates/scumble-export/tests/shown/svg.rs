@@ -100,6 +100,16 @@ fn whatever_is_in_the_work_the_document_stays_sound() {
 }
 
 #[test]
+fn what_is_no_size_is_not_written() {
+    for sides in ["[\"40in\\\" x=\\\"\", \"30in\"]", "[\"4in\"]", "[\"4in\", \"4in\"]", "[4, 3]", "{}"] {
+        let mut work = Made::flat().work;
+        work.unknown.keep(scumble_core::work::Item::Work, 0, &["\"size\": ", sides].concat());
+        let svg = Made { work, ..Made::flat() }.svg(Look { size_px: 384, ..LOOK });
+        assert!(svg.contains(r#"width="384" height="288""#), "{sides}");
+    }
+}
+
+#[test]
 fn a_damaged_source_leaves_the_lines() {
     let svg = Made::shaded(Default::default()).svg(LOOK);
     for (from, to, message) in [

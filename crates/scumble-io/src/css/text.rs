@@ -5,7 +5,7 @@
 use std::ops::Range;
 
 /// The bytes of a text that are in no quotes, and where.
-fn unquoted(text: &str) -> impl Iterator<Item = (usize, u8)> {
+pub(crate) fn unquoted(text: &str) -> impl Iterator<Item = (usize, u8)> {
     let mut quote = None;
     let mut is_escaped = false;
     text.bytes().enumerate().filter(move |&(_, byte)| {
@@ -58,32 +58,24 @@ pub(crate) fn call(text: &str) -> Option<(&str, &str)> {
     after.trim().is_empty().then_some((name, arguments))
 }
 
-/// Where the declarations of a style sheet's rules are. What depends on the medium or the like, and rules with others in
-/// them, `usvg` passes over.
+/// Where the declarations of a style sheet's rules are. Those with others in them `usvg` passes over.
 pub(crate) fn blocks(sheet: &str) -> Vec<Range<usize>> {
     let mut blocks = Vec::new();
-    let (mut start, mut open, mut depth, mut is_flat) = (0, 0, 0_usize, true);
+    let (mut open, mut depth, mut is_flat) = (0, 0_usize, true);
     for (at, byte) in unquoted(sheet) {
         match byte {
             b'{' => {
-                (open, is_flat) = if depth == 0 { (at + 1, true) } else { (open, false) };
+                (open, is_flat) = (at + 1, depth == 0);
                 depth += 1;
             }
             b'}' => {
+                blocks.extend((depth == 1 && is_flat).then_some(open..at));
                 depth = depth.saturating_sub(1);
-                let is_rule = depth == 0 && is_flat && is_selector(&sheet[start..open.max(start)]);
-                blocks.extend(is_rule.then_some(open..at).filter(|block| block.start > start));
-                start = if depth == 0 { at + 1 } else { start };
             }
-            b';' if depth == 0 => start = at + 1,
             _ => {}
         }
     }
     blocks
-}
-
-fn is_selector(text: &str) -> bool {
-    !text.trim_start().starts_with('@')
 }
 
 /// The property and the value of a declaration.
@@ -128,7 +120,7 @@ mod tests {
 
     #[test]
     fn blocks_are_those_of_plain_rules() {
-        let sheet = r#"@import "a{}"; .a { x:1 } @media print { .b { x:2 } } .c { x:3; & d { x:4 } } e{x:5}"#;
+        let sheet = r#".a { x:1 } .c { x:3; & d { x:4 } } e{x:5}"#;
         let found: Vec<_> = blocks(sheet).into_iter().map(|block| &sheet[block]).collect();
         assert_eq!(found, [" x:1 ", "x:5"]);
         assert_eq!(blocks("}} a{ {"), []);

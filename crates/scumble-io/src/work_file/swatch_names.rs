@@ -7,6 +7,7 @@ use scumble_core::work::{Item, Work};
 use super::items::keep;
 use super::{NAMES_MINOR, VERSION};
 use crate::json::{Fault, Json, push_string};
+use crate::page_size::{self, PageSize};
 
 pub(super) fn are_named(palette: &[Swatch]) -> bool {
     palette.iter().any(|swatch| !swatch.name.is_empty())
@@ -50,6 +51,9 @@ pub(crate) fn with_names_as_unknown(work: &Work) -> Work {
         push_names(&mut field, &work.document.palette);
         work.unknown.keep(Item::Work, 0, &field);
         work.unknown.minor = work.unknown.minor.max(NAMES_MINOR);
+    }
+    if PageSize::of(&work).is_some() {
+        work.unknown.minor = work.unknown.minor.max(page_size::MINOR);
     }
     work
 }
