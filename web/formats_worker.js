@@ -23,8 +23,8 @@ async function answer({ name, args }) {
   try {
     return { result: plain(module[name](...args)) };
   } catch (fault) {
-    if (!(fault instanceof WebAssembly.RuntimeError)) return { sentence: String(/** @type {Error} */ (fault).message) };
-    // What has stopped in the middle is not entered again.
+    // A plain error is the module's own sentence. What has stopped in the middle is not entered again.
+    if (/** @type {Error} */ (fault)?.constructor === Error) return { sentence: /** @type {Error} */ (fault).message };
     console.warn(fault);
     return { failure: "stopped" };
   }

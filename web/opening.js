@@ -79,11 +79,17 @@ export class Opening {
     return this.#open({ name: sampleName(sample) }, async () => ({ work: await sampleWork(sample.file, isColored), notes: "" }));
   }
 
-  /** Opens the link in the address, which is then the page's own again: its drawing may become another. */
-  address() {
+  /**
+   * Opens the link in the address, which is then the page's own again: its drawing may become another.
+   * @returns what went wrong, if anything did; the page has been told
+   */
+  async address() {
     const link = location.hash;
     history.replaceState(null, "", location.pathname + location.search);
-    return this.#link(link);
+    const fault = await this.#link(link);
+    // A reload may bring the version that can open it.
+    if (fault && !location.hash) history.replaceState(null, "", link);
+    return fault;
   }
 
   /**

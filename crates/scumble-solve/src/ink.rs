@@ -18,13 +18,18 @@ const LEAST_TOLERANCE_DU: f64 = 1.0 / 640.0;
 /// Dashes that a line may be cut into; a line with more of them is drawn whole.
 const MAX_DASHES: f64 = 10_000.0;
 
+/// Dashes of all lines; those that come after so many are drawn whole, too.
+const MAX_DASHES_IN_ALL: f64 = 200_000.0;
+
 /// The ink of a drawing, in painting order: its fills, then the lines of its curves.
 ///
 /// Curves and round parts lie within `tolerance_du` of their true place. Fills and lines of which nothing would be
 /// seen have no shape, nor have fills where there is no map yet.
 pub fn line_shapes(drawing: &Drawing, map: Option<&PlanarMap>, tolerance_du: f64) -> Vec<Shape> {
+    let mut left = MAX_DASHES_IN_ALL;
     let lines = drawing.curves.iter().filter_map(|curve| {
-        curve.line.as_ref().map(|line| line_shape(&curve.path, line, tolerance_du.max(LEAST_TOLERANCE_DU)))
+        let line = curve.line.as_ref()?;
+        Some(line_shape(&curve.path, line, tolerance_du.max(LEAST_TOLERANCE_DU), &mut left))
     });
     let mut shapes = map.map_or_else(Vec::new, |map| fill_shapes(drawing, map));
     shapes.extend(lines.filter(|shape| !shape.triangles.is_empty()));
@@ -55,10 +60,11 @@ pub fn scribble_shape(scribble: &Scribble, opacity: u8, tolerance_du: f64) -> Sh
     Shape { triangles: triangles.into(), color: Rgba8([r, g, b, opacity]) }
 }
 
-fn line_shape(path: &BezPath, line: &Line, tolerance_du: f64) -> Shape {
+/// The shape of a line, which takes its dashes from those that are left.
+fn line_shape(path: &BezPath, line: &Line, tolerance_du: f64, left: &mut f64) -> Shape {
     let mut triangles = Soup::new();
     if let Some(pen) = pen(&line.stroke, tolerance_du) {
-        for (stops, closed) in stretches(path, &line.stroke, tolerance_du) {
+        for (stops, closed) in stretches(path, &line.stroke, tolerance_du, left) {
             pen.draw(&stops, closed, &mut triangles);
         }
     }
@@ -78,8 +84,10 @@ fn pen(stroke: &Stroke, tolerance_du: f64) -> Option<Pen> {
 }
 
 /// The stops of each stretch of a path, or of each of its dashes; and whether it is closed.
-fn stretches(path: &BezPath, stroke: &Stroke, tolerance_du: f64) -> Vec<(Vec<Stop>, bool)> {
-    if has_dashes(path, stroke, tolerance_du) {
+fn stretches(path: &BezPath, stroke: &Stroke, tolerance_du: f64, left: &mut f64) -> Vec<(Vec<Stop>, bool)> {
+    let count = dash_count(path, stroke, tolerance_du).unwrap_or(f64::INFINITY);
+    if count <= *left {
+        *left -= count;
         let dashes = kurbo::dash(path.iter(), stroke.dash_offset, &stroke.dash_pattern);
         flatten(dashes, tolerance_du)
     } else {
@@ -90,12 +98,16 @@ fn stretches(path: &BezPath, stroke: &Stroke, tolerance_du: f64) -> Vec<(Vec<Sto
 /// Whether a line is to be cut into dashes: as in SVG, not if one of them is negative or all are zero; and not into
 /// very many.
 pub fn has_dashes(path: &BezPath, stroke: &Stroke, tolerance_du: f64) -> bool {
+    dash_count(path, stroke, tolerance_du).is_some()
+}
+
+/// How many dashes a line is cut into, if it is cut.
+fn dash_count(path: &BezPath, stroke: &Stroke, tolerance_du: f64) -> Option<f64> {
     let dashes = &stroke.dash_pattern;
     let period: f64 = dashes.iter().sum();
     let sound = period > 0.0 && period.is_finite() && dashes.iter().all(|&d| d >= 0.0);
-    sound
-        && stroke.dash_offset.is_finite()
-        && path.perimeter(tolerance_du) * dashes.len() as f64 <= MAX_DASHES * period
+    let count = || path.perimeter(tolerance_du) * dashes.len() as f64 / period;
+    (sound && stroke.dash_offset.is_finite()).then(count).filter(|&count| count <= MAX_DASHES)
 }
 
 fn flatten(path: impl Iterator<Item = PathEl>, tolerance_du: f64) -> Vec<(Vec<Stop>, bool)> {
@@ -212,6 +224,17 @@ mod tests {
             stroke.dash_pattern = Dashes::from_slice(pattern);
             assert!((area(&line("M 100 100 L 200 100", stroke)) - 200.0).abs() < 1e-3, "{pattern:?}");
         }
+    }
+
+    #[test]
+    fn lines_after_very_many_dashes_are_whole() {
+        let line =
+            |i: f64| curve(&format!("M 0 {i} H 1000"), Stroke::new(2.0).with_dashes(0.0, [0.125, 0.125]));
+        let curves = (0..26).map(|i| line(f64::from(i))).collect();
+        let drawing = Drawing { curves, ..Drawing::new(Rect::new(0.0, 0.0, 1024.0, 1024.0)) };
+        let counts: Vec<_> =
+            line_shapes(&drawing, None, 0.1).iter().map(|shape| shape.triangles.len()).collect();
+        assert!(counts[..25].iter().all(|&count| count > 4000) && counts[25] < 100, "{counts:?}");
     }
 
     #[test]

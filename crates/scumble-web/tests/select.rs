@@ -5,7 +5,7 @@ mod page;
 use kurbo::{Point, Vec2};
 use scumble_core::drawing::LONGER_SIDE_DU;
 use scumble_core::work::MAX_PAGES;
-use scumble_core::{Deed, EngineKind, Scribble, ScribbleKind, Srgb8, exact};
+use scumble_core::{Deed, EngineKind, Scribble, ScribbleKind, Shading, Srgb8, exact};
 use scumble_web::command::{Arranging, Command, Phase, Selecting, Setting, Tool, ViewChange};
 use scumble_web::effect::{Edit, Effect, SelectionState};
 use scumble_web::painting::PAPER;
@@ -392,6 +392,19 @@ fn what_would_be_too_long_for_a_file_is_dropped_and_said() {
 }
 
 #[test]
+fn no_more_shades_are_copied_than_there_is_memory_for() {
+    let mut page = Page::open(SQUARE);
+    let kind = ScribbleKind::Shade(Shading::default());
+    let dab = Scribble { color: RED.into(), kind, width_du: 20.0, points: vec![Point::new(500.0, 500.0)] };
+    page.session.command(page::open(SQUARE, &[dab]));
+    for _ in 0..12 {
+        page.session.command(Command::Select(Selecting::All));
+        page.session.command(Command::Arrange(Arranging::Duplicate));
+    }
+    assert_eq!(scribbles(&page).len(), 512);
+}
+
+#[test]
 fn what_is_deleted_comes_back_and_what_vanishes_is_not_selected() {
     let mut page = two();
     let before = bytes(&page);
@@ -407,6 +420,9 @@ fn what_is_deleted_comes_back_and_what_vanishes_is_not_selected() {
     page.session.command(Command::Undo);
     assert_eq!(bytes(&page), before);
     assert_eq!(selection(&mut page), SelectionState::default());
+    page.session.command(Command::Arrange(Arranging::Duplicate));
+    page.session.command(Command::Redo);
+    assert!(scribbles(&page).is_empty(), "where there is nothing to copy, nothing is in the way");
 }
 
 #[test]

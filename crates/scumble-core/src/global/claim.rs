@@ -46,6 +46,13 @@ const _: () = assert!(AT_HAND * OPEN_FROM_DU + AT_HAND_IN_THE_OPEN * OPEN_DU <= 
 /// half of all samples must lie: running out is worse than stopping short.
 const MEANT: f64 = 1.0 / 3.0;
 
+/// A room is meant, too, where the scribble goes this part of its size on from where it came in, so far that no hand slips; the
+/// size of a room is that of a square as large.
+const THROUGH: f64 = 0.5;
+
+/// The same in any room, however large, in du.
+const FAR_DU: f64 = 100.0;
+
 /// A room lies around another, as far as one can tell, if it is at the border of the page, or so many times as large.
 const AROUND: f64 = 8.0;
 
@@ -58,6 +65,8 @@ pub(super) struct Claim {
     stroke: Stroke,
     /// Of the refined mesh, where the last sample lies.
     triangle: usize,
+    /// The room that the last sample lies in, and where the scribble came in there.
+    entry: Option<(u32, Point)>,
     /// Per room the samples there.
     visits: SmallMap<Visit>,
 }
@@ -102,6 +111,8 @@ pub(super) fn at_hand_limit() -> Cost {
 #[derive(Clone, Debug, Default)]
 struct Visit {
     area_du2: f64,
+    /// How far the scribble went on from where it came in, in du.
+    reach_du: f64,
     seeds: Vec<Seed>,
     /// How many of them have been let in.
     let_in: usize,
@@ -115,7 +126,7 @@ impl Claim {
 
     /// Goes on to the end of a scribble that begins with the points followed so far.
     pub(super) fn follow(&mut self, map: &PlanarMap, ways: &Ways, points: &[Point]) {
-        let Self { stroke, triangle, visits } = self;
+        let Self { stroke, triangle, entry, visits } = self;
         stroke.follow(map, points, |p, base| {
             let distance_du = distance_to_lines_du(map, p, base);
             *triangle = map.refined().locate(p, *triangle).unwrap_or(*triangle);
@@ -124,6 +135,8 @@ impl Claim {
             let room = ways.room_of[place];
             let visit = visits.entry(room);
             visit.area_du2 = ways.rooms.area_du2(room);
+            let (_, from) = *entry.insert(entry.filter(|(last, _)| *last == room).unwrap_or((room, p)));
+            visit.reach_du = visit.reach_du.max(p.distance(from));
             let is_at_border = map.is_at_border(&map.triangulation().nodes(base));
             let hold = if is_at_border { HOLD_AT_BORDER } else { HOLD };
             visit.seeds.push(Seed::new(place, distance_du, hold));
@@ -209,6 +222,8 @@ struct Meant {
 
 impl Meant {
     fn contains(&self, visit: &Visit) -> bool {
-        visit.seeds.len() >= self.least && visit.area_du2 <= self.largest_du2
+        let is_through = visit.reach_du >= THROUGH * visit.area_du2.sqrt();
+        visit.reach_du >= FAR_DU
+            || (is_through || visit.seeds.len() >= self.least) && visit.area_du2 <= self.largest_du2
     }
 }

@@ -192,13 +192,16 @@ impl Session {
     /// Copies lie over everything, and are what is selected then.
     fn duplicate(&mut self) {
         let (count, selected) = (self.document().scribbles.len(), self.selected_scribbles());
+        if selected.is_empty() {
+            return;
+        }
         self.sheet.editor.begin(Deed::Duplicated);
         for i in selected {
             let copy = self.document().scribbles[i].clone();
             self.sheet.editor.insert_scribble(usize::MAX, copy);
         }
         let ids = self.sheet.editor.scribble_ids().get(count..).unwrap_or_default().to_vec();
-        if !self.drops_too_long() && !ids.is_empty() {
+        if !self.drops_too_long() {
             self.select(Selection::of(ids));
             let beside_du = self.viewport.way_du(Vec2::new(BESIDE_CSS, BESIDE_CSS));
             self.transform_selected(Affine::translate(beside_du));
