@@ -27,7 +27,7 @@ const UNSEEN = [
   ["web/src/screen.rs"],
   // Told otherwise where they are read.
   ["io/src/work_file/items.rs", "const NO_MORE_CURVES"],
-  ["io/src/work_file/pressures.rs", "pub(crate) fn take_up"],
+  ["io/src/work_file/pressures.rs", "pub(super) fn press"],
   // What is written, no words.
   ["io/src/curve_set/write.rs"],
   ["io/src/svg.rs", "const IGNORED"],

@@ -28,7 +28,12 @@ pub(crate) struct Json<'a> {
 
 impl<'a> Json<'a> {
     pub(crate) fn new(text: &'a str) -> Self {
-        Self { text, at: 0, depth: 0 }
+        Self::within(text, 0)
+    }
+
+    /// A text that is part of another one, at a depth of nesting there.
+    pub(crate) fn within(text: &'a str, depth: u32) -> Self {
+        Self { text, at: 0, depth }
     }
 
     /// Something else should be here.

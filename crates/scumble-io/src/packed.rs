@@ -9,7 +9,7 @@ use scumble_core::{
     Blend, ColorPoint, EngineKind, Line, Paint, PenPressure, Rgba8, Scribble, ScribbleKind, Srgb8,
 };
 
-use crate::work_file::{self, pressures};
+use crate::work_file::{put_by, take_up};
 use coder::Coder;
 use pen::Pen;
 
@@ -81,8 +81,7 @@ pub struct PackedSizes {
 
 /// The bytes of some work, or `None` where it is too large to be read again.
 pub(crate) fn pack(work: &Work) -> Option<(Vec<u8>, PackedSizes)> {
-    let mut work = work_file::with_names_as_unknown(work);
-    pressures::put_by(&mut work);
+    let mut work = put_by(work);
     // Once everything is on its lattice, what has become the same is seen to be so.
     let mut coder = Coder::writer();
     walk(&mut coder, &mut work);
@@ -100,8 +99,7 @@ pub(crate) fn unpack(bytes: &[u8]) -> Option<Work> {
     let mut work = Work::blank();
     walk(&mut coder, &mut work);
     coder.finish()?;
-    pressures::take_up(&mut work)?;
-    work_file::take_names(&mut work)?;
+    take_up(&mut work)?;
     Some(work)
 }
 
@@ -266,9 +264,6 @@ fn unknown(c: &mut Coder, unknown: &mut Unknown) {
             last += 1 + c.int(kind::FIELDS, &[item], i64::from(*index) - last - 1).max(0);
             *index = u32::try_from(last).unwrap_or_default();
             text(c, fields);
-            if c.is_reading() && !work_file::are_members(fields) {
-                c.fail();
-            }
         });
     }
 }

@@ -7,6 +7,7 @@ use roxmltree::Document;
 use svgtypes::{Align, AspectRatio, ViewBox};
 
 use crate::error::ImportError;
+use crate::work_file::PAGE_PER_UNIT;
 
 /// A page and the way to it from `usvg`'s pixels.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -36,10 +37,19 @@ pub(crate) fn of(xml: &Document, [width_px, height_px]: [f64; 2]) -> Result<Page
 }
 
 fn checked(rect: Rect, page_from_px: Affine) -> Result<Page, ImportError> {
+    let rect = kept(rect);
     let sides = [rect.width(), rect.height()];
     let usable =
         sides.iter().all(|side| SIDE_RANGE.contains(side)) && page_from_px.is_finite() && rect.is_finite();
     if usable { Ok(Page { rect, page_from_px }) } else { Err(ImportError::NoPage) }
+}
+
+/// The page as files hold it, so that it is the same when it is opened again.
+pub(crate) fn kept(rect: Rect) -> Rect {
+    let steps = PAGE_PER_UNIT as f64;
+    let [x, y, width, height] =
+        [rect.x0, rect.y0, rect.width(), rect.height()].map(|number| (number * steps).round() / steps);
+    Rect::new(x, y, x + width, y + height)
 }
 
 /// The `viewBox` fitted into the picture as `preserveAspectRatio` says.

@@ -11,7 +11,7 @@ mod ase;
 mod gpl;
 mod hex;
 
-/// Most colours of a palette that is read.
+/// Most colours of a palette.
 const MAX_COLORS: usize = 1000;
 
 /// What is left of a longer name.
@@ -96,7 +96,7 @@ pub fn read_palette(bytes: &[u8], meant: Option<PaletteKind>) -> Result<ReadPale
 /// Writes the swatches of a palette. What is no colour is left out.
 ///
 /// # Errors
-/// When there is no colour.
+/// When there is no colour, or more than could be read again.
 pub fn write_palette(palette: &[Swatch], kind: PaletteKind) -> Result<Vec<u8>, PaletteError> {
     let named = |swatch: &Swatch| match swatch.color {
         Paint::Color(color) => Some((color, written_name(color, &swatch.name))),
@@ -105,6 +105,9 @@ pub fn write_palette(palette: &[Swatch], kind: PaletteKind) -> Result<Vec<u8>, P
     let colors: Vec<_> = palette.iter().filter_map(named).collect();
     if colors.is_empty() {
         return Err(PaletteError::NoColors);
+    }
+    if colors.len() > MAX_COLORS {
+        return Err(PaletteError::TooManyColors { limit: MAX_COLORS });
     }
     Ok(match kind {
         PaletteKind::Ase => ase::written(&colors),
@@ -124,7 +127,8 @@ fn push(palette: &mut ReadPalette, color: Srgb8, name: &str) -> Result<(), Palet
 
 /// Names that say nothing: GIMP's, and the colours themselves.
 fn read_name(color: Srgb8, name: &str) -> String {
-    let name: String = name.trim().chars().filter(|c| !c.is_control()).take(MAX_NAME_CHARS).collect();
+    let spaced = |c: char| if c.is_control() { ' ' } else { c };
+    let name: String = name.trim().chars().map(spaced).take(MAX_NAME_CHARS).collect();
     let name = name.trim();
     let says_nothing = name == "Untitled" || name.eq_ignore_ascii_case(&color.to_string());
     if says_nothing { String::new() } else { name.to_owned() }

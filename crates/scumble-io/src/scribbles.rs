@@ -8,6 +8,7 @@ use std::collections::BTreeMap;
 
 use kurbo::{Affine, Point, Rect};
 use scumble_core::drawing::LONGER_SIDE_DU;
+use scumble_core::work::{MAX_PAGES, are_too_long};
 use scumble_core::{Drawing, Paint, PenPressure, Scribble, ScribbleKind, Shading, nearest_in};
 use serde::Deserialize;
 use serde::de::IgnoredAny;
@@ -27,9 +28,6 @@ pub struct ReadScribbles {
 
 /// Points further outside the page than this, in du, are moved to that distance.
 const REACH_DU: f64 = LONGER_SIDE_DU;
-
-/// Longest way of all scribbles together, in longer sides of the page.
-const MAX_PAGES: u32 = 500;
 
 #[derive(Deserialize)]
 #[serde(expecting = "an object with \"scribbles\"")]
@@ -111,14 +109,10 @@ pub fn read_scribbles(json: &[u8], drawing: &Drawing) -> Result<ReadScribbles, S
     if scribbles.is_empty() && given > 0 {
         return Err(ScribblesError::NoneUsable(reader.notes));
     }
-    if scribbles.iter().map(length_du).sum::<f64>() > f64::from(MAX_PAGES) * LONGER_SIDE_DU {
+    if are_too_long(&scribbles) {
         return Err(ScribblesError::TooLong { limit_pages: MAX_PAGES });
     }
     Ok(ReadScribbles { scribbles: scribbles.into_iter().map(Scribble::kept).collect(), notes: reader.notes })
-}
-
-fn length_du(scribble: &Scribble) -> f64 {
-    scribble.points.windows(2).map(|w| (w[1] - w[0]).hypot()).sum()
 }
 
 struct Reader {

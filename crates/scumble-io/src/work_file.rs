@@ -12,11 +12,12 @@ use crate::error::FileError;
 use crate::json::{Fault, Json};
 use read::Reader;
 
-pub(crate) use swatch_names::{take_names, with_names_as_unknown};
+pub(crate) use later_fields::{put_by, take_up};
 
 mod items;
+mod later_fields;
 mod names;
-pub(crate) mod pressures;
+mod pressures;
 mod read;
 mod swatch_names;
 mod write;
@@ -38,7 +39,7 @@ pub const FILE_IMAGE: u32 = 1;
 
 /// Steps of numbers in one, and of page coordinates.
 const PER_UNIT: u64 = 1000;
-const PAGE_PER_UNIT: u64 = 1_000_000_000;
+pub(crate) const PAGE_PER_UNIT: u64 = 1_000_000_000;
 
 /// The file that keeps some work. The picture under the lines is in it where its file is there.
 ///
@@ -111,16 +112,4 @@ fn minor_version(text: &str, damaged: impl Fn(Fault) -> FileError) -> Result<u32
         (Ok(2..), _) => Err(FileError::Newer(version.chars().take(16).collect())),
         _ => Err(FileError::NotWork),
     }
-}
-
-/// Whether a text is one or more members of an object, and nothing else.
-pub(crate) fn are_members(text: &str) -> bool {
-    let text = ["{", text, "}"].concat();
-    let mut json = Json::new(&text);
-    let mut count = 0;
-    let read = json.members(&mut |json, _| {
-        count += 1;
-        json.skip()
-    });
-    read.and_then(|()| json.end()).is_ok() && count > 0
 }

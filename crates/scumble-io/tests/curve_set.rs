@@ -107,6 +107,12 @@ fn colours_out_of_range_are_the_nearest() {
 }
 
 #[test]
+fn the_page_has_as_many_digits_as_files_have() {
+    let text = CURVES.replacen("image_width=\"200\"", "image_width=\"0.12345678912\"", 1);
+    assert_eq!(read(&text).drawing.page.width(), 0.123456789);
+}
+
+#[test]
 fn what_are_no_diffusion_curves_says_so() {
     refused(&CURVES.replacen("image_width=\"200\"", "", 1), &ImportError::NoImageSize);
     refused(&CURVES.replacen("image_height=\"100\"", "image_height=\"0\"", 1), &ImportError::NoImageSize);

@@ -8,8 +8,11 @@ use std::path::Path;
 use std::{fs, iter};
 
 use kurbo::{Affine, BezPath, Point, Rect};
+use scumble_core::work::{Item, Unknown};
 use scumble_core::{Curve, Document, Drawing, Paint, Scribble, Work};
-use scumble_io::{LinkError, MAX_LINK, import_svg, read_link, read_scribbles, write_file, write_link};
+use scumble_io::{
+    LinkError, MAX_LINK, import_svg, read_file, read_link, read_scribbles, write_file, write_link,
+};
 
 const LINKS: &str = include_str!("fixtures/v1.0/links.txt");
 
@@ -167,6 +170,77 @@ fn work_that_could_not_be_read_again_gets_no_link() {
     refused(Document { scribbles: scattered, ..Document::new(page()) });
 }
 
+/// All fields of each kind of item, but for those that every file has.
+const KNOWN: [(Item, &str); Item::KINDS] = [
+    (
+        Item::Work,
+        r#""sample": "a.svg", "palette": [], "swatch_names": [], "color_points": [], "tracing_opacity": 1"#,
+    ),
+    (Item::Settings, r#""blend": "oklab", "engine": "global", "gap_closing": 1, "spread": true"#),
+    (
+        Item::Curve,
+        r##""path": "M 1 2 L 3 4", "width": 1, "color": "#000000", "caps": ["butt", "butt"], "join": "round",
+        "miter_limit": 4, "dashes": [1], "dash_offset": 1"##,
+    ),
+    (Item::Fill, r##""path": "M 1 2 L 3 4 Z", "rule": "nonzero", "color": "#000000""##),
+    (
+        Item::Scribble,
+        r#""color": "none", "width": 1, "kind": "shade", "strength": 1, "crosses": true, "points": [[1, 2]],
+        "radii": [1], "strengths": [1]"#,
+    ),
+    (Item::ColorPoint, r#""curve": 0, "side": "left", "at": 1, "color": "none""#),
+];
+
+/// What a link keeps of the fields of an item that are not known.
+fn linked(item: Item, fields: &str) -> Result<Work, LinkError> {
+    let still =
+        Scribble { color: Paint::Clear, kind: Default::default(), width_du: 1.0, points: vec![Point::ZERO] };
+    let mut work = Work::new(Document { scribbles: vec![still], ..Document::new(page()) });
+    work.unknown.keep(item, 0, fields);
+    read_link(&write_link(&work).unwrap().fragment)
+}
+
+#[test]
+fn no_field_that_a_file_has_is_among_those_that_are_not_known() {
+    let [work, settings, curve, fill, scribble, point] = KNOWN.map(|(_, fields)| fields);
+    let file = format!(
+        r#"{{"format": "scumble", "version": "1.2", "canvas": [0, 0, 1, 1], {work}, "settings": {{{settings}}},
+        "curves": [{{{curve}}}], "fills": [{{{fill}}}], "scribbles": [{{{scribble}}}], "color_points": [{{{point}}}]}}"#
+    );
+    assert_eq!(read_file(file.as_bytes()).unwrap().unknown, Unknown::default());
+    for (item, fields) in KNOWN {
+        assert_eq!(linked(item, fields).unwrap().unknown, Unknown::default(), "{fields}");
+    }
+}
+
+#[test]
+fn what_came_in_a_link_can_be_saved_whatever_its_unknown_fields_are_called() {
+    let plain = linked(Item::Work, r#""mood": 7"#).unwrap();
+    for fields in [
+        r#""format": "x", "mood": 7"#,
+        r#""mood": 7, "version": "9.0""#,
+        r#""canvas": 0, "mood": 7, "settings": 0, "curves": 0, "fills": 0"#,
+        r#""tracing_image": "x", "mood": 7"#,
+        r#""\u0073cribbles": [{"color": "none", "width": 1, "points": [[1, 1]]}], "mood": 7"#,
+    ] {
+        let linked = linked(Item::Work, fields).unwrap();
+        assert_eq!(write_file(&linked), write_file(&plain), "{fields}");
+        read_file(&write_file(&linked).unwrap()).unwrap();
+    }
+    for bad in [r#""mood": 7}, {"#, r#""radii": [1, 1]"#, r#""radii": 1"#, r#""mood""#] {
+        assert_eq!(linked(Item::Scribble, bad).unwrap_err(), LinkError::Damaged, "{bad}");
+    }
+}
+
+#[test]
+fn unknown_fields_of_a_link_are_no_deeper_than_in_a_file() {
+    for (item, most) in [(Item::Work, 99), (Item::Settings, 98), (Item::Scribble, 97)] {
+        let deep = |depth| linked(item, &format!(r#""mood": {}{}"#, "[".repeat(depth), "]".repeat(depth)));
+        read_file(&write_file(&deep(most).unwrap()).unwrap()).unwrap();
+        assert_eq!(deep(most + 1).unwrap_err(), LinkError::Damaged, "{item:?}");
+    }
+}
+
 #[test]
 fn a_sample_is_named_in_place_of_its_lines() {
     let svg = fs::read(root().join("web/samples/goldfish.svg")).unwrap();
@@ -205,7 +279,7 @@ fn numbers_that_are_none_do_no_harm() {
             assert_eq!(write_link(&read).unwrap().fragment, link.fragment);
         }
         if let Ok(file) = write_file(&work) {
-            scumble_io::read_file(&file).unwrap();
+            read_file(&file).unwrap();
         }
     }
 }

@@ -51,6 +51,10 @@ fn gimps_palettes_are_read() {
     refused("GIMP Palette\n1 2 3\n1 2\n", PaletteError::Damaged { line: 3, expected });
     refused("GIMP Palette\n1 2 256\n", PaletteError::Damaged { line: 2, expected });
     refused("GIMP Palette\nName: none\n", PaletteError::NoColors);
+    let with_alpha = "GIMP Palette\nChannels: RGBA\n#\n1 2 3 255 Untitled\n4 5 6 0\tSea\n7 8 9\n";
+    assert_eq!(colors(with_alpha), [[1, 2, 3], [4, 5, 6], [7, 8, 9]]);
+    assert_eq!(names(with_alpha), ["", "Sea", ""]);
+    assert_eq!(names("GIMP Palette\nChannels: RGB\n1 2 3 4 km"), ["4 km"]);
     refused("\n \r\n\nGIMP Palette\n1 2 3\n1 2\n", PaletteError::Damaged { line: 6, expected });
 }
 
@@ -77,7 +81,18 @@ fn lists_of_colours_are_read() {
     refused("#ffffff\n#fffffff\n", PaletteError::Damaged { line: 2, expected: "a colour #rrggbb" });
     // A word alone may be anything; a name that ends in .hex says what it is meant as.
     assert_eq!(read_palette(b"abc\n", Some(PaletteKind::Hex)).map(|palette| palette.swatches.len()), Ok(1));
-    for none in ["", "hello", "<svg/>", "{}", "; only a remark", "#ffff", "abc", "bad\n#ffffff"] {
+    for none in [
+        "",
+        "hello",
+        "<svg/>",
+        "{}",
+        "; only a remark",
+        "#ffff",
+        "abc",
+        "bad\n#ffffff",
+        "decade of drawings",
+        "#facade,d #1",
+    ] {
         refused(none, PaletteError::NoPalette);
     }
 }
@@ -97,7 +112,7 @@ fn names_come_back_but_from_lists_of_colours() {
         [swatch([1, 2, 3], "Häut \u{1f41f}"), swatch([4, 5, 6], ""), swatch([7, 8, 9], "a\nb\u{0}\t")];
     for kind in KINDS {
         let names = names(write_palette(&given, kind).unwrap());
-        let expected = if kind == PaletteKind::Hex { ["", "", ""] } else { ["Häut \u{1f41f}", "", "ab"] };
+        let expected = if kind == PaletteKind::Hex { ["", "", ""] } else { ["Häut \u{1f41f}", "", "a b"] };
         assert_eq!(names, expected, "{kind:?}");
     }
     let long = names(write_palette(&[swatch([0; 3], &"é".repeat(70_000))], PaletteKind::Ase).unwrap());
@@ -163,6 +178,11 @@ fn swatches_that_are_cut_off_are_refused() {
 fn too_much_is_refused() {
     refused("#ffffff\n".repeat(1001), PaletteError::TooManyColors { limit: 1000 });
     assert_eq!(colors("#ffffff\n".repeat(1000)).len(), 1000);
+    for kind in KINDS {
+        let written = |count| write_palette(&vec![Paint::from(Srgb8([1, 2, 3])).into(); count], kind);
+        assert_eq!(written(1001), Err(PaletteError::TooManyColors { limit: 1000 }));
+        assert_eq!(colors(written(1000).unwrap()).len(), 1000);
+    }
     refused(" ".repeat(20_000_001), PaletteError::TooLarge);
 }
 

@@ -172,6 +172,6 @@ fn points_far_outside_are_brought_near() {
 
 #[test]
 fn scribbles_without_end_are_refused() {
-    let zigzag = format!("[{}[10,20]]", "[10,20],[74,52],".repeat(400));
-    assert_eq!(read(&with_points(&[&zigzag])), Err(ScribblesError::TooLong { limit_pages: 500 }));
+    let zigzag = format!("[{}[10,20]]", "[10,20],[74,52],".repeat(4000));
+    assert_eq!(read(&with_points(&[&zigzag])), Err(ScribblesError::TooLong { limit_pages: 5000 }));
 }

@@ -1,8 +1,8 @@
 //! What an SVG drawing becomes.
 
 use kurbo::{Affine, BezPath, Cap, Join, ParamCurve, ParamCurveArclen, PathEl, Point, Rect, Shape};
-use scumble_core::{Curve, Rgba8};
-use scumble_io::{Import, import_svg};
+use scumble_core::{Curve, Document, Rgba8, Work};
+use scumble_io::{Import, import_svg, read_file, write_file};
 
 fn import(svg: &str) -> Import {
     import_svg(svg.as_bytes()).unwrap_or_else(|error| panic!("{error}: {svg}"))
@@ -395,6 +395,18 @@ fn the_page_is_the_view_box_in_its_own_units() {
         assert!((p - expected).hypot() < 1e-3, "{rest}: {p} instead of {expected}");
         let width_du = import.drawing.curves[0].line.as_ref().unwrap().stroke.width;
         assert!((width_du - 1024.0 / 72.0).abs() < 1e-3, "{rest}: line width {width_du}");
+    }
+}
+
+#[test]
+fn the_page_is_the_same_when_it_is_opened_again() {
+    for view_box in ["0 0 1e-5 7.1234567e-6", "0 0 1.2345678e-6 1e-6", "1 2 0.33333333333 0.1"] {
+        let svg = format!(
+            r#"<svg xmlns="http://www.w3.org/2000/svg" viewBox="{view_box}"><path d="M0 0h1e-6v1e-6" stroke="red"/></svg>"#
+        );
+        let work = Work::new(Document::new(import_svg(svg.as_bytes()).unwrap().drawing));
+        let read = read_file(&write_file(&work).unwrap()).unwrap();
+        assert_eq!(read.document.drawing.size_du(), work.document.drawing.size_du(), "{view_box}");
     }
 }
 

@@ -9,6 +9,7 @@ use scumble_core::{Blend, ColorPoint, Curve, Document, Drawing, Settings, Srgb8}
 use super::{BARRIER, IDS_PER_CUBIC, OKLAB, ROOT};
 use crate::error::ImportError;
 use crate::notes::CurveNotes;
+use crate::page::kept;
 use crate::{limits, outline};
 
 /// Whether a file is meant as diffusion curves: it names them before it names an SVG.
@@ -59,7 +60,7 @@ fn document(root: Node) -> Result<Document, ImportError> {
     }
     let blend = if root.attribute("blend") == Some(OKLAB) { Blend::Oklab } else { Blend::Srgb };
     let settings = Settings { blend, gap_closing: 0.0, ..Settings::default() };
-    Ok(Document { settings, ..Document::new(Drawing::new(Rect::new(0.0, 0.0, width, height))) })
+    Ok(Document { settings, ..Document::new(Drawing::new(kept(Rect::new(0.0, 0.0, width, height)))) })
 }
 
 struct Reader {

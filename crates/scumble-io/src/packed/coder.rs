@@ -102,10 +102,6 @@ impl<'a> Coder<'a> {
         }
     }
 
-    pub(crate) fn is_reading(&self) -> bool {
-        matches!(self.way, Way::Read { .. })
-    }
-
     /// The walk cannot go on.
     pub(crate) fn fail(&mut self) {
         self.has_failed = true;

@@ -14,8 +14,9 @@ pub(super) fn read(text: &str) -> Result<ReadPalette, PaletteError> {
     if let Some((_, number)) = lines.next().filter(|(line, _)| !line.trim_start().starts_with(MARK)) {
         return Err(PaletteError::Damaged { line: number, expected: "“GIMP Palette”" });
     }
+    let has_alpha = text.lines().any(is_alpha_told);
     for (line, number) in lines.filter(|(line, _)| !is_head(line)) {
-        let (color, name) = color(line)
+        let (color, name) = color(line, has_alpha)
             .ok_or(PaletteError::Damaged { line: number, expected: "three numbers from 0 to 255" })?;
         push(&mut palette, color, name)?;
     }
@@ -28,8 +29,13 @@ fn is_head(line: &str) -> bool {
     line.is_empty() || ["#", "Name:", "Columns:", "Channels:"].iter().any(|head| line.starts_with(head))
 }
 
-/// A colour, and what comes behind it.
-fn color(line: &str) -> Option<(Srgb8, &str)> {
+/// Whether a line of the head says that colours have a fourth number, their opacity.
+fn is_alpha_told(line: &str) -> bool {
+    line.trim().strip_prefix("Channels:").is_some_and(|channels| channels.trim() == "RGBA")
+}
+
+/// A colour, and what comes behind it and its opacity.
+fn color(line: &str, has_alpha: bool) -> Option<(Srgb8, &str)> {
     let mut rest = line;
     let mut channel = || {
         let (word, behind) =
@@ -38,6 +44,9 @@ fn color(line: &str) -> Option<(Srgb8, &str)> {
         word.parse().ok()
     };
     let color = Srgb8([channel()?, channel()?, channel()?]);
+    if has_alpha {
+        channel();
+    }
     Some((color, rest))
 }
 

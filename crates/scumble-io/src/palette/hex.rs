@@ -6,12 +6,13 @@ use scumble_core::Srgb8;
 use super::{ReadPalette, push};
 use crate::error::PaletteError;
 
-/// Whether a text begins as such a list: three digits without `#` may be any word, six are hardly one. All files are asked: of
-/// what is none, however large, only the beginning is read.
+/// Whether a text begins as such a list, with a line of colours alone: three digits without `#` may be any word, six are hardly
+/// one. All files are asked: of what is none, however large, only the beginning is read.
 pub(super) fn begins(text: &[u8]) -> bool {
     let mut lines = text.split(|byte| *byte == b'\n').map(String::from_utf8_lossy);
-    let is_meant = |word: &str| (word.starts_with('#') || word.len() == 6) && color(word).is_some();
-    lines.find_map(|line| words(&line).next().map(is_meant)).unwrap_or(false)
+    let is_meant = |word: &str| word.starts_with('#') || word.len() == 6;
+    let first = lines.find(|line| words(line).next().is_some()).unwrap_or_default();
+    words(&first).next().is_some_and(is_meant) && words(&first).all(|word| color(word).is_some())
 }
 
 pub(super) fn read(text: &str) -> Result<ReadPalette, PaletteError> {

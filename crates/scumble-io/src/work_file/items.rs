@@ -148,7 +148,7 @@ fn scribble(json: &mut Json, mut keeper: Keeper) -> Result<Scribble, Fault> {
             "crosses" => shading.crosses = json.boolean()?,
             "points" => json.items(&mut |json| json.numbers().map(|[x, y]| points.push(Point::new(x, y))))?,
             name => match pressures::read(name, json)? {
-                Some(pressure) => shading.pressure = pressure,
+                Some(pressure) => pressures::take_first(&mut shading.pressure, pressure),
                 None => keeper.keep(json, &member)?,
             },
         }

@@ -1,17 +1,13 @@
 //! What a pen's pressure made of a stroke, as a field of its scribble.
-//!
-//! In a link it is among the fields that a reader need not know: older ones keep it there.
 
-use scumble_core::work::{Item, Work};
 use scumble_core::{PenPressure, Scribble, ScribbleKind, Shading};
 
 use super::write::push_numbers;
-use super::{PRESSURE_MINOR, VERSION};
 use crate::json::{Fault, Json};
 
 /// The names of the fields.
-const RADII: &str = "radii";
-const STRENGTHS: &str = "strengths";
+pub(super) const RADII: &str = "radii";
+pub(super) const STRENGTHS: &str = "strengths";
 
 /// Whether any scribble has the field.
 pub(super) fn has_pressures(scribbles: &[Scribble]) -> bool {
@@ -54,44 +50,21 @@ pub(super) fn is_whole(pressure: &PenPressure, point_count: usize) -> bool {
     }
 }
 
-/// Puts the fields of all scribbles to those that a reader need not know.
-pub(crate) fn put_by(work: &mut Work) {
-    let before = std::mem::take(&mut work.unknown.fields[Item::Scribble as usize]);
-    let mut before = before.into_iter().peekable();
-    for (index, scribble) in work.document.scribbles.iter().enumerate() {
-        if let Some(field) = field(scribble) {
-            work.unknown.keep(Item::Scribble, index, &field);
-            work.unknown.minor = work.unknown.minor.max(PRESSURE_MINOR);
-        }
-        if let Some((_, text)) = before.next_if(|(place, _)| *place as usize == index) {
-            work.unknown.keep(Item::Scribble, index, &text);
-        }
-    }
-}
-
-/// Takes them from there again; `None` where one is damaged.
-pub(crate) fn take_up(work: &mut Work) -> Option<()> {
-    for (index, text) in std::mem::take(&mut work.unknown.fields[Item::Scribble as usize]) {
-        let text = ["{", &text, "}"].concat();
-        let mut json = Json::new(&text);
-        let members = json.members(&mut |json, member| match read(&member.name, json)? {
-            Some(pressure) => press(&mut work.document.scribbles, index, pressure)
-                .map_or_else(|| json.fault("as many parts as points"), Ok),
-            None => super::items::keep(json, &member, &mut work.unknown, Item::Scribble, index as usize),
-        });
-        members.ok()?;
-    }
-    if work.unknown.minor <= VERSION[1] {
-        work.unknown.minor = 0;
-    }
-    Some(())
-}
-
-fn press(scribbles: &mut [Scribble], index: u32, given: PenPressure) -> Option<()> {
-    let scribble = scribbles.get_mut(index as usize)?;
-    let is_whole = is_whole(&given, scribble.points.len());
+/// Reads a field of this name into its scribble, where there is one that shades.
+pub(super) fn press(json: &mut Json, name: &str, scribble: Option<&mut Scribble>) -> Result<(), Fault> {
+    let given = read(name, json)?.unwrap_or_default();
+    let Some(scribble) = scribble.filter(|scribble| is_whole(&given, scribble.points.len())) else {
+        return json.fault("as many parts as points");
+    };
     if let ScribbleKind::Shade(Shading { pressure, .. }) = &mut scribble.kind {
+        take_first(pressure, given);
+    }
+    Ok(())
+}
+
+/// Of several fields the first one counts: what a page of an older version kept as unknown comes behind what was made since.
+pub(super) fn take_first(pressure: &mut PenPressure, given: PenPressure) {
+    if *pressure == PenPressure::Even {
         *pressure = given;
     }
-    is_whole.then_some(())
 }
