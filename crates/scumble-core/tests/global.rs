@@ -464,6 +464,40 @@ fn a_window_that_is_not_quite_closed_is_no_corner_of_what_is_around_it() {
     }
 }
 
+/// The rooms of a row that a stroke colours, by the edges of the rooms.
+fn colored_rooms(edges_du: &[f64], points: &[(f64, f64)]) -> Vec<usize> {
+    let rooms = edges_du.windows(2).map(|x| (Rect::new(x[0], 300.0, x[1], 500.0).to_path(0.1), 4.0));
+    let map = build(rooms.collect(), 0.5);
+    let points = points.iter().copied().map(Point::from).collect();
+    let stroke = Scribble { color: Paint::Clear, kind: ScribbleKind::Fill, width_du: 8.0, points };
+    let labels = fresh(&map, false, &[stroke]);
+    let mesh = map.triangulation();
+    let is_colored = |&room: &usize| {
+        let span = edges_du[room] + 1.0..edges_du[room + 1] - 1.0;
+        let is_in = |h: &HalfEdge| {
+            let [a, b] = mesh.segment(*h);
+            a.y == 500.0 && a.x > b.x && span.contains(&a.x) && span.contains(&b.x)
+        };
+        let mut sides = mesh.half_edges().filter(is_in).filter_map(|h| mesh.side(h));
+        sides.any(|side| labels.sides[side.index()].is_some())
+    };
+    (0..edges_du.len() - 1).filter(is_colored).collect()
+}
+
+#[test]
+fn what_a_stroke_goes_through_it_means_and_where_it_slips_it_does_not() {
+    let edges_du = [100.0, 200.0, 600.0, 700.0];
+    assert_eq!(colored_rooms(&edges_du, &[(120.0, 400.0), (680.0, 400.0)]), [0, 1, 2]);
+    assert_eq!(colored_rooms(&edges_du, &[(175.0, 400.0), (625.0, 400.0)]), [1]);
+    let hatching: Vec<_> =
+        (0..40).map(|i| (if i % 2 == 0 { 250.0 } else { 630.0 }, 310.0 + 4.5 * f64::from(i))).collect();
+    assert_eq!(colored_rooms(&edges_du, &hatching), [1], "however often it slips");
+    // From a small room far into a large one.
+    let edges_du = [100.0, 160.0, 920.0];
+    assert_eq!(colored_rooms(&edges_du, &[(110.0, 400.0), (300.0, 400.0)]), [0, 1]);
+    assert_eq!(colored_rooms(&edges_du, &[(110.0, 400.0), (190.0, 400.0)]), [0]);
+}
+
 /// The scribbles around the inside of a shape, one after the other.
 fn around(shape: &BezPath, center: Point, strokes: &[[Point; 2]]) -> Vec<usize> {
     let map = sampled(vec![(shape.clone(), 8.0)], 0.5, &Sampling::default());
