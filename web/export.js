@@ -44,6 +44,8 @@ export class Export {
   #sizes = {};
   /** Done once the size is known. @type {Promise<void>} */
   #sized = Promise.resolve();
+  /** Stands for the last size that was asked for. */
+  #asked = {};
 
   /** @param {Shell} shell */
   constructor(shell) {
@@ -101,7 +103,8 @@ export class Export {
   /** Shows the size that was chosen; shapes are else as large as the page that the drawing came with. */
   async #showSize() {
     const { engine, formats } = this.#shell;
-    const isOpen = () => kind() === "shapes" && this.#sizes.shapes === undefined;
+    const asked = (this.#asked = {});
+    const isOpen = () => asked === this.#asked && kind() === "shapes" && this.#sizes.shapes === undefined;
     input("export-size").value = this.#sizes[kind()] ?? String(ONE_PX);
     const work = isOpen() && engine.work();
     // Where that cannot be told, it is told as the file is made.
@@ -162,7 +165,7 @@ export class Export {
    * @param {AbortSignal} signal
    */
   async #made(format, signal) {
-    await this.#sized;
+    await written(stoppable(this.#sized, signal));
     const size_px = input("export-size").valueAsNumber;
     const [lines, transparent] = ["export-lines", "export-transparent"].map((id) => input(id).checked);
     await written(stoppable(this.#shell.engine.made(), signal));

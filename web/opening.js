@@ -88,7 +88,7 @@ export class Opening {
     history.replaceState(null, "", location.pathname + location.search);
     const fault = await this.#link(link);
     // A reload may bring the version that can open it.
-    if (fault && !location.hash) history.replaceState(null, "", link);
+    if (fault && isLink(link) && !location.hash) history.replaceState(null, "", link);
     return fault;
   }
 

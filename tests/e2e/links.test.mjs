@@ -110,6 +110,7 @@ for (const browser of /** @type {const} */ (["chromium", "firefox"])) {
       await editor.tab.evaluate(`location.hash = "#2.AAAA"`);
       await warned(editor);
       assert.match(await editor.message(), /newer Scumble/);
+      assert.equal(await editor.tab.evaluate("location.hash"), "#2.AAAA", "a reload may bring that Scumble");
       assert.deepEqual(editor.tab.faults, []);
     });
 

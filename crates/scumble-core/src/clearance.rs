@@ -218,10 +218,13 @@ fn circumcenter([a, b, c]: [Point; 3]) -> Option<Point> {
 
 /// What the lines drawn through the ends of an edge leave of it, in du; negative where they overlap.
 pub(crate) fn clear_width_du(map: &PlanarMap, h: HalfEdge) -> f64 {
-    let mesh = map.triangulation();
-    let [a, b] = mesh.segment(h);
-    let lines_du: f64 = mesh.ends(h).iter().filter_map(|&node| map.half_width_du(node)).sum();
-    (b - a).hypot() - lines_du
+    let [a, b] = map.triangulation().segment(h);
+    (b - a).hypot() - lines_du(map, h)
+}
+
+/// What the lines drawn through the ends of an edge take of it, in du.
+pub(crate) fn lines_du(map: &PlanarMap, h: HalfEdge) -> f64 {
+    map.triangulation().ends(h).iter().filter_map(|&node| map.half_width_du(node)).sum()
 }
 
 /// The length of an edge without the lines at its ends, as far as it counts.

@@ -9,7 +9,7 @@
 
 use kurbo::Vec2;
 
-use crate::clearance::{Clearance, clear_width_du, is_gabriel};
+use crate::clearance::{Clearance, clear_width_du, is_gabriel, lines_du};
 use crate::pace::{self, Slices, now};
 use crate::planar_map::{Gap, PlanarMap};
 use crate::sets::Sets;
@@ -24,6 +24,9 @@ const WAIST: f64 = 0.7;
 
 /// A gap is wide if it leaves more than this part of the narrower of the places it joins.
 const WIDE: f64 = 0.2;
+
+/// A gap is slight if it is no more than so many times as wide as the lines at its ends.
+const SLIGHT: f64 = 1.5;
 
 /// A line means to reach the border of the page where it ends within this part of its length of it, and points there.
 const REACH: f64 = 0.125;
@@ -120,10 +123,14 @@ fn stays_closed(map: &PlanarMap, clearance: &Clearance, h: HalfEdge, [width_du, 
 fn gap(map: &PlanarMap, lengths_du: &[f64], h: HalfEdge, [width_du, wide_du]: [f64; 2]) -> Gap {
     let nodes = map.triangulation().ends(h);
     let clear_du = clear_width_du(map, h);
-    let lines_du = nodes.iter().filter_map(|&node| map.half_width_du(node)).sum();
     let counts = map.is_at_border(&nodes) && !means_to_reach(map, lengths_du, h);
     let is_wide = if counts { width_du } else { clear_du } > wide_du;
-    Gap { nodes, is_wide, is_plain: is_wide && width_du > wide_du, is_slight: clear_du <= lines_du }
+    Gap {
+        nodes,
+        is_wide,
+        is_plain: is_wide && width_du > wide_du,
+        is_slight: clear_du <= SLIGHT * lines_du(map, h),
+    }
 }
 
 /// Whether a line that ends at an edge of the triangulation, and points along it, is so long beside it that it means to

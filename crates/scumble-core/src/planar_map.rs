@@ -65,7 +65,7 @@ pub struct Gap {
     pub is_wide: bool,
     /// Whether it is so even as far as widths count beside the tips of lines.
     pub is_plain: bool,
-    /// Whether it is no wider than the lines at its ends, so that a person hardly sees it.
+    /// Whether it is hardly wider than the lines at its ends, so that a person does not see it as a hole.
     pub is_slight: bool,
 }
 

@@ -4,14 +4,11 @@ use kurbo::Rect;
 
 use crate::drawing::{Drawing, LONGER_SIDE_DU};
 use crate::edit::Document;
-use crate::scribble::{Scribble, ScribbleKind};
+use crate::scribble::Scribble;
 use crate::sort::sort;
 
 /// Longest way of all scribbles together, in longer sides of the page: an hour and more of scribbling.
 pub const MAX_PAGES: u32 = 5000;
-
-/// A shade counts as no shorter, in du: each takes memory of its own, some megabytes if it is large.
-const SHADE_DU: f64 = 5.0 * LONGER_SIDE_DU;
 
 /// Most curves of a drawing.
 pub const MAX_CURVES: usize = 200_000;
@@ -91,9 +88,8 @@ impl Work {
 
 /// Whether scribbles are longer in all than a file or a link may have them.
 pub fn are_too_long(scribbles: &[Scribble]) -> bool {
-    let length_du = |scribble: &Scribble| {
-        let ways_du = scribble.points.windows(2).map(|ends| (ends[1] - ends[0]).hypot());
-        ways_du.sum::<f64>().max(if scribble.kind == ScribbleKind::Fill { 0.0 } else { SHADE_DU })
+    let length_du = |scribble: &Scribble| -> f64 {
+        scribble.points.windows(2).map(|ends| (ends[1] - ends[0]).hypot()).sum()
     };
     scribbles.iter().map(length_du).sum::<f64>() > f64::from(MAX_PAGES) * LONGER_SIDE_DU
 }

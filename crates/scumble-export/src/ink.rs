@@ -4,7 +4,7 @@ use std::borrow::Cow;
 
 use kurbo::{BezPath, Stroke, StrokeOpts};
 use scumble_core::{Curve, Drawing, Line, Rgba8};
-use scumble_solve::ink::has_dashes;
+use scumble_solve::ink::{MAX_DASHES_IN_ALL, takes_dashes};
 
 /// Largest distance of a line that is written as an area from its true place, in du: a tenth of a pixel at 400%.
 const TOLERANCE_DU: f64 = 0.025;
@@ -33,16 +33,18 @@ pub(crate) fn ink(drawing: &Drawing) -> impl Iterator<Item = Ink<'_>> {
         color: fill.color,
         manner: Manner::Fill { even_odd: fill.even_odd },
     });
-    let lines = drawing.curves.iter().filter_map(|curve| line(curve, curve.line.as_ref()?));
+    let mut left = MAX_DASHES_IN_ALL;
+    let lines = drawing.curves.iter().filter_map(move |curve| line(curve, curve.line.as_ref()?, &mut left));
     fills.chain(lines).filter(|ink| ink.color.0[3] > 0)
 }
 
-fn line<'a>(curve: &'a Curve, Line { stroke, color }: &Line) -> Option<Ink<'a>> {
+/// What is drawn of a line, whose dashes are of those that are left.
+fn line<'a>(curve: &'a Curve, Line { stroke, color }: &Line, left: &mut f64) -> Option<Ink<'a>> {
     if !(stroke.width > 0.0 && stroke.width.is_finite()) {
         return None;
     }
     let mut stroke = stroke.clone();
-    if !has_dashes(&curve.path, &stroke, TOLERANCE_DU) {
+    if !takes_dashes(&curve.path, &stroke, TOLERANCE_DU, left) {
         stroke.dash_pattern.clear();
     }
     if stroke.start_cap == stroke.end_cap {

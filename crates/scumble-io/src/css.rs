@@ -11,7 +11,7 @@
 //! | the spaces that colours are in | `spaces` |
 //! | variables | `variables` |
 
-mod at_rules;
+pub(crate) mod at_rules;
 mod spaces;
 mod text;
 mod values;
@@ -23,7 +23,7 @@ use std::ops::Range;
 use roxmltree::{Attribute, Document, Node};
 
 use crate::limits::SVG;
-use crate::style_sheet::{texts, without_comments};
+use crate::style_sheet::{shown_texts, without_comments};
 use text::{declared, is_plain};
 use values::{Property, readable};
 use variables::Variables;
@@ -72,7 +72,7 @@ pub(crate) fn edited(text: &str, mut edits: Vec<(Range<usize>, String)>) -> Stri
 
 /// The variables of all style sheets, and of all elements after these.
 fn variables(xml: &Document) -> Variables {
-    let sheets = texts(xml).filter(|css| css.contains("--")).map(without_comments);
+    let sheets = shown_texts(xml).filter(|css| css.contains("--")).map(without_comments);
     let sheets: Vec<_> = sheets.map(|css| at_rules::plain(&css).into_owned()).collect();
     let blocks = sheets.iter().flat_map(|css| text::blocks(css).into_iter().map(|block| &css[block]));
     let styles = xml.descendants().filter_map(|node| node.attribute("style"));

@@ -11,9 +11,6 @@ use svgtypes::{Length, LengthUnit};
 
 use crate::json::{Fault, Json};
 
-/// The second number of the first version of files that has it.
-pub(crate) const MINOR: u32 = 3;
-
 /// The name of its field.
 const FIELD: &str = "size";
 

@@ -5,6 +5,8 @@
 
 use roxmltree::{Document, Node};
 
+use crate::css::at_rules::is_shown;
+
 /// Tests of one element against all style sheets of a tree of a given height, and declarations applied to it.
 pub(crate) fn tests_per_element(xml: &Document, height: u32) -> f64 {
     texts(xml).map(|css| tests(&without_comments(css), f64::from(height))).sum()
@@ -12,8 +14,20 @@ pub(crate) fn tests_per_element(xml: &Document, height: u32) -> f64 {
 
 /// The texts of a tree's style sheets.
 pub(crate) fn texts<'a>(xml: &'a Document) -> impl Iterator<Item = &'a str> {
-    let sheets = xml.descendants().filter(|node| node.tag_name().name() == "style");
-    sheets.flat_map(|sheet| sheet.children().filter(Node::is_text)).filter_map(|node| node.text())
+    sheets(xml).flat_map(texts_of)
+}
+
+/// Those of the style sheets that a screen shows.
+pub(crate) fn shown_texts<'a>(xml: &'a Document) -> impl Iterator<Item = &'a str> {
+    sheets(xml).filter(|sheet| sheet.attribute("media").is_none_or(is_shown)).flat_map(texts_of)
+}
+
+fn sheets<'a, 'i>(xml: &'a Document<'i>) -> impl Iterator<Item = Node<'a, 'i>> {
+    xml.descendants().filter(|node| node.tag_name().name() == "style")
+}
+
+fn texts_of<'a>(sheet: Node<'a, '_>) -> impl Iterator<Item = &'a str> {
+    sheet.children().filter(Node::is_text).filter_map(|node| node.text())
 }
 
 pub(crate) fn without_comments(css: &str) -> String {

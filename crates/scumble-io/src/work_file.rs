@@ -31,8 +31,12 @@ const TRACING_MINOR: u32 = 1;
 
 /// The second number of the first version with the pressure of pens.
 const PRESSURE_MINOR: u32 = 2;
+
 /// The second number of the first version with names of swatches.
 const NAMES_MINOR: u32 = 2;
+
+/// The second number of the first version with a size of the page.
+const SIZE_MINOR: u32 = 3;
 
 /// What the picture under the lines is called by the document that is read from a file.
 pub const FILE_IMAGE: u32 = 1;

@@ -725,6 +725,7 @@ fn rules_that_hold_for_a_light_screen_are_taken() {
         ("<style>@supports (stroke:red){@layer x{.a{stroke:red}}}</style>", &red),
         ("<style>@import url('x?a;b');.a{stroke:red}</style>", &red),
         (r#"<style media="print">.a{stroke:red}</style>"#, &blue),
+        (r#"<style media="print">.b{--c:red}</style><style>.b{--c:blue} .a{stroke:var(--c)}</style>"#, &blue),
         (r#"<style media="screen">.a{stroke:red}</style>"#, &red),
         ("<style>@media screen{.b{--c:red}} .a{stroke:var(--c)}</style>", &red),
     ] {

@@ -18,8 +18,8 @@ const LEAST_TOLERANCE_DU: f64 = 1.0 / 640.0;
 /// Dashes that a line may be cut into; a line with more of them is drawn whole.
 const MAX_DASHES: f64 = 10_000.0;
 
-/// Dashes of all lines; those that come after so many are drawn whole, too.
-const MAX_DASHES_IN_ALL: f64 = 200_000.0;
+/// Dashes of all lines of a drawing; those that come after so many are drawn whole, too.
+pub const MAX_DASHES_IN_ALL: f64 = 200_000.0;
 
 /// The ink of a drawing, in painting order: its fills, then the lines of its curves.
 ///
@@ -85,9 +85,7 @@ fn pen(stroke: &Stroke, tolerance_du: f64) -> Option<Pen> {
 
 /// The stops of each stretch of a path, or of each of its dashes; and whether it is closed.
 fn stretches(path: &BezPath, stroke: &Stroke, tolerance_du: f64, left: &mut f64) -> Vec<(Vec<Stop>, bool)> {
-    let count = dash_count(path, stroke, tolerance_du).unwrap_or(f64::INFINITY);
-    if count <= *left {
-        *left -= count;
+    if takes_dashes(path, stroke, tolerance_du, left) {
         let dashes = kurbo::dash(path.iter(), stroke.dash_offset, &stroke.dash_pattern);
         flatten(dashes, tolerance_du)
     } else {
@@ -96,18 +94,18 @@ fn stretches(path: &BezPath, stroke: &Stroke, tolerance_du: f64, left: &mut f64)
 }
 
 /// Whether a line is to be cut into dashes: as in SVG, not if one of them is negative or all are zero; and not into
-/// very many.
-pub fn has_dashes(path: &BezPath, stroke: &Stroke, tolerance_du: f64) -> bool {
-    dash_count(path, stroke, tolerance_du).is_some()
-}
-
-/// How many dashes a line is cut into, if it is cut.
-fn dash_count(path: &BezPath, stroke: &Stroke, tolerance_du: f64) -> Option<f64> {
+/// very many, nor into more than are `left` for a drawing, of which it takes them.
+pub fn takes_dashes(path: &BezPath, stroke: &Stroke, tolerance_du: f64, left: &mut f64) -> bool {
     let dashes = &stroke.dash_pattern;
     let period: f64 = dashes.iter().sum();
     let sound = period > 0.0 && period.is_finite() && dashes.iter().all(|&d| d >= 0.0);
-    let count = || path.perimeter(tolerance_du) * dashes.len() as f64 / period;
-    (sound && stroke.dash_offset.is_finite()).then(count).filter(|&count| count <= MAX_DASHES)
+    if !(sound && stroke.dash_offset.is_finite()) {
+        return false;
+    }
+    let count = path.perimeter(tolerance_du) * dashes.len() as f64 / period;
+    let takes = count <= left.min(MAX_DASHES);
+    *left -= if takes { count } else { 0.0 };
+    takes
 }
 
 fn flatten(path: impl Iterator<Item = PathEl>, tolerance_du: f64) -> Vec<(Vec<Stop>, bool)> {

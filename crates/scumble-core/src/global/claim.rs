@@ -6,7 +6,7 @@ use super::flood::{Cost, Ways, cost, length};
 use crate::clearance::{OPEN_DU, distance_to_lines_du, lines_under};
 use crate::planar_map::PlanarMap;
 use crate::small_map::SmallMap;
-use crate::stroke::Stroke;
+use crate::stroke::{SAMPLE_SPACING_DU, Stroke};
 
 /// A scribble holds its place like a passage that is this many times as wide as its distance from the drawn lines. With
 /// less, the scribble furthest from all lines takes a room for itself (which is better on drawings whose lights and
@@ -43,14 +43,15 @@ const _: () = assert!(AT_HAND * OPEN_FROM_DU + AT_HAND_IN_THE_OPEN * OPEN_DU <= 
 
 /// A room counts as meant where the scribble has at least this part of the samples that it has in the room where it has
 /// most: less is a hand that slipped, or that set the pen down beside the shape. In rooms around the one that was drawn in
-/// half of all samples must lie: running out is worse than stopping short.
+/// half of all samples must lie: running out is worse than stopping short. Where it goes through a room or far into it, a room
+/// is meant by that.
 const MEANT: f64 = 1.0 / 3.0;
 
 /// A room is meant, too, where the scribble goes this part of its size on from where it came in, so far that no hand slips; the
 /// size of a room is that of a square as large.
 const THROUGH: f64 = 0.5;
 
-/// The same in any room, however large, in du.
+/// The same in any room, however large, and around the one that was drawn in, in du.
 const FAR_DU: f64 = 100.0;
 
 /// A room lies around another, as far as one can tell, if it is at the border of the page, or so many times as large.
@@ -65,8 +66,8 @@ pub(super) struct Claim {
     stroke: Stroke,
     /// Of the refined mesh, where the last sample lies.
     triangle: usize,
-    /// The room that the last sample lies in, and where the scribble came in there.
-    entry: Option<(u32, Point)>,
+    /// The room that the last sample lies in, where the scribble came in there, and that sample.
+    last: Option<(u32, Point, Point)>,
     /// Per room the samples there.
     visits: SmallMap<Visit>,
 }
@@ -126,7 +127,7 @@ impl Claim {
 
     /// Goes on to the end of a scribble that begins with the points followed so far.
     pub(super) fn follow(&mut self, map: &PlanarMap, ways: &Ways, points: &[Point]) {
-        let Self { stroke, triangle, entry, visits } = self;
+        let Self { stroke, triangle, last, visits } = self;
         stroke.follow(map, points, |p, base| {
             let distance_du = distance_to_lines_du(map, p, base);
             *triangle = map.refined().locate(p, *triangle).unwrap_or(*triangle);
@@ -135,7 +136,12 @@ impl Claim {
             let room = ways.room_of[place];
             let visit = visits.entry(room);
             visit.area_du2 = ways.rooms.area_du2(room);
-            let (_, from) = *entry.insert(entry.filter(|(last, _)| *last == room).unwrap_or((room, p)));
+            // Beyond the page, there are no samples.
+            let goes_on = |&(last_room, _, last): &(u32, Point, Point)| {
+                last_room == room && last.distance(p) <= 2.0 * SAMPLE_SPACING_DU
+            };
+            let from = last.filter(goes_on).map_or(p, |(_, from, _)| from);
+            *last = Some((room, from, p));
             visit.reach_du = visit.reach_du.max(p.distance(from));
             let is_at_border = map.is_at_border(&map.triangulation().nodes(base));
             let hold = if is_at_border { HOLD_AT_BORDER } else { HOLD };

@@ -88,7 +88,13 @@ impl Ways {
         pace::pause().await;
         let gaps: Vec<_> = mesh.half_edges().filter(|&h| mesh.gap(h).is_some()).collect();
         pace::pause().await;
-        let rooms = Rooms::new(map, &gaps, &room_of, room_count).await;
+        let bases = bases(map).await;
+        let mut are_clear = vec![false; room_count];
+        pace::for_each(room_of.iter().zip(&bases), |(&room, &base)| {
+            are_clear[room as usize] |= map.clearance().place_widths_du[base as usize] > 0.0;
+        })
+        .await;
+        let rooms = Rooms::new(map, &gaps, &room_of, &are_clear).await;
         pace::pause().await;
         let key = |&h: &HalfEdge| Some((sort::pair(pockets::door(map, &room_of, h)?), h.index() as u32));
         let mut doors = Vec::with_capacity(gaps.len());
@@ -97,7 +103,6 @@ impl Ways {
         pace::pause().await;
         let is_open = mesh.half_edges().map(|h| spread || mesh.gap(h).is_none()).collect();
         pace::pause().await;
-        let are_clear = vec![false; room_count];
         let triangle_of_side = vec![NONE; map.side_count()];
         let costs = vec![0; 3 * mesh.triangle_count()];
         let lengths = costs.clone();
@@ -106,9 +111,7 @@ impl Ways {
         pace::pause().await;
         let gap_costs = gap_costs(map);
         pace::pause().await;
-        let bases = bases(map).await;
         pace::for_each(bases.into_iter().map(|base| base as usize).enumerate(), |(t, base)| {
-            ways.are_clear[ways.room_of[t] as usize] |= map.clearance().place_widths_du[base] > 0.0;
             (0..3).for_each(|i| ways.measure(map, HalfEdge::of(t, i), base, &gap_costs));
         })
         .await;

@@ -73,9 +73,10 @@ struct Grown {
 }
 
 impl Rooms {
-    /// The rooms that the triangles of the refined mesh belong to, and the half-edges in gaps between them.
-    pub(super) async fn new(map: &PlanarMap, gaps: &[HalfEdge], room_of: &[u32], room_count: usize) -> Self {
-        let areas_du2 = areas_du2(map, room_of, room_count);
+    /// The rooms that the triangles of the refined mesh belong to, and the half-edges in gaps between them; per room whether not
+    /// all of it lies under the ink of lines.
+    pub(super) async fn new(map: &PlanarMap, gaps: &[HalfEdge], room_of: &[u32], are_clear: &[bool]) -> Self {
+        let areas_du2 = areas_du2(map, room_of, are_clear.len());
         pace::pause().await;
         let doors = doors(map, gaps, room_of, |gap, _| gap.is_wide);
         let is_within = |door: Door| !door.iter().all(|&room| areas_du2[room as usize].is_infinite());
@@ -88,7 +89,7 @@ impl Rooms {
             are_beside_border[from as usize] |= areas_du2[to as usize].is_infinite();
         }
         let hall_of = halls(&are_beside_border, &doors);
-        let shapes = Shapes::new(map, gaps, room_of, &areas_du2);
+        let shapes = Shapes::new(map, gaps, room_of, are_clear, &areas_du2).await;
         Self { areas_du2, are_beside_border, doors, plain_doors, hall_of, shapes, grown: Vec::new() }
     }
 

@@ -1,11 +1,12 @@
-//! Closed shapes: rooms with lines all around, so that nothing runs out of them onto the page. Where a gap is narrower than
+//! Closed shapes: rooms with lines all around, so that nothing runs out of them onto the page. Where a gap is hardly wider than
 //! the lines beside it, people do not see that there is one.
 //!
 //! Once colours have half of one, they have its corners too, behind whatever gap: nobody leaves a hole between a loose
 //! scale and the outline of a fish. A larger room behind a narrow gap may well be a thing of its own.
 
 use super::pockets::{Door, doors};
-use crate::planar_map::PlanarMap;
+use crate::pace;
+use crate::planar_map::{Gap, PlanarMap};
 use crate::sets::Sets;
 use crate::triangulation::HalfEdge;
 
@@ -24,24 +25,32 @@ pub(super) struct Shapes {
     are_closed: Vec<bool>,
     /// Per room the part of its shape that it has.
     parts: Vec<f64>,
-    /// Between rooms of one shape, in ascending order.
+    /// Between rooms of one shape, but those through slight gaps; in ascending order.
     doors: Vec<Door>,
 }
 
 impl Shapes {
-    /// The shapes that rooms of these areas make up; the area of a room at the border of the page has no bound.
-    pub(super) fn new(map: &PlanarMap, gaps: &[HalfEdge], room_of: &[u32], areas_du2: &[f64]) -> Self {
-        let (shape_of, shapes_du2) = joined(&doors(map, gaps, room_of, |gap, _| !gap.is_slight), areas_du2);
+    /// The shapes that rooms of these areas make up; the area of a room at the border of the page has no bound. What lies all under
+    /// ink, as where two lines meet, belongs to what is around it.
+    pub(super) async fn new(
+        map: &PlanarMap,
+        gaps: &[HalfEdge],
+        room_of: &[u32],
+        are_clear: &[bool],
+        areas_du2: &[f64],
+    ) -> Self {
+        let is_clear = |room: u32| are_clear[room as usize];
+        let is_seen = |gap: &Gap, door: Door| !(gap.is_slight && door.into_iter().all(is_clear));
+        let seen = doors(map, gaps, room_of, is_seen);
+        pace::pause().await;
+        let (shape_of, shapes_du2) = joined(&seen, areas_du2);
         let (region_of, regions_du2) = joined(&doors(map, gaps, room_of, |_, _| true), areas_du2);
         let are_closed = region_of.iter().map(|&region| regions_du2[region as usize].is_finite()).collect();
         let part = |(&shape, area_du2): (&u32, &f64)| area_du2 / shapes_du2[shape as usize];
         let parts = shape_of.iter().zip(areas_du2).map(part).collect();
         let is_closed = |shape: &u32| shapes_du2[*shape as usize].is_finite();
         let of_rooms: Vec<_> = shape_of.into_iter().map(|shape| Some(shape).filter(is_closed)).collect();
-        let doors = doors(map, gaps, room_of, |_, [from, to]| {
-            let [from, to] = [from, to].map(|room| of_rooms[room as usize]);
-            from.is_some() && from == to
-        });
+        let doors = seen.into_iter().filter(|[from, _]| of_rooms[*from as usize].is_some()).collect();
         Self { of_rooms, are_closed, parts, doors }
     }
 

@@ -104,8 +104,12 @@ fn has(feature: &str) -> bool {
     if let Some((name, value)) = BOUNDS.iter().find_map(bound) {
         return is_as(&name, value);
     }
-    let (name, value) = feature.split_once(':').unwrap_or((feature, ""));
-    is_as(name.trim(), value.trim())
+    match feature.split_once(':') {
+        Some((name, value)) => is_as(name.trim(), value.trim()),
+        None => FEATURES
+            .iter()
+            .any(|&(name, value)| name == feature && !matches!(value, "none" | "no-preference")),
+    }
 }
 
 fn is_as(name: &str, value: &str) -> bool {

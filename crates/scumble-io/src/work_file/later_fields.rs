@@ -8,9 +8,9 @@ use scumble_core::work::{Item, Work};
 use super::items::keep;
 use super::pressures::{self, RADII, STRENGTHS};
 use super::swatch_names::{are_named, name_swatches, push_names, read_names};
-use super::{NAMES_MINOR, PRESSURE_MINOR, VERSION};
+use super::{NAMES_MINOR, PRESSURE_MINOR, SIZE_MINOR, VERSION};
 use crate::json::Json;
-use crate::page_size::{self, PageSize};
+use crate::page_size::PageSize;
 
 /// The other fields that the schema has, for each kind of item; but for the page's size, which stays among those that are not
 /// known.
@@ -47,7 +47,7 @@ pub(crate) fn put_by(work: &Work) -> Work {
         work.unknown.minor = work.unknown.minor.max(NAMES_MINOR);
     }
     if PageSize::of(&work).is_some() {
-        work.unknown.minor = work.unknown.minor.max(page_size::MINOR);
+        work.unknown.minor = work.unknown.minor.max(SIZE_MINOR);
     }
     work
 }

@@ -9,10 +9,10 @@ use scumble_core::{
 use super::names::{BLENDS, CAPS, ENGINES, JOINS, KINDS, RULES, SIDES, name, plain_stroke};
 use super::pressures::{self, has_pressures};
 use super::swatch_names::{are_named, push_names};
-use super::{NAMES_MINOR, PAGE_PER_UNIT, PER_UNIT, PRESSURE_MINOR, TRACING_MINOR, VERSION};
+use super::{NAMES_MINOR, PAGE_PER_UNIT, PER_UNIT, PRESSURE_MINOR, SIZE_MINOR, TRACING_MINOR, VERSION};
 use crate::base64;
 use crate::json::{push_number, push_string};
-use crate::page_size::{self, PageSize};
+use crate::page_size::PageSize;
 
 /// The text of some work, with the picture under its lines where there is one.
 pub(super) fn written(work: &Work, image: &[u8]) -> String {
@@ -24,7 +24,7 @@ pub(super) fn written(work: &Work, image: &[u8]) -> String {
         if tracing.is_some() { TRACING_MINOR } else { 0 },
         if has_pressures(scribbles) { PRESSURE_MINOR } else { 0 },
         if are_named(palette) { NAMES_MINOR } else { 0 },
-        if PageSize::of(work).is_some() { page_size::MINOR } else { 0 },
+        if PageSize::of(work).is_some() { SIZE_MINOR } else { 0 },
     ];
     let minor = minors.into_iter().fold(0, u32::max);
     text.extend([&VERSION[0].to_string(), ".", &minor.to_string(), "\""]);

@@ -14,6 +14,9 @@ use crate::selection::{Selection, way_to_page};
 const STEP_CSS: f64 = 48.0;
 const FAR: f64 = 10.0;
 
+/// Most shades: each takes memory of its own, some megabytes if it is large.
+const MAX_SHADES: usize = 1000;
+
 /// A copy lies so far beside what it is of, each way, in CSS pixels.
 const BESIDE_CSS: f64 = 16.0;
 
@@ -210,12 +213,15 @@ impl Session {
         }
     }
 
-    /// Drops the gesture in hand where it makes scribbles longer in all than a file may have them, and says so.
+    /// Drops the gesture in hand where it makes scribbles longer in all than a file may have them, or too many shades, and says
+    /// so.
     pub(super) fn drops_too_long(&mut self) -> bool {
         let editor = &mut self.sheet.editor;
         let may_lengthen =
             editor.is_scribbling() || matches!(editor.deed_in_hand(), Some(Deed::Resized | Deed::Duplicated));
-        let is_dropped = may_lengthen && are_too_long(&editor.document().scribbles);
+        let scribbles = &editor.document().scribbles;
+        let shades = scribbles.iter().filter(|scribble| !scribble.is_fill()).count();
+        let is_dropped = may_lengthen && (are_too_long(scribbles) || shades > MAX_SHADES);
         if is_dropped {
             editor.abort();
             self.scribbles_changed();
