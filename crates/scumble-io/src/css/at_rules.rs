@@ -106,10 +106,15 @@ fn has(feature: &str) -> bool {
     }
     match feature.split_once(':') {
         Some((name, value)) => is_as(name.trim(), value.trim()),
-        None => FEATURES
-            .iter()
-            .any(|&(name, value)| name == feature && !matches!(value, "none" | "no-preference")),
+        None => {
+            is_as(feature, "") || FEATURES.iter().any(|&(name, value)| name == feature && !is_lacking(value))
+        }
     }
+}
+
+/// Whether a screen that has a feature so does not have it.
+fn is_lacking(value: &str) -> bool {
+    matches!(value, "none" | "no-preference")
 }
 
 fn is_as(name: &str, value: &str) -> bool {
@@ -171,6 +176,8 @@ mod tests {
             "screen and (min-width:600px) and (max-width:90em)",
             "(min-height: 0)",
             "(color)",
+            "(hover)",
+            "(prefers-color-scheme)",
             "(width > 10px) and (width<=1024px)",
         ] {
             assert!(is_shown(media), "{media}");
@@ -186,6 +193,7 @@ mod tests {
             "(width < 10px)",
             "(10px <= width <= 20px)",
             "(unknown: 1)",
+            "(forced-colors)",
             "(",
             "()",
             ",",
