@@ -299,6 +299,7 @@ const actions = {
     canvas().focus();
   },
   drop: () => {
+    warn("");
     // Escape closes what is open, and does no more.
     if (pointers.cancel() || keyboardPen.now?.drop() || document.querySelector(":popover-open") || skipFirstSteps()) return;
     if (opening.isLong || isBusy(MAKING)) act("stop");
@@ -311,7 +312,7 @@ const holds = {
   "hold-hand": (held) => pointers.hold(held ? "pan" : ""),
   "hold-rotate": (held) => pointers.hold(held ? "rotate" : ""),
   "hold-before": (held) => {
-    if (held) tell(say("before"));
+    tell(held ? say("before") : "");
     engine.command("before", held);
   },
 };

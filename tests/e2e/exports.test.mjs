@@ -143,7 +143,11 @@ for (const browser of /** @type {const} */ (["chromium", "firefox"])) {
     test("what takes long can be stopped", async () => {
       const editor = await shaded();
       await editor.click("Export");
-      await editor.tab.evaluate(`document.getElementById("export-size").value = "16384"`);
+      await editor.tab.evaluate(`{
+        const size = document.getElementById("export-size");
+        size.value = "16384";
+        size.dispatchEvent(new Event("input", { bubbles: true }));
+      }`);
       await editor.click("Save file");
       await editor.tab.waitFor(`!document.getElementById("export-progress").hidden`);
       await editor.click("Cancel");

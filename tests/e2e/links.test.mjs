@@ -104,7 +104,8 @@ for (const browser of /** @type {const} */ (["chromium", "firefox"])) {
         await warned(editor);
         assert.match(await editor.message(), /This is no link to a drawing/, other);
         assert.equal(await editor.tab.evaluate("location.hash"), "");
-        await editor.click("Dismiss");
+        await editor.tab.press("Escape");
+        await editor.tab.waitFor(`document.getElementById("alert").hidden`);
         assert.ok((await editor.picture()).equals(work));
       }
       await editor.tab.evaluate(`location.hash = "#2.AAAA"`);

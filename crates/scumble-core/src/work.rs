@@ -5,7 +5,6 @@ use kurbo::Rect;
 use crate::drawing::{Drawing, LONGER_SIDE_DU};
 use crate::edit::Document;
 use crate::scribble::Scribble;
-use crate::sort::sort;
 
 /// Longest way of all scribbles together, in longer sides of the page: an hour and more of scribbling.
 pub const MAX_PAGES: u32 = 5000;
@@ -133,24 +132,13 @@ impl Unknown {
 
     fn follow(&mut self, before: &[Scribble], after: &[Scribble]) {
         let fields = std::mem::take(&mut self.fields[Item::Scribble as usize]);
-        // 0 is that of none: hardly any way has it.
-        let key = |&(index, _): &(u32, String)| before.get(index as usize).map_or(0, way_key);
-        let mut ways: Vec<_> = fields.iter().map(key).zip(0..).collect();
-        sort(&mut ways);
-        for (index, key) in after.iter().map(way_key).enumerate() {
-            let place = ways.partition_point(|way| way.0 < key);
-            let found = ways.get(place).filter(|way| way.0 == key);
-            if let Some((_, text)) = found.and_then(|way| fields.get(way.1 as usize)) {
+        for (index, scribble) in after.iter().enumerate() {
+            let is_its_own = |(index, _): &&(u32, String)| {
+                before.get(*index as usize).is_some_and(|before| before.points == scribble.points)
+            };
+            if let Some((_, text)) = fields.iter().find(is_its_own) {
                 self.keep(Item::Scribble, index, text);
             }
         }
     }
-}
-
-/// A number of 64 bits that hardly two ways share: there may be far too many scribbles to compare each with each. Inlined, it
-/// would be there twice.
-#[inline(never)]
-fn way_key(scribble: &Scribble) -> u64 {
-    let mixed = |key: u64, bits: u64| (key.rotate_left(26) ^ bits).wrapping_mul(0x9e37_79b9_7f4a_7c15);
-    scribble.points.iter().fold(1, |key, p| mixed(mixed(key, p.x.to_bits()), p.y.to_bits()))
 }

@@ -2,10 +2,7 @@
 
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
-use std::time::{Duration, Instant};
-
 use kurbo::{Point, Rect};
-use scumble_core::work::Item;
 use scumble_core::{Blend, Document, EngineKind, Paint, PenPressure, Settings, Srgb8, Swatch, Work, exact};
 use scumble_io::{FileError, PageSize, import_drawing, read_file, read_link, write_file, write_link};
 
@@ -205,27 +202,6 @@ fn unknown_fields_of_a_scribble_go_where_it_goes() {
     let of_third = r##"{"color": "#0000ff", "width": 1, "points": [[5,6]], "id": "c"}"##;
     let of_second = r#"{"color": "none", "width": 1, "points": [[3,4]], "mood": "glow","id": "b"}"#;
     assert!(text.contains(of_third) && text.contains(of_second), "{text}");
-}
-
-#[test]
-fn unknown_fields_of_very_many_scribbles_go_with_them_at_once() {
-    let dab = |x: u32| scumble_core::Scribble {
-        color: Paint::Clear,
-        kind: Default::default(),
-        width_du: 1.0,
-        points: vec![Point::new(x.into(), 1.0)],
-    };
-    let mut work = read("").unwrap();
-    work.document.scribbles = (0..150_000).map(dab).collect();
-    (0..150_000).for_each(|i| work.unknown.keep(Item::Scribble, i, &format!(r#""id": {i}"#)));
-    let scribbles = (0..150_000).rev().chain([150_000]).map(dab).collect();
-    let start = Instant::now();
-    let edited = work.edited(Document { scribbles, ..work.document.clone() });
-    assert!(start.elapsed() < Duration::from_secs(5), "{:?}", start.elapsed());
-    for i in 0..150_000 {
-        assert_eq!(edited.unknown.of(Item::Scribble, i), format!(r#""id": {}"#, 149_999 - i));
-    }
-    assert_eq!(edited.unknown.of(Item::Scribble, 150_000), "");
 }
 
 #[test]

@@ -90,10 +90,10 @@ impl Ways {
         pace::pause().await;
         let bases = bases(map).await;
         let mut are_clear = vec![false; room_count];
-        pace::for_each(room_of.iter().zip(&bases), |(&room, &base)| {
+        for (&room, &base) in room_of.iter().zip(&bases) {
             are_clear[room as usize] |= map.clearance().place_widths_du[base as usize] > 0.0;
-        })
-        .await;
+        }
+        pace::pause().await;
         let rooms = Rooms::new(map, &gaps, &room_of, &are_clear).await;
         pace::pause().await;
         let key = |&h: &HalfEdge| Some((sort::pair(pockets::door(map, &room_of, h)?), h.index() as u32));

@@ -89,7 +89,7 @@ impl Rooms {
             are_beside_border[from as usize] |= areas_du2[to as usize].is_infinite();
         }
         let hall_of = halls(&are_beside_border, &doors);
-        let shapes = Shapes::new(map, gaps, room_of, are_clear, &areas_du2).await;
+        let shapes = Shapes::new(map, gaps, room_of, are_clear, &areas_du2);
         Self { areas_du2, are_beside_border, doors, plain_doors, hall_of, shapes, grown: Vec::new() }
     }
 

@@ -5,7 +5,6 @@
 //! scale and the outline of a fish. A larger room behind a narrow gap may well be a thing of its own.
 
 use super::pockets::{Door, doors};
-use crate::pace;
 use crate::planar_map::{Gap, PlanarMap};
 use crate::sets::Sets;
 use crate::triangulation::HalfEdge;
@@ -32,7 +31,7 @@ pub(super) struct Shapes {
 impl Shapes {
     /// The shapes that rooms of these areas make up; the area of a room at the border of the page has no bound. What lies all under
     /// ink, as where two lines meet, belongs to what is around it.
-    pub(super) async fn new(
+    pub(super) fn new(
         map: &PlanarMap,
         gaps: &[HalfEdge],
         room_of: &[u32],
@@ -42,7 +41,6 @@ impl Shapes {
         let is_clear = |room: u32| are_clear[room as usize];
         let is_seen = |gap: &Gap, door: Door| !(gap.is_slight && door.into_iter().all(is_clear));
         let seen = doors(map, gaps, room_of, is_seen);
-        pace::pause().await;
         let (shape_of, shapes_du2) = joined(&seen, areas_du2);
         let (region_of, regions_du2) = joined(&doors(map, gaps, room_of, |_, _| true), areas_du2);
         let are_closed = region_of.iter().map(|&region| regions_du2[region as usize].is_finite()).collect();
