@@ -143,6 +143,7 @@ for (const browser of /** @type {const} */ (["chromium", "firefox"])) {
     test("what takes long can be stopped", async () => {
       const editor = await shaded();
       await editor.click("Export");
+      await editor.tab.waitFor(`document.getElementById("export").open`);
       await editor.tab.evaluate(`{
         const size = document.getElementById("export-size");
         size.value = "16384";

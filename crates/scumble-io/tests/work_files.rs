@@ -3,6 +3,7 @@
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
 use kurbo::{Point, Rect};
+use scumble_core::work::Item;
 use scumble_core::{Blend, Document, EngineKind, Paint, PenPressure, Settings, Srgb8, Swatch, Work, exact};
 use scumble_io::{FileError, PageSize, import_drawing, read_file, read_link, write_file, write_link};
 
