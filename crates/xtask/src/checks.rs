@@ -31,6 +31,9 @@ const CHECKS: [Check; 8] = [
     ("wasm-tests", wasm_tests),
 ];
 
+/// Mesa's software driver compiles the kernels for longer than it runs them. Without optimising it takes less than half as long.
+const QUICK_SHADERS: [(&str, &str); 1] = [("GALLIVM_PERF", "nopt")];
+
 /// The tests of the page in Chromium and Firefox, which among all checks are taken file by file.
 const PAGE: Check = ("page", || page(&page_tests()?));
 
@@ -190,7 +193,7 @@ fn licences() -> Result<()> {
 
 fn native_tests() -> Result<()> {
     tools::poppler()?;
-    run(cargo().args(["test", "--workspace", "--no-fail-fast"]))
+    run(cargo().args(["test", "--workspace", "--no-fail-fast"]).envs(QUICK_SHADERS))
 }
 
 /// With the program that the tests are built with: built by itself, it has other features of its dependencies, which would be
@@ -229,7 +232,8 @@ fn wasm_tests_in(browser: &str, flavour: &str) -> Result<()> {
     let mut pack = command("wasm-pack");
     pack.args(["test", "--headless", &format!("--{browser}"), "crates/scumble-web"])
         .args(["--no-default-features", "--features", flavour])
-        .env(driver.to_uppercase(), find(driver).unwrap_or_default());
+        .env(driver.to_uppercase(), find(driver).unwrap_or_default())
+        .envs(QUICK_SHADERS);
     // Where several things are built at once, a solve without a graphics card may take tens of times as long as alone, and a
     // driver may come up late. The limits, in seconds, are there for what hangs.
     run(pack.env("WASM_BINDGEN_TEST_TIMEOUT", "600").env("WASM_BINDGEN_TEST_DRIVER_TIMEOUT", "120"))
