@@ -27,12 +27,12 @@ export const sentences = {
     "die Datei ist eine {}-Datei; sichere sie als SVG in dem Programm, das sie gemacht hat",
   "the file is not an SVG drawing: it is no text in UTF-8; save it so, or choose an SVG file":
     "die Datei ist keine SVG-Zeichnung: sie ist kein Text in UTF-8; sichere sie so, oder wähle eine SVG-Datei",
-  "the file is not an SVG drawing, or it is damaged: {}; save it again, or choose another file":
-    "die Datei ist keine SVG-Zeichnung oder beschädigt: {*}; sichere sie noch einmal, oder wähle eine andere",
+  "this is no SVG drawing, or it is damaged: {}; save it again, or choose another":
+    "das ist keine SVG-Zeichnung, oder sie ist beschädigt: {*}; sichere sie noch einmal, oder wähle eine andere",
   "the diffusion curves are damaged: {}; mend the file there, or save it again":
     "die Diffusionskurven sind beschädigt: {*}; bessere die Datei dort aus, oder sichere sie noch einmal",
-  "the file is no drawing: it starts with <{}>, not with <svg>, nor with <curve_set> as diffusion curves do; choose another file":
-    "die Datei ist keine Zeichnung: sie beginnt mit <{}>, nicht mit <svg>, auch nicht mit <curve_set> wie Diffusionskurven; wähle eine andere",
+  "this is no drawing: it starts with <{}>, not with <svg>, nor with <curve_set> as diffusion curves do; choose another":
+    "das ist keine Zeichnung: es beginnt mit <{}>, nicht mit <svg>, auch nicht mit <curve_set> wie Diffusionskurven; wähle eine andere",
   "the file declares XML entities that could grow without bound; save it again without them":
     "die Datei hat XML-Entitäten, die grenzenlos wachsen könnten; sichere sie noch einmal ohne diese",
   "the drawing has more than 200,000 elements, counting the copies that <use> makes; simplify it or split it":
@@ -94,6 +94,7 @@ export const sentences = {
     "die Datei ist in Zeile {} unbrauchbar, dort müsste stehen: {*}; bessere sie aus, oder sichere die Zeichnung noch einmal",
   "the scribbles are longer than {} pages in all; use fewer of them":
     "die Kritzel sind zusammen länger als {} Seiten; nimm weniger davon",
+  "more than {} of the scribbles shade; use fewer of them": "mehr als {} der Kritzel tönen; nimm weniger davon",
 
   "this is no link to a drawing: it should hold “#1.” and letters after that; copy the whole link":
     "das ist kein Link zu einer Zeichnung: darin müsste „#1.“ stehen, und Buchstaben dahinter; kopiere den ganzen Link",
@@ -196,7 +197,7 @@ export const sentences = {
   "comment at {} contains '--'": "der Kommentar bei {} enthält '--'",
   "']]>' at {} is not allowed inside a character data": "']]>' darf bei {} nicht im Text stehen",
   "unknown token at {}": "unbekanntes Zeichen bei {}",
-  "unexpected end of stream": "die Datei endet zu früh",
+  "unexpected end of stream": "der Text endet zu früh",
   "a quote": "ein Anführungszeichen",
   "a whitespace": "ein Leerzeichen",
   "'[' or '>'": "'[' oder '>'",
@@ -217,6 +218,8 @@ export const things = {
   "filters": "Filter",
   "marker": "Markierung",
   "markers": "Markierungen",
+  "pattern": "Muster",
+  "patterns": "Muster",
   "shape with unusable coordinates": "Form mit unbrauchbaren Koordinaten",
   "shapes with unusable coordinates": "Formen mit unbrauchbaren Koordinaten",
   "colour that cannot be read": "Farbe, die sich nicht lesen lässt",

@@ -59,8 +59,8 @@ export class Opening {
     if (isLink(text)) return this.#link(text);
     const color = text.trim().toLowerCase();
     if (/^#([\da-f]{3}){1,2}$/.test(color)) return this.#color(color);
-    // SVG has the first, lists of colours the second; a palette of GIMP may have neither.
-    if (!/[<#]|^\s*GIMP Palette/.test(text)) return warn(say("no-drawing"));
+    // SVG begins with the first, lists of colours have the last.
+    if (!/^\s*(<|GIMP Palette)|#/.test(text)) return warn(say("no-drawing"));
     return this.file({ name: text.includes("<") ? "SVG" : say("text"), bytes: Promise.resolve(new TextEncoder().encode(text)) });
   }
 

@@ -147,7 +147,7 @@ test("sentences within sentences, and lists of things, are said in German", () =
 test("what is no sentence of the Rust side stays, and so do values", () => {
   for (const text of ["", "Etwas anderes mit 3 images; und so", "a quote unquote", "5 constructor"]) assert.equal(inGerman(text), text);
   assert.match(
-    inGerman("the file is no drawing: it starts with <a number>, not with <svg>, nor with <curve_set> as diffusion curves do; choose another file"),
+    inGerman("this is no drawing: it starts with <a number>, not with <svg>, nor with <curve_set> as diffusion curves do; choose another"),
     /<a number>/,
   );
 });

@@ -9,7 +9,7 @@ const GERMAN = `Object.defineProperty(navigator, "languages", { get: () => ["de-
 
 /** Files that cannot be opened, and what is said of them. @type {Record<string, [content: string, said: string]>} */
 const BAD_FILES = {
-  "kaputt.svg": ['<svg xmlns="http://www.w3.org/2000/svg"><g></svg>', "Die Datei ist keine SVG-Zeichnung oder beschädigt: das Tag 'g' statt 'svg' erwartet bei 1:44; sichere sie noch einmal, oder wähle eine andere."],
+  "kaputt.svg": ['<svg xmlns="http://www.w3.org/2000/svg"><g></svg>', "Das ist keine SVG-Zeichnung, oder sie ist beschädigt: das Tag 'g' statt 'svg' erwartet bei 1:44; sichere sie noch einmal, oder wähle eine andere."],
   "leer.svg": ['<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 9 9"><text>a</text></svg>', "Die Zeichnung hat keine Linien und keine Formen zum Färben (weggelassen: 1 Text)."],
   "kaputt.scumble": ['{"format": "scumble", "version": "1.0",\n"canvas": 7}', "Die Datei ist in Zeile 2 unbrauchbar, dort müsste stehen: eine Liste […]; bessere sie aus, oder sichere die Zeichnung noch einmal."],
   "bunt.hex": ["#0a0b0c\n".repeat(1001), "Die Palette hat mehr als 1.000 Farben; nimm einige heraus."],

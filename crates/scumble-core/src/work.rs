@@ -12,6 +12,9 @@ pub const MAX_PAGES: u32 = 5000;
 /// Most curves of a drawing.
 pub const MAX_CURVES: usize = 200_000;
 
+/// Most scribbles that shade: each takes memory of its own, some megabytes if it is large.
+pub const MAX_SHADES: usize = 1000;
+
 /// Largest coordinate of a page, in page units.
 const MAX_PAGE: f64 = 1e9;
 
@@ -91,6 +94,13 @@ pub fn are_too_long(scribbles: &[Scribble]) -> bool {
         scribble.points.windows(2).map(|ends| (ends[1] - ends[0]).hypot()).sum()
     };
     scribbles.iter().map(length_du).sum::<f64>() > f64::from(MAX_PAGES) * LONGER_SIDE_DU
+}
+
+/// Whether more scribbles shade than in a file or a link may.
+// By itself it would take more room in the page than where it is called.
+#[inline]
+pub fn are_too_many_shades(scribbles: &[Scribble]) -> bool {
+    scribbles.iter().filter(|scribble| !scribble.is_fill()).count() > MAX_SHADES
 }
 
 /// Whether a page may lie there, and be as wide and as high, in page units.

@@ -2,21 +2,12 @@
 
 use kurbo::{BezPath, PathEl, Point};
 
-/// Larger numbers are no coordinates.
-const MAX: f64 = 1e9;
+/// Steps of numbers in one.
+const PER_UNIT: u64 = 1000;
 
 /// Adds a number.
 pub(crate) fn push_number(text: &mut String, number: f64) {
-    let thousandths = (number.abs().min(MAX) * 1000.0).round() as u64;
-    if number < 0.0 && thousandths > 0 {
-        text.push('-');
-    }
-    text.push_str(&(thousandths / 1000).to_string());
-    let digits = format!("{:03}", thousandths % 1000);
-    let digits = digits.trim_end_matches('0');
-    if !digits.is_empty() {
-        text.extend([".", digits]);
-    }
+    scumble_io::push_number(text, number, PER_UNIT);
 }
 
 /// Adds numbers, with spaces between.
@@ -96,7 +87,7 @@ mod tests {
             (0.001, "0.001"),
             (1024.0, "1024"),
             (1e300, "1000000000"),
-            (f64::NAN, "1000000000"),
+            (f64::NAN, "0"),
         ] {
             assert_eq!(number(value), text);
         }

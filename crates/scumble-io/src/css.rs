@@ -23,7 +23,7 @@ use std::ops::Range;
 use roxmltree::{Attribute, Document, Node};
 
 use crate::limits::SVG;
-use crate::style_sheet::{shown_texts, without_comments};
+use crate::style_sheet::{self, shown_texts, without_comments};
 use text::{declared, is_plain};
 use values::{Property, readable};
 use variables::Variables;
@@ -127,23 +127,22 @@ impl Mender<'_> {
     }
 
     fn sheet(&mut self, node: Node) {
-        let texts: String = node.children().filter(Node::is_text).filter_map(|text| text.text()).collect();
-        let whole = without_comments(&texts);
-        let is_shown = node.attribute("media").is_none_or(at_rules::is_shown);
-        let css = if is_shown { at_rules::plain(&whole) } else { Cow::Borrowed("") };
+        let whole = without_comments(&style_sheet::texts_of(node).collect::<String>());
+        let css = if style_sheet::is_shown(&node) { at_rules::plain(&whole) } else { Cow::Borrowed("") };
         let blocks = text::blocks(&css).into_iter();
         let edits: Vec<_> =
             blocks.filter_map(|block| Some((block.clone(), self.declarations(&css[block], None)?))).collect();
-        // What an entity stands for lies elsewhere: it stays.
-        let is_mended = css != whole || !edits.is_empty();
-        let is_here = |first: &Node| is_mended && node.range().contains(&first.range().start);
-        let place = node.first_child().filter(is_here).and_then(|first| {
-            let end = self.text.get(node.range())?.rfind("</")?;
-            Some(first.range().start..node.range().start + end)
-        });
+        let place = self.content(node).filter(|_| css != whole || !edits.is_empty());
         if let Some(place) = place {
             self.mends.edits.push((place, escaped(&edited(&css, edits))));
         }
+    }
+
+    /// Where the content of an element lies; `None` where an entity stands for it: that lies elsewhere, and stays.
+    fn content(&self, node: Node) -> Option<Range<usize>> {
+        let start = node.first_child()?.range().start;
+        let end = node.range().start + self.text.get(node.range())?.rfind("</")?;
+        node.range().contains(&start).then_some(start..end)
     }
 
     /// The declarations of a rule, or of an element; `None` where they can stay as they are.

@@ -1,5 +1,6 @@
 //! What can be wrong with a file, each with what to do about it.
 
+use scumble_core::work::MAX_SHADES;
 use thiserror::Error;
 
 use crate::MAX_FILE_BYTES;
@@ -28,14 +29,14 @@ pub enum ImportError {
     #[error("the file is not an SVG drawing: it is no text in UTF-8; save it so, or choose an SVG file")]
     NotText,
     /// Text that is no XML.
-    #[error("the file is not an SVG drawing, or it is damaged: {0}; save it again, or choose another file")]
+    #[error("this is no SVG drawing, or it is damaged: {0}; save it again, or choose another")]
     NotXml(String),
     /// Diffusion curves that are no XML.
     #[error("the diffusion curves are damaged: {0}; mend the file there, or save it again")]
     CurvesNotXml(String),
     /// XML with another root.
     #[error(
-        "the file is no drawing: it starts with <{0}>, not with <svg>, nor with <curve_set> as diffusion curves do; choose another file"
+        "this is no drawing: it starts with <{0}>, not with <svg>, nor with <curve_set> as diffusion curves do; choose another"
     )]
     NotSvg(String),
     /// Entities that could grow without bound.
@@ -133,6 +134,9 @@ pub enum ScribblesError {
         /// The length allowed, in longer sides of the page.
         limit_pages: u32,
     },
+    /// Each takes memory of its own.
+    #[error("more than {MAX_SHADES} of the scribbles shade; use fewer of them")]
+    TooManyShades,
 }
 
 /// Why a file is not a palette that can be used, or why there is none to write.
@@ -238,6 +242,9 @@ pub enum FileError {
         /// The length allowed, in longer sides of the page.
         limit_pages: u32,
     },
+    /// Each takes memory of its own.
+    #[error("more than {MAX_SHADES} of the scribbles shade; use fewer of them")]
+    TooManyShades,
 }
 
 /// Why a link is not work that can be opened, or why there is none.
@@ -261,4 +268,7 @@ pub enum LinkError {
     /// More than a reader would take.
     #[error("the drawing is too large for a link; save it as a file and share that")]
     TooLarge,
+    /// Each takes memory of its own.
+    #[error("more than {MAX_SHADES} of the scribbles shade; use fewer of them")]
+    TooManyShades,
 }

@@ -63,6 +63,7 @@ pub use curve_set::write_curve_set;
 pub use drawing_file::import_drawing;
 pub use error::{FileError, ImportError, LinkError, PaletteError, ScribblesError};
 pub use image_file::{ImageError, MAX_IMAGE_BYTES, check_image, is_image, other_kind};
+pub use json::push_number;
 pub use link::{Link, MAX_LINK, read_link, write_link};
 pub use notes::{CurveNotes, CurveSetNotes, ImportNotes, ScribbleNotes};
 pub use packed::PackedSizes;

@@ -3,6 +3,7 @@
 //! A fragment never reaches a server.
 
 use scumble_core::Work;
+use scumble_core::work::are_too_many_shades;
 
 use crate::base64;
 use crate::checksum::checksum;
@@ -33,12 +34,18 @@ pub struct Link {
 /// The link to some work. Of a sample only the name is in it.
 ///
 /// # Errors
-/// When the work is too large for a link.
+/// When the work is too large for a link, or has too many shades.
 pub fn write_link(work: &Work) -> Result<Link, LinkError> {
-    let (mut bytes, sizes) = packed::pack(work).ok_or(LinkError::TooLarge)?;
+    check_shades(work)?;
+    let link = link(work).filter(|link| link.fragment.len() <= MAX_LINK);
+    link.ok_or(LinkError::TooLarge)
+}
+
+/// However long it is.
+fn link(work: &Work) -> Option<Link> {
+    let (mut bytes, sizes) = packed::pack(work)?;
     bytes.extend(checksum(&bytes).to_be_bytes());
-    let fragment = format!("#{VERSION}.{}", base64::text(&bytes, base64::URL));
-    if fragment.len() > MAX_LINK { Err(LinkError::TooLarge) } else { Ok(Link { fragment, sizes }) }
+    Some(Link { fragment: format!("#{VERSION}.{}", base64::text(&bytes, base64::URL)), sizes })
 }
 
 /// The work in a link, or in its part from `#` on.
@@ -63,5 +70,32 @@ pub fn read_link(link: &str) -> Result<Work, LinkError> {
     if checksum(packed).to_be_bytes() != *check {
         return Err(LinkError::Damaged);
     }
-    packed::unpack(packed).ok_or(LinkError::Damaged)
+    let work = packed::unpack(packed).ok_or(LinkError::Damaged)?;
+    check_shades(&work)?;
+    Ok(work)
+}
+
+fn check_shades(work: &Work) -> Result<(), LinkError> {
+    if are_too_many_shades(&work.document.scribbles) { Err(LinkError::TooManyShades) } else { Ok(()) }
+}
+
+#[cfg(test)]
+mod tests {
+    use kurbo::Point;
+    use scumble_core::work::MAX_SHADES;
+    use scumble_core::{Paint, Scribble, ScribbleKind, Shading};
+
+    use super::*;
+
+    #[test]
+    fn a_link_that_somebody_else_wrote_with_too_many_shades_is_refused() {
+        let kind = ScribbleKind::Shade(Shading::default());
+        let shade = Scribble { color: Paint::Clear, kind, width_du: 500.0, points: vec![Point::ZERO] };
+        let mut work = Work::blank();
+        for (count, refused) in [(MAX_SHADES, None), (MAX_SHADES + 1, Some(LinkError::TooManyShades))] {
+            work.document.scribbles = vec![shade.clone(); count];
+            let Link { fragment, .. } = link(&work).expect("it is small");
+            assert_eq!(read_link(&fragment).err(), refused);
+        }
+    }
 }

@@ -17,6 +17,8 @@ pub struct ImportNotes {
     pub filters: usize,
     /// Markers, such as arrow heads.
     pub markers: usize,
+    /// Shapes with a pattern for a paint: lines are grey, areas empty.
+    pub patterns: usize,
     /// Shapes and subpaths with coordinates that are no numbers or far too large.
     pub broken: usize,
     /// Colours that cannot be read: lines are black, areas have an outline.
@@ -40,6 +42,7 @@ impl fmt::Display for ImportNotes {
             (self.masks, "mask", "masks"),
             (self.filters, "filter", "filters"),
             (self.markers, "marker", "markers"),
+            (self.patterns, "pattern", "patterns"),
             (self.broken, "shape with unusable coordinates", "shapes with unusable coordinates"),
             (self.bad_colors, "colour that cannot be read", "colours that cannot be read"),
         ];

@@ -1,7 +1,7 @@
 //! The paint of a stroke or a fill as one colour.
 
 use scumble_core::{Blend, Rgba8, Srgb8};
-use usvg::{Opacity, Paint, Stop};
+use usvg::{Fill, Opacity, Paint, Path, Stop, Stroke};
 
 /// Stands for a pattern: neither ink nor paper.
 const PATTERN_COLOR: [u8; 3] = [0x80; 3];
@@ -38,6 +38,12 @@ fn mean(stops: &[Stop]) -> ([u8; 3], f32) {
     };
     let opacity = stops.iter().map(|stop| stop.opacity()).map(Opacity::get).sum::<f32>() / count as f32;
     ([channel(|c| c.red), channel(|c| c.green), channel(|c| c.blue)], opacity)
+}
+
+/// Whether a shape has a pattern that no colour can stand for: hatching, dots.
+pub(crate) fn has_pattern(path: &Path) -> bool {
+    let paints = [path.fill().map(Fill::paint), path.stroke().map(Stroke::paint)];
+    paints.into_iter().flatten().any(|paint| matches!(paint, Paint::Pattern(_)))
 }
 
 /// Whether nothing can be seen through a paint; of a pattern that is not known.

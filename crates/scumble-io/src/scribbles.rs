@@ -8,7 +8,7 @@ use std::collections::BTreeMap;
 
 use kurbo::{Affine, Point, Rect};
 use scumble_core::drawing::LONGER_SIDE_DU;
-use scumble_core::work::{MAX_PAGES, are_too_long};
+use scumble_core::work::{MAX_PAGES, are_too_long, are_too_many_shades};
 use scumble_core::{Drawing, Paint, PenPressure, Scribble, ScribbleKind, Shading, nearest_in};
 use serde::Deserialize;
 use serde::de::IgnoredAny;
@@ -111,6 +111,9 @@ pub fn read_scribbles(json: &[u8], drawing: &Drawing) -> Result<ReadScribbles, S
     }
     if are_too_long(&scribbles) {
         return Err(ScribblesError::TooLong { limit_pages: MAX_PAGES });
+    }
+    if are_too_many_shades(&scribbles) {
+        return Err(ScribblesError::TooManyShades);
     }
     Ok(ReadScribbles { scribbles: scribbles.into_iter().map(Scribble::kept).collect(), notes: reader.notes })
 }

@@ -5,7 +5,7 @@
 
 use roxmltree::{Document, Node};
 
-use crate::css::at_rules::is_shown;
+use crate::css::at_rules;
 
 /// Tests of one element against all style sheets of a tree of a given height, and declarations applied to it.
 pub(crate) fn tests_per_element(xml: &Document, height: u32) -> f64 {
@@ -19,14 +19,20 @@ pub(crate) fn texts<'a>(xml: &'a Document) -> impl Iterator<Item = &'a str> {
 
 /// Those of the style sheets that a screen shows.
 pub(crate) fn shown_texts<'a>(xml: &'a Document) -> impl Iterator<Item = &'a str> {
-    sheets(xml).filter(|sheet| sheet.attribute("media").is_none_or(is_shown)).flat_map(texts_of)
+    sheets(xml).filter(is_shown).flat_map(texts_of)
+}
+
+/// Whether a screen shows a style sheet.
+pub(crate) fn is_shown(sheet: &Node) -> bool {
+    sheet.attribute("media").is_none_or(at_rules::is_shown)
 }
 
 fn sheets<'a, 'i>(xml: &'a Document<'i>) -> impl Iterator<Item = Node<'a, 'i>> {
     xml.descendants().filter(|node| node.tag_name().name() == "style")
 }
 
-fn texts_of<'a>(sheet: Node<'a, '_>) -> impl Iterator<Item = &'a str> {
+/// The text of one style sheet, which entities may part.
+pub(crate) fn texts_of<'a>(sheet: Node<'a, '_>) -> impl Iterator<Item = &'a str> {
     sheet.children().filter(Node::is_text).filter_map(|node| node.text())
 }
 

@@ -1,7 +1,7 @@
 //! An SVG drawing as curves: strokes along their centre line, areas by their outline.
 //!
 //! `usvg` resolves styles, units, shapes, transforms and references; what it gives is turned into curves in drawing
-//! units here. Masks, filters and markers are ignored, text and images left out; all are counted.
+//! units here. Masks, filters, markers and what patterns show are ignored, text and images left out; all are counted.
 //!
 //! | noun | file |
 //! |---|---|

@@ -4,8 +4,8 @@
 
 use std::borrow::Cow;
 
-use scumble_core::Document;
-use scumble_core::work::{MAX_CURVES, MAX_PAGES, Work, are_too_long};
+use scumble_core::work::{MAX_CURVES, MAX_PAGES, Work, are_too_long, are_too_many_shades};
+use scumble_core::{Document, Scribble};
 
 use crate::MAX_FILE_BYTES;
 use crate::error::FileError;
@@ -59,9 +59,7 @@ pub(crate) fn write_file_with(work: &Work, image: &[u8]) -> Result<Vec<u8>, File
     if drawing.curves.len() > MAX_CURVES {
         return Err(FileError::TooManyCurves);
     }
-    if are_too_long(scribbles) {
-        return Err(FileError::TooLong { limit_pages: MAX_PAGES });
-    }
+    check_scribbles(scribbles)?;
     let text = write::written(work, image);
     if text.len() > MAX_FILE_BYTES { Err(FileError::WouldBeTooLarge) } else { Ok(text.into_bytes()) }
 }
@@ -88,11 +86,15 @@ pub fn read_file(bytes: &[u8]) -> Result<Work, FileError> {
     };
     let minor = minor_version(text, damaged)?;
     let work = Reader::read(text, minor).map_err(damaged)?;
-    if are_too_long(&work.document.scribbles) {
-        Err(FileError::TooLong { limit_pages: MAX_PAGES })
-    } else {
-        Ok(work)
+    check_scribbles(&work.document.scribbles)?;
+    Ok(work)
+}
+
+fn check_scribbles(scribbles: &[Scribble]) -> Result<(), FileError> {
+    if are_too_long(scribbles) {
+        return Err(FileError::TooLong { limit_pages: MAX_PAGES });
     }
+    if are_too_many_shades(scribbles) { Err(FileError::TooManyShades) } else { Ok(()) }
 }
 
 /// The minor version of a file whose version can be read.

@@ -33,6 +33,17 @@ fn what_is_no_svg_is_refused() {
 }
 
 #[test]
+fn what_may_have_been_pasted_is_not_called_a_file() {
+    for (text, start) in [
+        ("rubbish <<<>>", "this is no SVG drawing, or it is damaged: "),
+        ("<p>rubbish</p>", "this is no drawing: it starts with <p>, "),
+    ] {
+        let said = error(text).to_string();
+        assert!(said.starts_with(start) && !said.contains("file"), "{said}");
+    }
+}
+
+#[test]
 fn binary_junk_is_refused() {
     let mut state = 1_u32;
     let mut next = move || {

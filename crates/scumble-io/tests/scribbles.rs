@@ -175,3 +175,13 @@ fn scribbles_without_end_are_refused() {
     let zigzag = format!("[{}[10,20]]", "[10,20],[74,52],".repeat(4000));
     assert_eq!(read(&with_points(&[&zigzag])), Err(ScribblesError::TooLong { limit_pages: 5000 }));
 }
+
+#[test]
+fn shades_without_end_are_refused() {
+    let list = |count: usize| {
+        let shade = r##"{"color":"#ff0000","width":9,"kind":"shade","points":[[20,30]]},"##.repeat(count);
+        format!(r##"{{"scribbles":[{shade}{{"color":"#ff0000","width":9,"points":[[20,30]]}}]}}"##)
+    };
+    assert_eq!(read(&list(1000)).unwrap().scribbles.len(), 1001);
+    assert_eq!(read(&list(1001)), Err(ScribblesError::TooManyShades));
+}

@@ -355,6 +355,25 @@ fn what_is_left_out_is_counted() {
 }
 
 #[test]
+fn patterns_are_counted_by_the_shapes_that_they_are_seen_on() {
+    const HATCHES: &str = r##"<pattern id="a" width="4" height="4" patternUnits="userSpaceOnUse"><path d="M0 0h4" stroke="black"/></pattern>
+        <pattern id="b" href="#a" patternTransform="rotate(45)"/><pattern id="unused" href="#a"/>"##;
+    for (shapes, notes) in [
+        (r##"<path d="M8 8h8v8"/>"##, ""),
+        (r##"<path d="M8 8h8v8" fill="url(#b)"/>"##, "left out: 1 pattern"),
+        (r##"<path d="M8 8h8v8" fill="none" stroke="url(#a)"/>"##, "left out: 1 pattern"),
+        (
+            r##"<g fill="url(#a)"><path d="M8 8h8v8" stroke="url(#b)"/><path d="M9 8h8v8"/></g>"##,
+            "left out: 2 patterns",
+        ),
+        (r##"<path d="M0 0h9"/><path d="M8 8h8v8" stroke="black" fill="url(#none) red"/>"##, ""),
+        (r##"<path d="M8 8h8v8"/><path d="M8 8h8v8" fill="url(#a)" opacity="0"/>"##, ""),
+    ] {
+        assert_eq!(on_page(&[HATCHES, shapes].concat()).notes.to_string(), notes, "{shapes}");
+    }
+}
+
+#[test]
 fn shapes_with_unusable_coordinates_are_left_out_and_counted() {
     let import = on_page(
         r##"<g stroke="black"><path d="M8 8h8"/><path d="M NaN 8 h 8"/><path d="M8 8 L1e308 8"/><circle r="NaN"/>

@@ -3,9 +3,12 @@
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
 use kurbo::{Point, Rect};
-use scumble_core::work::Item;
+use scumble_core::work::{Item, MAX_SHADES};
 use scumble_core::{Blend, Document, EngineKind, Paint, PenPressure, Settings, Srgb8, Swatch, Work, exact};
-use scumble_io::{FileError, PageSize, import_drawing, read_file, read_link, write_file, write_link};
+use scumble_io::{
+    FileError, LinkError, PageSize, import_drawing, read_file, read_link, write_file, write_link,
+    write_svg_source,
+};
 
 /// A file with some members beside what it must have.
 fn file(members: &str) -> String {
@@ -296,4 +299,44 @@ fn limits_hold() {
     let scribbles =
         format!(", \"scribbles\": [{{\"color\": \"none\", \"width\": 1, \"points\": [{zigzag} [0, 0]]}}]");
     assert!(matches!(read(&scribbles), Err(FileError::TooLong { .. })));
+}
+
+/// As many shades as there may be, and one scribble more.
+fn many_shades(last: &str) -> String {
+    let shade = |kind: &str| {
+        format!(r##"{{"color": "#ff0000", "width": 500, "kind": "{kind}", "points": [[0, 0]]}}"##)
+    };
+    let shades = [shade("shade"), ",".into()].concat().repeat(MAX_SHADES);
+    format!(r#", "curves": [{{"path": "M 1 2 L 3 4"}}], "scribbles": [{shades}{}]"#, shade(last))
+}
+
+#[test]
+fn every_reader_and_writer_refuses_more_shades_than_there_may_be() {
+    let most = read(&many_shades("fill")).unwrap();
+    assert_eq!(most.document.scribbles.len(), MAX_SHADES + 1);
+    let link = write_link(&most).unwrap().fragment;
+    assert_eq!(read_link(&link).unwrap().document.scribbles.len(), MAX_SHADES + 1);
+    let error = read(&many_shades("shade")).unwrap_err();
+    assert_eq!(error.to_string(), "more than 1000 of the scribbles shade; use fewer of them");
+    let mut more = most.clone();
+    more.document.scribbles[MAX_SHADES] = more.document.scribbles[0].clone();
+    assert_eq!(write_file(&more).unwrap_err(), error);
+    assert_eq!(write_svg_source(&more).unwrap_err(), error);
+    assert_eq!(write_link(&more).unwrap_err(), LinkError::TooManyShades);
+}
+
+#[test]
+fn a_picture_with_too_many_shades_opens_as_its_lines_and_says_so() {
+    let svg = |source: &str| {
+        format!(
+            r#"<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 9 9">{source}<path d="M1 1h7" stroke="black"/></svg>"#
+        )
+    };
+    let source = write_svg_source(&read(&many_shades("fill")).unwrap()).unwrap();
+    assert_eq!(import_drawing(svg(&source).as_bytes()).unwrap().1, "");
+    let (work, notes) =
+        import_drawing(svg(&source.replace("\"points\"", "\"kind\": \"shade\", \"points\"")).as_bytes())
+            .unwrap();
+    assert!(work.document.scribbles.is_empty());
+    assert!(notes.ends_with("more than 1000 of the scribbles shade; use fewer of them"), "{notes}");
 }

@@ -16,7 +16,7 @@ fn sound_and_empty_drawings_pass_and_faulty_ones_fail() {
     let output = folder.run(&["corpus", "."]);
     let text = String::from_utf8_lossy(&output.stdout);
     assert!(text.contains("3 drawings: 1 sound, 1 without lines, 1 faulty"), "{text}");
-    assert!(text.contains("D.SVG: the file is not an SVG drawing"), "{text}");
+    assert!(text.contains("D.SVG: this is no SVG drawing"), "{text}");
     assert_eq!(output.status.code(), Some(1));
 }
 

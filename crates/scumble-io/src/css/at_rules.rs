@@ -4,6 +4,7 @@
 //! way to all others is left out.
 
 use std::borrow::Cow;
+use std::mem::replace;
 
 use super::text::{enclosed, parts, unquoted};
 
@@ -31,25 +32,28 @@ pub(crate) fn plain(sheet: &str) -> Cow<'_, str> {
     if !sheet.contains('@') {
         return Cow::Borrowed(sheet);
     }
-    let mut rules = String::new();
-    let mut add = |rule: &str| rules.push_str(if is_at_rule(rule) { "" } else { rule });
+    let plain = rules(sheet).into_iter().filter(|rule| !is_at_rule(rule));
+    Cow::Owned(plain.collect())
+}
+
+/// The rules that are in no other, or in one whose content holds as if it were not there. A last one may have no end.
+fn rules(sheet: &str) -> Vec<&str> {
+    let mut rules = Vec::new();
     let (mut start, mut depth) = (0, 0_usize);
     for (at, byte) in unquoted(sheet) {
         match byte {
-            // What is within such a rule stands as if the rule were not there.
             b'{' if depth == 0 && is_transparent(&sheet[start..at]) => start = at + 1,
             b'{' => depth += 1,
-            b'}' if depth > 1 => depth -= 1,
+            b'}' | b';' if depth == 0 => start = at + 1,
             b'}' => {
-                add(if depth == 0 { "" } else { &sheet[start..=at] });
-                (start, depth) = (at + 1, 0);
+                depth -= 1;
+                rules.extend((depth == 0).then(|| &sheet[replace(&mut start, at + 1)..=at]));
             }
-            b';' if depth == 0 => start = at + 1,
             _ => {}
         }
     }
-    add(if depth == 0 { "" } else { &sheet[start..] });
-    Cow::Owned(rules)
+    rules.extend((depth > 0).then(|| &sheet[start..]));
+    rules
 }
 
 fn is_at_rule(rule: &str) -> bool {

@@ -105,6 +105,8 @@ impl Importer {
 
     fn path(&mut self, path: &usvg::Path, opacity: f32) {
         let shape = self.shape(path, opacity);
+        let is_seen = shape.fill.is_some() || shape.line.is_some();
+        self.notes.patterns += usize::from(is_seen && paint::has_pattern(path));
         let rest = self.rest(&shape);
         if rest.is_none() && self.is_paper(&shape) {
             return;

@@ -1,7 +1,7 @@
 //! What is done with what is selected.
 
 use kurbo::{Affine, Vec2};
-use scumble_core::work::are_too_long;
+use scumble_core::work::{are_too_long, are_too_many_shades};
 use scumble_core::{Curve, Deed, Paint, Scribble, ScribbleKind, Tone};
 
 use super::Session;
@@ -13,9 +13,6 @@ use crate::selection::{Selection, way_to_page};
 /// An arrow key moves the view by this much, in CSS pixels, and what is selected by one du; with Shift ten times as far.
 const STEP_CSS: f64 = 48.0;
 const FAR: f64 = 10.0;
-
-/// Most shades: each takes memory of its own, some megabytes if it is large.
-const MAX_SHADES: usize = 1000;
 
 /// A copy lies so far beside what it is of, each way, in CSS pixels.
 const BESIDE_CSS: f64 = 16.0;
@@ -220,8 +217,7 @@ impl Session {
         let may_lengthen =
             editor.is_scribbling() || matches!(editor.deed_in_hand(), Some(Deed::Resized | Deed::Duplicated));
         let scribbles = &editor.document().scribbles;
-        let shades = scribbles.iter().filter(|scribble| !scribble.is_fill()).count();
-        let is_dropped = may_lengthen && (are_too_long(scribbles) || shades > MAX_SHADES);
+        let is_dropped = may_lengthen && (are_too_long(scribbles) || are_too_many_shades(scribbles));
         if is_dropped {
             editor.abort();
             self.scribbles_changed();
