@@ -496,6 +496,9 @@ fn what_a_stroke_goes_through_it_means_and_where_it_slips_it_does_not() {
     let edges_du = [100.0, 160.0, 920.0];
     assert_eq!(colored_rooms(&edges_du, &[(110.0, 400.0), (300.0, 400.0)]), [0, 1]);
     assert_eq!(colored_rooms(&edges_du, &[(110.0, 400.0), (190.0, 400.0)]), [0]);
+    // From the large one into the small one, nearly through it.
+    assert_eq!(colored_rooms(&edges_du, &[(800.0, 400.0), (110.0, 400.0)]), [0, 1]);
+    assert_eq!(colored_rooms(&edges_du, &[(800.0, 400.0), (130.0, 400.0)]), [1]);
 }
 
 /// The scribbles around the inside of a shape, one after the other.

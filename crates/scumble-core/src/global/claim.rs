@@ -49,7 +49,7 @@ const MEANT: f64 = 1.0 / 3.0;
 
 /// A room is meant, too, where the scribble goes this part of its size on from where it came in, so far that no hand slips; the
 /// size of a room is that of a square as large.
-const THROUGH: f64 = 0.5;
+const THROUGH: f64 = 0.4;
 
 /// The same in any room, however large, and around the one that was drawn in, in du.
 const FAR_DU: f64 = 100.0;
