@@ -24,6 +24,12 @@ const OPENED = {
 /** Larger files cannot be opened, as `MAX_FILE_BYTES` in `scumble-io` says. */
 const MOST_BYTES = 20_000_000;
 
+/** The answer of who lets a file be written to. */
+const GRANTED = "granted";
+
+/** Browsers may ask first where a download goes, or whether it is wanted, and take it only then. */
+const DOWNLOAD_MS = 60_000;
+
 const browser = /** @type {any} */ (window);
 const input = () => /** @type {HTMLInputElement} */ (document.getElementById("file"));
 
@@ -109,11 +115,18 @@ export async function keep({ name, handle }, content) {
     download(name, new Blob([await content()], { type: "application/json" }));
     return { name };
   }
-  // The dialog comes first: browsers show it only right after a click.
-  handle ??= await asked(() => browser.showSaveFilePicker({ suggestedName: name, types: [OURS] }));
+  // Dialogs come first: browsers show them only right after a click, and the content may take its time.
+  if (handle) await ask(handle);
+  else handle = await asked(() => browser.showSaveFilePicker({ suggestedName: name, types: [OURS] }));
   if (!handle) return undefined;
   await write(handle, await content());
   return { name: handle.name, handle };
+}
+
+/** Asks whether a file that was opened, or kept when the page was here before, may be written to. @param {any} handle */
+async function ask(handle) {
+  const answer = (await handle.requestPermission?.({ mode: "readwrite" }).catch(String)) ?? GRANTED;
+  if (answer !== GRANTED) throw unwritten(answer);
 }
 
 /**
@@ -126,9 +139,14 @@ async function write(handle, bytes) {
     await file.write(bytes);
     await file.close();
   } catch (fault) {
-    console.warn(fault);
-    throw new Error(say("error-write"));
+    throw unwritten(fault);
   }
+}
+
+/** @param {unknown} fault */
+function unwritten(fault) {
+  console.warn(fault);
+  return new Error(say("error-write"));
 }
 
 /**
@@ -155,5 +173,5 @@ export function download(name, file) {
   link.href = URL.createObjectURL(file);
   link.download = name;
   link.click();
-  setTimeout(() => URL.revokeObjectURL(link.href), 10_000);
+  setTimeout(() => URL.revokeObjectURL(link.href), DOWNLOAD_MS);
 }

@@ -19,8 +19,6 @@ export class KeyboardPen {
   #isDown = false;
   /** Where it is, in CSS pixels from the canvas' corner. @type {[number, number]} */
   #place = [0, 0];
-  /** What the page said before the last key. */
-  #said = "";
 
   /** @param {Shell} shell */
   constructor(shell) {
@@ -31,38 +29,17 @@ export class KeyboardPen {
     // Another pen takes over, or what has the keys now.
     stage.addEventListener("pointerdown", () => this.#leave(), true);
     stage.addEventListener("focusout", () => this.#lift());
-    stage.addEventListener("keydown", () => (this.#said = said()), true);
     new MutationObserver(() => this.#hear()).observe(/** @type {Node} */ (document.getElementById("status")), { childList: true });
-    this.#follow(document.documentElement, "data-tool", (tool) => `#tools [value="${tool}"]`);
-    this.#follow(document.getElementById("color"), "data-color", (color) => `#palette [data-color="${color}"]`);
   }
 
   /** Undo takes back what it draws as well: it is up then. */
   #hear() {
-    if (said() === this.#shell.say("undone")) this.#isDown = false;
+    if (document.getElementById("status")?.textContent === this.#shell.say("undone")) this.#isDown = false;
   }
 
   /** @param {string} key of a message */
   #tell(key) {
     this.#shell.tell(this.#shell.say(key));
-  }
-
-  /**
-   * Says what a key has chosen while it is shown, as its control is called, where the page says nothing of it: who does not see
-   * the page hears it.
-   * @param {HTMLElement | null} element
-   * @param {string} attribute
-   * @param {(chosen: string) => string} control its selector
-   */
-  #follow(element, attribute, control) {
-    let before = element?.getAttribute(attribute);
-    const look = () => {
-      const chosen = element?.getAttribute(attribute) ?? "";
-      const isSilent = !this.#cross.hidden && said() === this.#said;
-      if (chosen !== before && isSilent) this.#shell.tell(document.querySelector(control(chosen))?.ariaLabel ?? chosen);
-      before = chosen;
-    };
-    if (element) new MutationObserver(look).observe(element, { attributeFilter: [attribute] });
   }
 
   /** Enter: it is shown first, then put down and lifted; a dropper picks at once. */
@@ -128,10 +105,6 @@ export class KeyboardPen {
   #touch(phase) {
     this.#shell.engine.pointer(phase, new Float32Array([...this.#place, 1]));
   }
-}
-
-function said() {
-  return document.getElementById("status")?.textContent ?? "";
 }
 
 /**

@@ -16,7 +16,7 @@ import { Keeper } from "./keeper.js";
 import { SHORTCUTS, haveSingles, listen, setSingles, written } from "./keys.js";
 import { connectLanguage } from "./language.js";
 import { lazily } from "./lazy.js";
-import { name, say } from "./messages.js";
+import { haveWords, name, say } from "./messages.js";
 import { Opening } from "./opening.js";
 import { Pointers } from "./pointer.js";
 import { FOLDER, sampleList, sampleName } from "./samples.js";
@@ -24,7 +24,7 @@ import { labelSelection, selectsMore, showSelection, toggleMore } from "./select
 import { Steps } from "./steps.js";
 import { entries, picture, putAside } from "./storage.js";
 import { connectSwatches, labelSwatches, shownSwatches, swatch } from "./swatches.js";
-import { areLinesShown, connect, done, failed, labelControls, shown, showFingers, showName, showUnkept, showUpdate, tell, toggle, warn } from "./toolbar.js";
+import { areLinesShown, connect, done, failed, labelControls, shown, showFingers, showName, showUnkept, showUpdate, tell, told, toggle, warn } from "./toolbar.js";
 import { connectBar, connectRadios } from "./toolbars.js";
 import { Tracing } from "./tracing.js";
 import { followVersions, holdVersion, takeVersion } from "./versions.js";
@@ -33,7 +33,7 @@ import { followVersions, holdVersion, takeVersion } from "./versions.js";
 const SOLVERS = ["automatic", "mesh", "gpu"];
 
 /** What is said of when it is done. */
-const DOINGS = ["scribbles-erased", "scribbles-rubbed", "scribble-dropped", "eraser-turned", "selected", "edited", "turned"];
+const DOINGS = ["scribbles-erased", "scribbles-rubbed", "eraser-turned", "selected", "edited", "turned"];
 
 /** What the page is seen to be busy with. */
 const MAKING = "making";
@@ -88,6 +88,7 @@ const handlers = {
     colors.used();
     doing("scribble-added", values);
   },
+  "scribble-dropped": () => pointers.isTakingBack || doing("scribble-dropped", {}),
   ...Object.fromEntries(
     [...DOINGS, "picked", "undone", "redone"].map((key) => [
       key,
@@ -344,6 +345,28 @@ function act(action) {
   else engine.command(action);
 }
 
+/** What says in words what keys have chosen, from the first one on. @type {Promise<[typeof import("./spoken.js"), void]> | undefined} */
+let spoken;
+
+/**
+ * Does what a key is for, and says what that has chosen, unless there is something else to be said by then.
+ * @param {string} action
+ */
+function actByKey(action) {
+  const before = told();
+  act(action);
+  // No key has done that.
+  if (action === "settle") return;
+  spoken ??= Promise.all([import("./spoken.js"), haveWords()]);
+  spoken.then(
+    ([{ wordsOf }]) => {
+      const words = wordsOf(action, say);
+      if (words && told() === before) tell(words);
+    },
+    () => (spoken = undefined),
+  );
+}
+
 /** The colour around the page as #rrggbb: the theme's, from the style sheet. */
 function desk() {
   const channels = getComputedStyle(stage).backgroundColor.match(/\d+/g)?.slice(0, 3) ?? [];
@@ -404,7 +427,7 @@ async function start() {
   const solver = new URLSearchParams(location.search).get("solver") ?? "";
   if (SOLVERS.includes(solver)) engine.command("solver", solver);
   matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => engine.command("desk", desk()));
-  listen(act, (action, held) => holds[action]?.(held));
+  listen(actByKey, (action, held) => holds[action]?.(held));
   receive((file) => opening.file(file), (text) => opening.text(text));
   window.addEventListener("hashchange", () => void (location.hash && opening.address()));
   window.addEventListener("beforeunload", (event) => {

@@ -42,6 +42,8 @@ export class Pointers {
   /** How far two fingers have turned since the second came down, in degrees. */
   #twist = 0;
   #isFinger = false;
+  /** Whether what was no stroke is dropped just now. */
+  isTakingBack = false;
   #isAdding;
   #tell;
 
@@ -65,6 +67,13 @@ export class Pointers {
     on("pointercancel", (event) => this.#up(event, "cancel"));
     on("wheel", (event) => this.#wheel(event));
     on("contextmenu", (event) => event.preventDefault());
+  }
+
+  /** Drops what was no stroke, as a second finger shows, or a pen beside a hand: there is nothing to be said of it. */
+  #takeBack() {
+    this.isTakingBack = true;
+    this.cancel();
+    this.isTakingBack = false;
   }
 
   /** Drops what the pen has done since it came down, and tells whether it was. */
@@ -135,7 +144,7 @@ export class Pointers {
     this.#fingers.places.clear();
     this.#hand = null;
     this.hold(this.#held);
-    this.cancel();
+    this.#takeBack();
   }
 
   /** Fingers draw, or move the picture as they did not. */
@@ -227,7 +236,7 @@ export class Pointers {
     this.#hand = null;
     this.hold(this.#held);
     if (this.#pen === null) return;
-    if (this.#penPoints < DROPPED_BELOW_POINTS || this.#fingers.isTap) this.cancel();
+    if (this.#penPoints < DROPPED_BELOW_POINTS || this.#fingers.isTap) this.#takeBack();
     else this.#engine.pointer("up", new Float32Array());
     this.#drop();
   }

@@ -99,12 +99,17 @@ export class Recent {
   }
 
   /**
+   * Shows a drawing's picture, or the page's own sign where there is none, as of a drawing that was left while it came up.
    * @param {HTMLImageElement} image
    * @param {string} id
    */
   async #showPicture(image, id) {
     const picture = await this.#shell.picture(id).catch(() => undefined);
-    if (!picture) return;
+    if (!picture) {
+      image.className = "stand-in";
+      image.src = /** @type {HTMLImageElement} */ (document.querySelector("h1 img")).src;
+      return;
+    }
     image.src = URL.createObjectURL(new Blob([picture], { type: "image/png" }));
     image.addEventListener("load", () => URL.revokeObjectURL(image.src), { once: true });
   }

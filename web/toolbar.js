@@ -220,6 +220,11 @@ export function tell(text) {
   control("status").textContent = text;
 }
 
+/** What was said last. */
+export function told() {
+  return control("status").textContent;
+}
+
 /** @param {string} text what went wrong; empty to put it away. Counts in it get marks between their thousands, places as 1:4712 do not */
 export function warn(text) {
   const figure = (/** @type {string} */ digits) => Number(digits).toLocaleString(document.documentElement.lang);

@@ -105,6 +105,35 @@ for (const browser of /** @type {const} */ (["chromium", "firefox"])) {
       assert.deepEqual(editor.tab.faults, []);
     });
 
+    test("whether a file may be written to again is asked before its content is made, and a refusal is told of", async () => {
+      const editor = await scribbled();
+      await answerDialogs(editor);
+      await editor.until("Saved", () => editor.click("Save"));
+      await editor.tab.evaluate(`{
+        window.events = [];
+        window.answer = "granted";
+        FileSystemFileHandle.prototype.requestPermission = async ({ mode }) => {
+          window.events.push(mode);
+          return window.answer;
+        };
+        const { postMessage } = Worker.prototype;
+        Worker.prototype.postMessage = function (...message) {
+          window.events.push("content");
+          postMessage.apply(this, message);
+        };
+      }`);
+      await editor.scribble(IN_RIGHT_ROOM, ROOMS);
+      await editor.until("Saved rooms.scumble", () => editor.click("Save"));
+      assert.deepEqual(await editor.tab.evaluate("window.events"), ["readwrite", "content"]);
+      await editor.tab.evaluate(`window.answer = "prompt"`);
+      await editor.click("Save");
+      await editor.tab.waitFor(`!document.getElementById("alert").hidden`);
+      assert.match(await editor.message(), /could not be written/);
+      await editor.until("Saved rooms.scumble", () => editor.click("Save"));
+      assert.equal(await editor.tab.evaluate("window.asked"), 2, "another place is asked for");
+      assert.deepEqual(editor.tab.faults, []);
+    });
+
     test("a drawing that is saved while another comes up is known by its file", async () => {
       const editor = await scribbled();
       await answerDialogs(editor);

@@ -44,6 +44,19 @@ const WORKS = `new Promise((done) => {
   };
 })`;
 
+/** Takes all pictures out of the storage, and tells how many there were. */
+const CLEAR_PICTURES = `new Promise((done) => {
+  indexedDB.open("scumble").onsuccess = ({ target: { result: database } }) => {
+    const pictures = database.transaction("pictures", "readwrite").objectStore("pictures");
+    pictures.count().onsuccess = ({ target: { result: count } }) => {
+      pictures.clear().onsuccess = () => {
+        database.close();
+        done(count);
+      };
+    };
+  };
+})`;
+
 for (const browser of /** @type {const} */ (["chromium", "firefox"])) {
   describe(`what ${browser} keeps`, () => {
     const session = useSession(browser);
@@ -109,6 +122,11 @@ for (const browser of /** @type {const} */ (["chromium", "firefox"])) {
       await session.reopen(editor.tab);
       assert.deepEqual(await list(editor), ["Open Apple", "Open rooms.svg", "Delete rooms.svg"]);
       await editor.tab.waitFor(`[...document.querySelectorAll("#recent img")].every((image) => image.naturalWidth === 240)`);
+      const [below, beside] = await editor.tab.evaluate(`{
+        const [dialog, card] = ["#recent", "#recent li"].map((part) => document.querySelector(part).getBoundingClientRect());
+        [dialog.bottom - card.bottom, card.left - dialog.left];
+      }`);
+      assert.equal(below, beside, "a single row has the same room below as beside");
       await editor.until("Opened rooms.svg", () => editor.click("Open rooms.svg"));
       assert.ok((await editor.picture()).equals(rooms));
       await editor.kept();
@@ -122,6 +140,17 @@ for (const browser of /** @type {const} */ (["chromium", "firefox"])) {
       await editor.tab.waitFor(`document.querySelectorAll("#recent li").length === 1`);
       await editor.click("Close");
       assert.deepEqual(await list(editor), ["Open rooms.svg"]);
+      assert.deepEqual(editor.tab.faults, []);
+    });
+
+    test("a drawing that was left before it had a picture has the page's sign in the list", async () => {
+      const editor = await scribbled();
+      await editor.openSample("Apple");
+      // The picture is made as the drawing is left, and may come later than what is there in its place.
+      while ((await editor.tab.evaluate(CLEAR_PICTURES)) === 0);
+      await list(editor);
+      await editor.tab.waitFor(`document.querySelector("#recent img").naturalWidth > 0`);
+      assert.match(await editor.tab.evaluate(`document.querySelector("#recent img").src`), /icon\.svg$/);
       assert.deepEqual(editor.tab.faults, []);
     });
 

@@ -65,6 +65,31 @@ for (const browser of /** @type {const} */ (["chromium", "firefox"])) {
       assert.deepEqual(editor.tab.faults, []);
     });
 
+    test("single keys say what they have chosen, in the language of the page", async () => {
+      const editor = await begun();
+      const size = await editor.tab.evaluate(`document.getElementById("brush-size").valueAsNumber`);
+      const shifted = (/** @type {string} */ key) => editor.tab.hold("Shift", () => editor.tab.press(key));
+      for (const [key, words] of [
+        ["e", "Erase"], ["v", "Select"], ["b", "Scribble"], ["s", "Shade"], ["s", "Fill"],
+        ["3", "Yellow"], ["0", "No colour"], ["x", "Yellow"],
+        ["m", "Mirrored"],
+      ]) {
+        await editor.until(words, () => editor.tab.press(key));
+      }
+      await editor.until("Show lines: off", () => shifted("L"));
+      await editor.until("Show lines: on", () => shifted("L"));
+      await editor.until("Zoom ", () => shifted("1"));
+      await editor.until("Brush size: ", () => editor.tab.press("]"));
+      assert.ok(Number((await editor.status()).split(" ").at(-1)) > size, await editor.status());
+      await editor.choose("Language", "de");
+      await tabTo(editor, IS_CANVAS);
+      for (const [key, words] of [["e", "Radieren"], ["4", "Grün"]]) {
+        await editor.until(words, () => editor.tab.press(key));
+      }
+      await editor.until("Kritzel zeigen: aus", () => shifted("B"));
+      assert.deepEqual(editor.tab.faults, []);
+    });
+
     test("Escape drops the stroke, then puts the cross hairs away; arrows move the view then, as at its rim", async () => {
       const editor = await begun();
       const view = () => editor.tab.evaluate(`document.getElementById("canvas").dataset.view`);

@@ -105,6 +105,21 @@ for (const browser of /** @type {const} */ (["chromium", "firefox"])) {
       });
     }
 
+    test("on a phone held lengthwise the swatches are seen without scrolling", async () => {
+      for (const [width, height] of [[640, 360], [568, 320]]) {
+        await editor.tab.resize(width, height);
+        await editor.tab.click("radio", "Fill");
+        const hidden = await editor.tab.evaluate(`{
+          const rail = document.querySelector("aside");
+          rail.scrollTop = 0;
+          const end = rail.getBoundingClientRect().bottom;
+          const swatches = [...document.querySelectorAll("#color, #palette button")];
+          swatches.filter((swatch) => swatch.getBoundingClientRect().bottom > end).map((swatch) => swatch.ariaLabel);
+        }`);
+        assert.deepEqual(hidden, []);
+      }
+    });
+
     test("on a small phone for fingers, the bar fits, what is said is whole, and rows that go on fade", async () => {
       await editor.tab.resize(320, 568);
       await editor.tab.evaluate(`document.getElementById("unsaved").hidden = false`);

@@ -76,6 +76,32 @@ describe("settings", () => {
     assert.deepEqual(editor.tab.faults, []);
   });
 
+  test("the ends of gap closing say what is there, in each language", async () => {
+    const editor = await open("doorway");
+    for (const [language, settings, ends] of /** @type {const} */ ([
+      ["en", "Settings", ["← Colours flow on", "Colours stop sooner →"]],
+      ["de", "Einstellungen", ["← Farben laufen weiter", "stoppen früher →"]],
+    ])) {
+      if (language !== "en") await editor.choose("Language", language);
+      await editor.tab.waitFor(`document.documentElement.lang === "${language}"`);
+      await editor.tab.click("button", settings);
+      const { words, apart, heights } = await editor.tab.evaluate(`{
+        const [slider, ...ends] = ["#gap-closing", "#gap-note :first-child", "#gap-note :last-child"].map((end) => document.querySelector(end));
+        const [track, low, high] = [slider, ...ends].map((part) => part.getBoundingClientRect());
+        ({
+          words: ends.map((end) => end.textContent),
+          apart: [low.left - track.left, track.right - high.right],
+          heights: [low.height, high.height],
+        });
+      }`);
+      assert.deepEqual(words, ends);
+      assert.deepEqual(apart, [0, 0]);
+      assert.ok(heights.every((/** @type {number} */ height) => height < 24), `${heights}: a line each`);
+      await editor.tab.press("Escape");
+    }
+    assert.deepEqual(editor.tab.faults, []);
+  });
+
   test("regions and gaps are shown in place of the result", async () => {
     const editor = await open("doorway");
     await editor.slide("gap-closing", 100);

@@ -44,6 +44,24 @@ for (const browser of /** @type {const} */ (["chromium", "firefox"])) {
       assert.deepEqual(editor.tab.faults, []);
     });
 
+    test("what the first of several fingers began is taken back without a word", async () => {
+      const editor = await session.open("cpu");
+      await editor.openDrawing("rooms");
+      await editor.scribble(IN_LEFT_ROOM, SIDE);
+      await editor.tab.evaluate(`{
+        const status = document.getElementById("status");
+        window.said = [];
+        new MutationObserver(() => window.said.push(status.textContent)).observe(status, { childList: true });
+      }`);
+      const [before, [a, b]] = [await view(editor), await placed(editor, [[60, 30], [80, 30]])];
+      await editor.tab.pinch([[a, b], [[a[0] - 40, a[1]], [b[0] + 40, b[1]]]]);
+      await editor.tab.waitFor(`document.getElementById("canvas").dataset.view !== ${JSON.stringify(before)}`);
+      await editor.tab.pinch([[a, b]]);
+      await editor.tab.waitFor(`window.said.includes("Undone")`);
+      assert.deepEqual(await editor.tab.evaluate("window.said"), ["Undone"]);
+      assert.deepEqual(editor.tab.faults, []);
+    });
+
     test("two fingers that go further, or a single one, are no tap", async () => {
       const editor = await session.open("cpu");
       await editor.openDrawing("rooms");
