@@ -1,6 +1,8 @@
 //! What the `Global` engine promises, on random drawings with random scribbles: the order of scribbles and all that
 //! was there before leave no trace, a stroke that grows within a room only takes, and nothing is too odd.
 
+use std::ops::Range;
+
 use kurbo::{Affine, Arc, BezPath, Circle, ParamCurveNearest, Point, Rect, Shape, Stroke, Vec2};
 use proptest::collection::vec;
 use proptest::prelude::*;
@@ -499,6 +501,46 @@ fn what_a_stroke_goes_through_it_means_and_where_it_slips_it_does_not() {
     // From the large one into the small one, nearly through it.
     assert_eq!(colored_rooms(&edges_du, &[(800.0, 400.0), (110.0, 400.0)]), [0, 1]);
     assert_eq!(colored_rooms(&edges_du, &[(800.0, 400.0), (130.0, 400.0)]), [1]);
+}
+
+/// A tree beside a house, and some of a child, on 800 × 600 units: the crown ends just above the trunk.
+const TREE_BESIDE_HOUSE: [&str; 10] = [
+    "M179.7 300.8C179.3 313.8 177.2 352.4 177.4 379.1C177.6 405.8 179.3 437.5 180.9 461.0C182.5 484.5 185.8 510.3 186.8 520.1",
+    "M184.9 523.2C197.3 522.1 234.0 516.5 259.6 516.8C285.2 517.2 315.2 525.2 338.5 525.1C361.8 525.1 389.1 518.0 399.2 516.5",
+    "M401.9 512.2C401.0 500.5 396.6 465.5 396.9 441.9C397.2 418.2 402.7 392.7 403.4 370.6C404.1 348.5 401.6 319.5 401.3 309.3",
+    "M297.4 177.1C306.1 187.4 328.3 217.1 349.5 239.0C370.7 261.0 412.2 297.1 424.7 308.7",
+    "M567.9 286.8C570.9 288.0 580.8 290.0 585.6 293.5C590.4 297.0 593.9 302.4 596.7 307.8C599.6 313.2 602.0 320.1 602.6 326.1C603.2 332.1 602.3 338.0 600.3 343.8C598.4 349.7 594.8 356.8 590.7 361.3C586.7 365.7 581.8 368.5 576.0 370.5C570.2 372.4 561.7 372.9 555.8 373.0C549.9 373.1 545.7 373.9 540.8 371.1C536.0 368.2 530.2 361.3 526.8 356.1C523.3 350.9 521.4 346.3 520.1 340.1C518.9 333.8 518.4 325.0 519.4 318.6C520.4 312.2 522.8 306.6 526.2 301.8C529.7 297.0 534.8 292.1 540.3 289.6C545.8 287.1 556.0 287.2 559.1 286.8",
+    "M583.6 398.1C590.2 403.2 616.5 423.6 623.0 428.7",
+    "M578.5 503.1C579.2 512.4 582.2 549.7 582.9 559.0",
+    "M119.2 540.9C118.3 527.7 112.7 484.9 113.7 461.4C114.6 438.0 123.1 410.4 124.9 400.2",
+    "M119.5 406.0C115.1 406.3 101.7 409.2 93.0 407.7C84.2 406.2 74.2 402.4 67.0 396.9C59.8 391.4 53.8 383.1 49.8 374.6C45.7 366.0 43.5 355.0 42.8 345.6C42.0 336.1 42.1 326.6 45.3 317.9C48.5 309.1 55.6 300.2 61.9 293.1C68.2 286.0 75.4 278.4 83.1 275.3C90.7 272.1 98.9 273.0 107.6 274.2C116.4 275.3 128.1 277.9 135.8 282.4C143.6 287.0 148.9 293.6 154.1 301.4C159.3 309.3 165.3 320.3 167.0 329.5C168.7 338.8 166.9 347.5 164.3 356.8C161.7 366.1 157.0 377.7 151.2 385.3C145.4 392.9 133.3 399.5 129.7 402.4",
+    "M7.1 558.6C39.4 557.4 131.6 551.8 200.4 551.4C269.2 551.0 347.1 556.0 420.1 556.1C493.0 556.2 575.6 552.0 638.1 552.0C700.7 551.9 769.2 555.3 795.5 555.9",
+];
+
+/// The ends of the crown and of the trunk leave a crevice between them, from which a hair of light leads into either place.
+#[test]
+fn a_crown_does_not_run_out_through_a_crevice_beside_its_trunk() {
+    let du_from_units = Affine::scale(1024.0 / 800.0);
+    let lines = TREE_BESIDE_HOUSE.map(|path| (du_from_units * BezPath::from_svg(path).expect("a path"), 6.4));
+    let map = sampled(lines.into(), 0.5, &Sampling::default());
+    let scribble = Scribble {
+        color: Paint::Clear,
+        kind: ScribbleKind::Fill,
+        width_du: 16.0,
+        points: [(90.0, 320.0), (110.0, 350.0)].map(|p| du_from_units * Point::from(p)).into(),
+    };
+    let labels = fresh(&map, false, &[scribble]);
+    let mesh = map.triangulation();
+    let is_left_colored = |xs: Range<f64>, ys: Range<f64>| {
+        let is_there = |h: &HalfEdge| {
+            let [a, b] = mesh.segment(*h);
+            a.y < b.y && [a, b].iter().all(|p| xs.contains(&p.x) && ys.contains(&p.y))
+        };
+        let mut sides = mesh.half_edges().filter(is_there).filter_map(|h| mesh.side(h));
+        sides.any(|side| labels.sides[side.index()].is_some())
+    };
+    assert!(is_left_colored(205.0..215.0, 380.0..480.0), "the crown");
+    assert!(!is_left_colored(220.0..240.0, 520.0..650.0), "beside the house");
 }
 
 /// The scribbles around the inside of a shape, one after the other.

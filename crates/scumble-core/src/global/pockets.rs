@@ -38,6 +38,10 @@ const HALL: f64 = 0.5;
 /// between two rays a fin. What is smaller still may well have a colour of its own.
 const CLOSED_HALL: f64 = 1.0 / 16.0;
 
+/// A room smaller than this, in du², is a crevice between the ends of lines: no colour comes through its slight gaps, or a crown
+/// would run out beside its trunk.
+const CREVICE_DU2: f64 = 8.0;
+
 /// What a colour has is set up for so many rooms in the time that one takes that it comes to.
 const ROOMS: usize = 16;
 
@@ -78,9 +82,13 @@ impl Rooms {
     pub(super) async fn new(map: &PlanarMap, gaps: &[HalfEdge], room_of: &[u32], are_clear: &[bool]) -> Self {
         let areas_du2 = areas_du2(map, room_of, are_clear.len());
         pace::pause().await;
-        let doors = doors(map, gaps, room_of, |gap, _| gap.is_wide);
+        let is_crevice = |room: u32| areas_du2[room as usize] < CREVICE_DU2;
+        let leads = |gap: &Gap, door: Door| !(gap.is_slight && door.into_iter().any(is_crevice));
+        let doors = doors(map, gaps, room_of, |gap, door| gap.is_wide && leads(gap, door));
         let is_within = |door: Door| !door.iter().all(|&room| areas_du2[room as usize].is_infinite());
-        let is_plain = |gap: &Gap, door| gap.is_plain && (map.is_at_border(&gap.nodes) || is_within(door));
+        let is_plain = |gap: &Gap, door| {
+            gap.is_plain && leads(gap, door) && (map.is_at_border(&gap.nodes) || is_within(door))
+        };
         let plain_doors = self::doors(map, gaps, room_of, is_plain);
         pace::pause().await;
         let mut are_beside_border: Vec<bool> =
