@@ -83,13 +83,15 @@ impl Rooms {
         let areas_du2 = areas_du2(map, room_of, are_clear.len());
         pace::pause().await;
         let is_crevice = |room: u32| areas_du2[room as usize] < CREVICE_DU2;
-        let leads = |gap: &Gap, door: Door| !(gap.is_slight && door.into_iter().any(is_crevice));
-        let doors = doors(map, gaps, room_of, |gap, door| gap.is_wide && leads(gap, door));
-        let is_within = |door: Door| !door.iter().all(|&room| areas_du2[room as usize].is_infinite());
-        let is_plain = |gap: &Gap, door| {
-            gap.is_plain && leads(gap, door) && (map.is_at_border(&gap.nodes) || is_within(door))
+        let leads = |h: &HalfEdge| {
+            gap_and_door(map, room_of, *h)
+                .is_some_and(|(gap, door)| !(gap.is_slight && door.into_iter().any(is_crevice)))
         };
-        let plain_doors = self::doors(map, gaps, room_of, is_plain);
+        let ways: Vec<_> = gaps.iter().copied().filter(leads).collect();
+        let doors = doors(map, &ways, room_of, |gap, _| gap.is_wide);
+        let is_within = |door: Door| !door.iter().all(|&room| areas_du2[room as usize].is_infinite());
+        let is_plain = |gap: &Gap, door| gap.is_plain && (map.is_at_border(&gap.nodes) || is_within(door));
+        let plain_doors = self::doors(map, &ways, room_of, is_plain);
         pace::pause().await;
         let mut are_beside_border: Vec<bool> =
             areas_du2.iter().map(|area_du2| area_du2.is_infinite()).collect();
