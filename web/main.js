@@ -353,7 +353,7 @@ let spoken;
  * @param {string} action
  */
 function actByKey(action) {
-  const before = told();
+  const before = told;
   act(action);
   // No key has done that.
   if (action === "settle") return;
@@ -361,7 +361,7 @@ function actByKey(action) {
   spoken.then(
     ([{ wordsOf }]) => {
       const words = wordsOf(action, say);
-      if (words && told() === before) tell(words);
+      if (words && told === before) tell(words);
     },
     () => (spoken = undefined),
   );

@@ -60,7 +60,7 @@ export class Opening {
     const color = text.trim().toLowerCase();
     if (/^#([\da-f]{3}){1,2}$/.test(color)) return this.#color(color);
     // SVG begins with the first, lists of colours have the last.
-    if (!/^\s*(<|GIMP Palette)|#/.test(text)) return warn(say("no-drawing"));
+    if (!/^\s*(<|GIMP Palette)|#[\da-f]{3}/i.test(text)) return warn(say("no-drawing"));
     return this.file({ name: text.includes("<") ? "SVG" : say("text"), bytes: Promise.resolve(new TextEncoder().encode(text)) });
   }
 

@@ -7,7 +7,8 @@
 const WORDS = [
   [/^tool-/, () => called("#tools :checked")],
   [/^other-kind$/, () => called("[name=kind]:checked")],
-  [/^swatch-|^swap-colors$/, color],
+  [/^swatch-/, (_, action) => called(`#palette [data-shortcut="${action}"]`)],
+  [/^swap-colors$/, color],
   [/^brush-/, (say) => say("now-at", { name: say("brush-size"), value: find("#brush-size")?.value })],
   [/^zoom-|^fit$/, () => called("#zoom")],
   [/^show-/, (say, action) => say(isShown(action) ? "now-on" : "now-off", { name: say(action) })],

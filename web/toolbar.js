@@ -215,14 +215,13 @@ export function showName(drawing, unsaved, kept) {
   control("unsaved").hidden = !unsaved;
 }
 
+/** How often something was said. */
+export let told = 0;
+
 /** @param {string} text what just happened */
 export function tell(text) {
+  told++;
   control("status").textContent = text;
-}
-
-/** What was said last. */
-export function told() {
-  return control("status").textContent;
 }
 
 /** @param {string} text what went wrong; empty to put it away. Counts in it get marks between their thousands, places as 1:4712 do not */

@@ -147,7 +147,7 @@ for (const browser of /** @type {const} */ (["chromium", "firefox"])) {
       const editor = await scribbled();
       await editor.openSample("Apple");
       // The picture is made as the drawing is left, and may come later than what is there in its place.
-      while ((await editor.tab.evaluate(CLEAR_PICTURES)) === 0);
+      await editor.tab.waitFor(CLEAR_PICTURES);
       await list(editor);
       await editor.tab.waitFor(`document.querySelector("#recent img").naturalWidth > 0`);
       assert.match(await editor.tab.evaluate(`document.querySelector("#recent img").src`), /icon\.svg$/);

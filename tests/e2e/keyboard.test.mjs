@@ -90,6 +90,17 @@ for (const browser of /** @type {const} */ (["chromium", "firefox"])) {
       assert.deepEqual(editor.tab.faults, []);
     });
 
+    test("what a key does to what is selected is said each time, though in the same words", async () => {
+      const editor = await begun();
+      await editor.scribble([[30, 30], [50, 60], [70, 40]], 200);
+      await editor.until("selected", () => editor.tab.press("n"));
+      for (let i = 0; i < 2; i++) {
+        await editor.until("with another brush size", () => editor.tab.press("]"));
+        await new Promise((wake) => setTimeout(wake, 200));
+        assert.match(await editor.status(), /with another brush size/);
+      }
+    });
+
     test("Escape drops the stroke, then puts the cross hairs away; arrows move the view then, as at its rim", async () => {
       const editor = await begun();
       const view = () => editor.tab.evaluate(`document.getElementById("canvas").dataset.view`);

@@ -105,6 +105,16 @@ for (const browser of /** @type {const} */ (["chromium", "firefox"])) {
       });
     }
 
+    test("in a low window the panels of colours leave the swatches to be seen", async () => {
+      await editor.tab.resize(844, 390);
+      await editor.tab.click("button", "Colour");
+      await editor.tab.waitFor(`document.querySelector(".colors:popover-open") !== null`);
+      const [rail, panel] = await editor.tab.evaluate(`
+        ["aside", ".colors:popover-open"].map((part) => document.querySelector(part).getBoundingClientRect().toJSON())`);
+      assert.ok(panel.left >= rail.right && panel.right <= 844, `${rail.right}, ${panel.left} to ${panel.right}`);
+      await editor.tab.press("Escape");
+    });
+
     test("on a phone held lengthwise the swatches are seen without scrolling", async () => {
       for (const [width, height] of [[640, 360], [568, 320]]) {
         await editor.tab.resize(width, height);

@@ -42,7 +42,10 @@ describe("opening a drawing", () => {
     editor.until("The palette has the colours of the text", () => paste("#112233 #445566")));
 
   test("pasted text that is no drawing, of which it says so", async () => {
-    await paste("Dear <all>,");
-    assert.match(await editor.message(), /text is no drawing/);
+    for (const text of ["Dear <all>,", "Issue #12 is open"]) {
+      await paste(text);
+      assert.match(await editor.message(), /text is no drawing/);
+      await editor.tab.press("Escape");
+    }
   });
 });

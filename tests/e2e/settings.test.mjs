@@ -79,8 +79,8 @@ describe("settings", () => {
   test("the ends of gap closing say what is there, in each language", async () => {
     const editor = await open("doorway");
     for (const [language, settings, ends] of /** @type {const} */ ([
-      ["en", "Settings", ["← Colours flow on", "Colours stop sooner →"]],
-      ["de", "Einstellungen", ["← Farben laufen weiter", "stoppen früher →"]],
+      ["en", "Settings", ["Less: colours flow on", "more: stop sooner"]],
+      ["de", "Einstellungen", ["Weniger: Farben laufen", "mehr: sie stoppen"]],
     ])) {
       if (language !== "en") await editor.choose("Language", language);
       await editor.tab.waitFor(`document.documentElement.lang === "${language}"`);

@@ -263,7 +263,7 @@ fn is_number(text: &str) -> bool {
 }
 
 /// Writes a number with as many digits after the point as it needs, on a lattice of `per_unit`, a power of ten.
-/// What no reader would take becomes the nearest that it does.
+/// What no reader would take becomes the nearest that it does, and what is no number 0.
 pub fn push_number(text: &mut String, number: f64, per_unit: u64) {
     let scaled = (number.abs().clamp(0.0, MAX_NUMBER) * per_unit as f64).round() as u64;
     if number < 0.0 && scaled > 0 {

@@ -29,7 +29,7 @@ const LINE: &str = r#"<path d="M1 1h6" stroke="black"/>"#;
 fn drawings_that_are_none() {
     refused("empty", "", INSIDE, "is empty");
     refused("html", "<html/>", INSIDE, "starts with <html>");
-    refused("text", "just some text", INSIDE, "not an SVG drawing");
+    refused("text", "just some text", INSIDE, "d.svg: this is no SVG drawing");
     refused("junk", [0_u8, 159, 146, 150, 255, 0, 7], INSIDE, "not an SVG drawing");
     refused("pdf", "%PDF-1.7", INSIDE, "d.svg: the file is a PDF file; save it as SVG");
     refused("eps", "%!PS-Adobe-3.0", INSIDE, "PostScript");

@@ -38,7 +38,7 @@ const HALL: f64 = 0.5;
 /// between two rays a fin. What is smaller still may well have a colour of its own.
 const CLOSED_HALL: f64 = 1.0 / 16.0;
 
-/// A room smaller than this, in du², is a crevice between the ends of lines: no colour comes through its slight gaps, or a crown
+/// A room smaller than this, in du², is a crevice between the ends of lines: no colour goes on through its slight gaps, or a crown
 /// would run out beside its trunk.
 const CREVICE_DU2: f64 = 8.0;
 
