@@ -147,7 +147,13 @@ for (const browser of /** @type {const} */ (["chromium", "firefox"])) {
       const editor = await scribbled();
       await editor.openSample("Apple");
       // The picture is made as the drawing is left, and may come later than what is there in its place.
-      await editor.tab.waitFor(CLEAR_PICTURES);
+      const cleared = `(async () => {
+        for (let tries = 0; tries < 500; tries++) {
+          if (await ${CLEAR_PICTURES}) return true;
+          await new Promise((wake) => setTimeout(wake, 20));
+        }
+      })()`;
+      assert.ok(await editor.tab.evaluate(cleared));
       await list(editor);
       await editor.tab.waitFor(`document.querySelector("#recent img").naturalWidth > 0`);
       assert.match(await editor.tab.evaluate(`document.querySelector("#recent img").src`), /icon\.svg$/);
