@@ -41,7 +41,7 @@ pub fn write_link(work: &Work) -> Result<Link, LinkError> {
     link.ok_or(LinkError::TooLarge)
 }
 
-/// However long it is.
+/// The link, though it may be longer than a reader takes; none where there is no packing the work.
 fn link(work: &Work) -> Option<Link> {
     let (mut bytes, sizes) = packed::pack(work)?;
     bytes.extend(checksum(&bytes).to_be_bytes());

@@ -43,8 +43,8 @@ const _: () = assert!(AT_HAND * OPEN_FROM_DU + AT_HAND_IN_THE_OPEN * OPEN_DU <= 
 
 /// A room counts as meant where the scribble has at least this part of the samples that it has in the room where it has
 /// most: less is a hand that slipped, or that set the pen down beside the shape. In rooms around the one that was drawn in
-/// half of all samples must lie: running out is worse than stopping short. What it goes through,
-/// or far into, is meant whatever its part.
+/// half of all samples must lie: running out is worse than stopping short. What it goes through, or far into, is meant
+/// whatever its part.
 const MEANT: f64 = 1.0 / 3.0;
 
 /// A room is meant, too, where the scribble goes this part of its size on from where it came in, so far that no hand slips; the

@@ -10,7 +10,8 @@
 //! through wide gaps, but no further: how large the place is that it comes from, nobody knows. Only where a plain gap
 //! lies between a line and the border, it goes on along that, as the sky does behind what stands before it.
 //!
-//! A narrow gap opens only for the corners of a closed shape.
+//! A narrow gap opens only for the corners of a closed shape. Through a crevice, a tiny room between the ends of lines, colours
+//! go no further.
 //!
 //! Rooms that hang together through wide gaps, none of them open to the border, are a *hall*. Once colours have most of
 //! one, they have all of it: nobody leaves a hole. Where lines are all around, a part of it is enough.
