@@ -24,6 +24,7 @@ mod beyond;
 mod claim;
 mod crossing;
 mod flood;
+mod halls;
 mod pockets;
 mod shapes;
 mod shown;

@@ -503,6 +503,16 @@ fn what_a_stroke_goes_through_it_means_and_where_it_slips_it_does_not() {
     assert_eq!(colored_rooms(&edges_du, &[(800.0, 400.0), (130.0, 400.0)]), [1]);
 }
 
+#[test]
+fn a_stroke_across_stripes_means_them_and_one_that_slips_over_a_rim_does_not() {
+    let stripes_du = [100.0, 300.0, 315.0, 330.0, 345.0, 360.0, 560.0];
+    assert_eq!(colored_rooms(&stripes_du, &[(180.0, 400.0), (480.0, 400.0)]), [0, 1, 2, 3, 4, 5]);
+    let turns = [(180.0, 390.0), (352.0, 400.0), (180.0, 410.0)];
+    assert_eq!(colored_rooms(&stripes_du, &turns), [0, 1, 2, 3], "where it turns around it may have slipped");
+    let rim_du = [100.0, 500.0, 515.0, 700.0];
+    assert_eq!(colored_rooms(&rim_du, &[(300.0, 400.0), (540.0, 400.0)]), [0]);
+}
+
 /// A tree beside a house, and some of a child, on 800 × 600 units: the crown ends just above the trunk.
 const TREE_BESIDE_HOUSE: [&str; 10] = [
     "M179.7 300.8C179.3 313.8 177.2 352.4 177.4 379.1C177.6 405.8 179.3 437.5 180.9 461.0C182.5 484.5 185.8 510.3 186.8 520.1",
@@ -530,17 +540,74 @@ fn a_crown_does_not_run_out_through_a_crevice_beside_its_trunk() {
         points: [(90.0, 320.0), (110.0, 350.0)].map(|p| du_from_units * Point::from(p)).into(),
     };
     let labels = fresh(&map, false, &[scribble]);
-    let mesh = map.triangulation();
-    let is_left_colored = |xs: Range<f64>, ys: Range<f64>| {
-        let is_there = |h: &HalfEdge| {
-            let [a, b] = mesh.segment(*h);
-            a.y < b.y && [a, b].iter().all(|p| xs.contains(&p.x) && ys.contains(&p.y))
-        };
-        let mut sides = mesh.half_edges().filter(is_there).filter_map(|h| mesh.side(h));
-        sides.any(|side| labels.sides[side.index()].is_some())
-    };
+    let is_left_colored = |xs, ys| is_left_colored(&map, &labels, xs, ys);
     assert!(is_left_colored(205.0..215.0, 380.0..480.0), "the crown");
     assert!(!is_left_colored(220.0..240.0, 520.0..650.0), "beside the house");
+}
+
+/// Whether any line down a part of the page has a colour on its left.
+fn is_left_colored(map: &PlanarMap, labels: &Labels, xs: Range<f64>, ys: Range<f64>) -> bool {
+    let mesh = map.triangulation();
+    let is_there = |h: &HalfEdge| {
+        let [a, b] = mesh.segment(*h);
+        a.y < b.y && [a, b].iter().all(|p| xs.contains(&p.x) && ys.contains(&p.y))
+    };
+    let mut sides = mesh.half_edges().filter(is_there).filter_map(|h| mesh.side(h));
+    sides.any(|side| labels.sides[side.index()].is_some())
+}
+
+/// The front of a house on 300 units, with a door and two windows: no line meets another.
+const HOUSE: [&str; 9] = [
+    "M30 104V238",
+    "M34 240H266",
+    "M270 238V104",
+    "M30 100H270",
+    "M20 100L150 20L280 100",
+    "M130 238V160H180V236",
+    "M60 130V170H110V134",
+    "M106 130H60",
+    "M200 130H250V170H200Z",
+];
+
+#[test]
+fn a_house_with_corners_open_by_a_hair_is_filled_from_beside_its_door() {
+    let du_from_units = Affine::scale(1024.0 / 300.0);
+    let lines = HOUSE.map(|path| (du_from_units * BezPath::from_svg(path).expect("a path"), 10.0));
+    let map = sampled(lines.into(), 0.5, &Sampling::default());
+    let scribble = Scribble {
+        color: Paint::Clear,
+        kind: ScribbleKind::Fill,
+        width_du: 16.0,
+        points: [(45.0, 210.0), (100.0, 215.0)].map(|p| du_from_units * Point::from(p)).into(),
+    };
+    let labels = fresh(&map, false, &[scribble]);
+    let is_left_colored = |xs, ys| is_left_colored(&map, &labels, xs, ys);
+    assert!(is_left_colored(915.0..930.0, 380.0..800.0), "the right wall");
+    assert!(!is_left_colored(845.0..860.0, 460.0..570.0), "the window");
+}
+
+/// Whether a stroke in the left part of a strip colours the right one, by how large the left one is: between them is a slight
+/// gap, and another one in the outline.
+fn goes_on_through_a_slight_gap(left: f64) -> bool {
+    let wall_x = 100.0 + 800.0 * left;
+    let outline =
+        [(900.0, 321.0), (900.0, 300.0), (100.0, 300.0), (100.0, 360.0), (900.0, 360.0), (900.0, 339.0)];
+    let lines = [&outline[..], &[(wall_x, 300.0), (wall_x, 336.0)]];
+    let lines = lines.map(|points| {
+        let points: Vec<_> = points.iter().copied().map(Point::from).collect();
+        (polyline(&points), 10.0)
+    });
+    let map = sampled(lines.into(), 0.5, &Sampling::default());
+    let points = [(150.0, 330.0), (wall_x - 50.0, 330.0)].map(Point::from).into();
+    let stroke = Scribble { color: Paint::Clear, kind: ScribbleKind::Fill, width_du: 8.0, points };
+    let labels = fresh(&map, false, &[stroke]);
+    is_left_colored(&map, &labels, 890.0..910.0, 299.0..361.0)
+}
+
+#[test]
+fn what_lies_behind_a_slight_gap_is_filled_where_there_is_more_before_it() {
+    assert!(!goes_on_through_a_slight_gap(0.52));
+    assert!(goes_on_through_a_slight_gap(0.6));
 }
 
 /// The scribbles around the inside of a shape, one after the other.

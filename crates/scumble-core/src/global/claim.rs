@@ -54,6 +54,10 @@ const THROUGH: f64 = 0.4;
 /// The same in any room, however large, and around the one that was drawn in, in du.
 const FAR_DU: f64 = 100.0;
 
+/// Rooms are meant, too, that a scribble goes right through, one after the other: in at one line and out at another, so far in all,
+/// in du.
+const CROSSED_DU: f64 = 30.0;
+
 /// A room lies around another, as far as one can tell, if it is at the border of the page, or so many times as large.
 const AROUND: f64 = 8.0;
 
@@ -66,8 +70,7 @@ pub(super) struct Claim {
     stroke: Stroke,
     /// Of the refined mesh, where the last sample lies.
     triangle: usize,
-    /// The room that the last sample lies in, where the scribble came in there, and that sample.
-    last: Option<(u32, Point, Point)>,
+    route: Route,
     /// Per room the samples there.
     visits: SmallMap<Visit>,
 }
@@ -114,9 +117,69 @@ struct Visit {
     area_du2: f64,
     /// How far the scribble went on from where it came in, in du.
     reach_du: f64,
+    /// Whether it went right through, here and beside it, for [`CROSSED_DU`].
+    is_crossed: bool,
     seeds: Vec<Seed>,
     /// How many of them have been let in.
     let_in: usize,
+}
+
+/// The way of a scribble from room to room.
+#[derive(Clone, Debug, Default)]
+struct Route {
+    /// Where it is.
+    stay: Option<Stay>,
+    /// The room where it was before.
+    before: Option<u32>,
+    /// The rooms that it has just gone through.
+    crossed: Vec<u32>,
+    /// Where it came into the first of them.
+    crossed_from: Point,
+}
+
+/// A room, with the first and the last sample there.
+#[derive(Clone, Copy, Debug)]
+struct Stay {
+    room: u32,
+    from: Point,
+    to: Point,
+}
+
+impl Stay {
+    fn reach_du(&self) -> f64 {
+        self.from.distance(self.to)
+    }
+}
+
+impl Route {
+    /// Goes on to a sample in a room; how far that is from where the scribble came in there, in du.
+    fn go_on(&mut self, p: Point, room: u32, visits: &mut SmallMap<Visit>) -> f64 {
+        // Beyond the page, there are no samples.
+        let last = self.stay.filter(|stay| stay.to.distance(p) <= 2.0 * SAMPLE_SPACING_DU);
+        let from = last.filter(|stay| stay.room == room).map_or(p, |stay| stay.from);
+        if let Some(left) = last.filter(|stay| stay.room != room) {
+            self.leave(&left, p, room, visits);
+        }
+        let stay = Stay { room, from, to: p };
+        self.stay = Some(stay);
+        stay.reach_du()
+    }
+
+    /// Leaves a room for another.
+    fn leave(&mut self, left: &Stay, p: Point, room: u32, visits: &mut SmallMap<Visit>) {
+        let is_through = self.before.is_some_and(|before| before != room);
+        if is_through {
+            self.crossed.push(left.room);
+            if self.crossed_from.distance(left.to) >= CROSSED_DU {
+                self.crossed.drain(..).for_each(|room| visits.entry(room).is_crossed = true);
+            }
+        }
+        if !is_through || left.reach_du() >= CROSSED_DU {
+            self.crossed.clear();
+            self.crossed_from = p;
+        }
+        self.before = Some(left.room);
+    }
 }
 
 impl Claim {
@@ -127,22 +190,17 @@ impl Claim {
 
     /// Goes on to the end of a scribble that begins with the points followed so far.
     pub(super) fn follow(&mut self, map: &PlanarMap, ways: &Ways, points: &[Point]) {
-        let Self { stroke, triangle, last, visits } = self;
+        let Self { stroke, triangle, route, visits } = self;
         stroke.follow(map, points, |p, base| {
             let distance_du = distance_to_lines_du(map, p, base);
             *triangle = map.refined().locate(p, *triangle).unwrap_or(*triangle);
             let is_on_lines = distance_du <= 0.0;
             let place = if is_on_lines { shown_by_lines(map, ways, p, [base, *triangle]) } else { *triangle };
             let room = ways.room_of[place];
+            let reach_du = route.go_on(p, room, visits);
             let visit = visits.entry(room);
             visit.area_du2 = ways.rooms.area_du2(room);
-            // Beyond the page, there are no samples.
-            let goes_on = |&(last_room, _, last): &(u32, Point, Point)| {
-                last_room == room && last.distance(p) <= 2.0 * SAMPLE_SPACING_DU
-            };
-            let from = last.filter(goes_on).map_or(p, |(_, from, _)| from);
-            *last = Some((room, from, p));
-            visit.reach_du = visit.reach_du.max(p.distance(from));
+            visit.reach_du = visit.reach_du.max(reach_du);
             let is_at_border = map.is_at_border(&map.triangulation().nodes(base));
             let hold = if is_at_border { HOLD_AT_BORDER } else { HOLD };
             visit.seeds.push(Seed::new(place, distance_du, hold));
@@ -230,6 +288,7 @@ impl Meant {
     fn contains(&self, visit: &Visit) -> bool {
         let is_through = visit.reach_du >= THROUGH * visit.area_du2.sqrt();
         visit.reach_du >= FAR_DU
-            || (is_through || visit.seeds.len() >= self.least) && visit.area_du2 <= self.largest_du2
+            || (is_through || visit.is_crossed || visit.seeds.len() >= self.least)
+                && visit.area_du2 <= self.largest_du2
     }
 }

@@ -13,8 +13,8 @@
 //! A narrow gap opens only for the corners of a closed shape. Through a crevice, a tiny room between the ends of lines, colours
 //! go no further.
 //!
-//! Rooms that hang together through wide gaps, none of them open to the border, are a *hall*. Once colours have most of
-//! one, they have all of it: nobody leaves a hole. Where lines are all around, a part of it is enough.
+//! Rooms that hang together through wide gaps, none of them open to the border, are a [hall](Halls). Once colours have most of
+//! one, they have all of it. Where lines are all around, a part of it is enough.
 //!
 //! No colour ever takes less after another scribble was drawn, of whatever colour: only one that is drawn on may turn out
 //! not to mean a room. Where two may go into a room, the flood decides.
@@ -22,6 +22,7 @@
 use std::mem;
 use std::ops::Range;
 
+use super::halls::{Groups, Halls};
 use super::shapes::Shapes;
 use crate::pace::{self, Pace};
 use crate::planar_map::{Gap, PlanarMap};
@@ -31,13 +32,6 @@ use crate::triangulation::HalfEdge;
 
 /// A pocket has less than this part of the area that the colour beside it has already.
 const POCKET: f64 = 0.5;
-
-/// Colours have a hall once they have more than this part of its area.
-const HALL: f64 = 0.5;
-
-/// The same where lines are all around, so that nothing runs out onto the page: a stroke on its forehead fills a head, one
-/// between two rays a fin. What is smaller still may well have a colour of its own.
-const CLOSED_HALL: f64 = 1.0 / 16.0;
 
 /// A room smaller than this, in du², is a crevice between the ends of lines: no colour goes on through its slight gaps, or a crown
 /// would run out beside its trunk.
@@ -60,8 +54,8 @@ pub(super) struct Rooms {
     doors: Vec<Door>,
     /// Those that a colour may go on through by itself, in ascending order.
     plain_doors: Vec<Door>,
-    /// Per room its hall, by one of the rooms in it.
-    hall_of: Vec<u32>,
+    /// Those that are tight, then all.
+    halls: [Halls; 2],
     shapes: Shapes,
     /// What each colour had at the last call.
     grown: Vec<Grown>,
@@ -89,19 +83,25 @@ impl Rooms {
                 .is_some_and(|(gap, door)| !(gap.is_slight && door.into_iter().any(is_crevice)))
         };
         let ways: Vec<_> = gaps.iter().copied().filter(leads).collect();
-        let doors = doors(map, &ways, room_of, |gap, _| gap.is_wide);
+        let doors = doors(map, &ways, room_of, &|gap, _| gap.is_wide);
         let is_within = |door: Door| !door.iter().all(|&room| areas_du2[room as usize].is_infinite());
         let is_plain = |gap: &Gap, door| gap.is_plain && (map.is_at_border(&gap.nodes) || is_within(door));
-        let plain_doors = self::doors(map, &ways, room_of, is_plain);
+        let plain_doors = self::doors(map, &ways, room_of, &is_plain);
         pace::pause().await;
         let mut are_beside_border: Vec<bool> =
             areas_du2.iter().map(|area_du2| area_du2.is_infinite()).collect();
         for &[from, to] in &doors {
             are_beside_border[from as usize] |= areas_du2[to as usize].is_infinite();
         }
-        let hall_of = halls(&are_beside_border, &doors);
+        let is_inner = |door: Door| !door.iter().any(|&room| are_beside_border[room as usize]);
+        let [unparted, all] = [false, true].map(|is_parted| {
+            let leads = |gap: &Gap, door| gap.is_wide && is_inner(door) && (is_parted || !gap.is_slight);
+            Groups::new(&self::doors(map, &ways, room_of, &leads), &areas_du2)
+        });
         let shapes = Shapes::new(map, gaps, room_of, are_clear, &areas_du2);
-        Self { areas_du2, are_beside_border, doors, plain_doors, hall_of, shapes, grown: Vec::new() }
+        let all = Halls::new(all, &unparted, &shapes.are_closed);
+        let halls = [Halls::tight(unparted, map, gaps, room_of), all];
+        Self { areas_du2, are_beside_border, doors, plain_doors, halls, shapes, grown: Vec::new() }
     }
 
     /// The doors that colours go through, in ascending order; `drawn` are pairs of a kind of scribble, one for each
@@ -114,13 +114,16 @@ impl Rooms {
             grown.rooms.iter().for_each(|&room| are_taken[room as usize] = true);
             grown.doors.iter().for_each(|&door| are_open[door as usize] = true);
         }
-        let are_colored_halls = self.colored_halls(&are_taken);
-        let is_colored = |room: u32| are_colored_halls[self.hall_of[room as usize] as usize];
-        let is_within = |[from, to]: Door| self.hall_of[from as usize] == self.hall_of[to as usize];
+        let mut are_filled = vec![false; are_taken.len()];
+        for halls in &self.halls {
+            halls.fill(&self.areas_du2, &are_taken, &mut are_filled);
+            are_taken.iter_mut().zip(&are_filled).for_each(|(is_taken, is_filled)| *is_taken |= is_filled);
+        }
+        let is_filled = |door: Door| door.iter().all(|&room| are_filled[room as usize]);
+        let is_within = |door: Door| self.halls[1].groups.hold(door) && is_filled(door);
         let doors = self.doors.iter().copied().zip(are_open);
-        let open = doors.filter(|&(door, is_open)| is_open || is_within(door) && is_colored(door[0]));
+        let open = doors.filter(|&(door, is_open)| is_open || is_within(door));
         let mut open: Vec<Door> = open.map(|(door, _)| door).collect();
-        (0..).zip(&mut are_taken).for_each(|(room, is_taken)| *is_taken |= is_colored(room));
         open.extend(self.shapes.corner_doors(&are_taken));
         sorted(open)
     }
@@ -141,16 +144,6 @@ impl Rooms {
             }
         }
         self.grown = grown;
-    }
-
-    /// Per room that stands for a hall whether colours have it.
-    fn colored_halls(&self, are_taken: &[bool]) -> Vec<bool> {
-        let mut free_du2 = vec![0.0; are_taken.len()];
-        for (room, &hall) in self.hall_of.iter().enumerate() {
-            let part = if self.shapes.is_closed(hall) { CLOSED_HALL } else { HALL };
-            free_du2[hall as usize] += self.areas_du2[room] * if are_taken[room] { part - 1.0 } else { part };
-        }
-        free_du2.iter().map(|&free_du2| free_du2 < 0.0).collect()
     }
 
     /// The area of a room, in du²; without bound at the border of the page.
@@ -181,7 +174,7 @@ pub(super) fn doors(
     map: &PlanarMap,
     gaps: &[HalfEdge],
     room_of: &[u32],
-    is_kind: impl Fn(&Gap, Door) -> bool,
+    is_kind: &dyn Fn(&Gap, Door) -> bool,
 ) -> Vec<Door> {
     let all = gaps.iter().filter_map(|&h| gap_and_door(map, room_of, h));
     sorted(all.filter(|&(gap, door)| is_kind(gap, door)).map(|(_, door)| door).collect())
@@ -210,15 +203,6 @@ fn areas_du2(map: &PlanarMap, room_of: &[u32], room_count: usize) -> Vec<f64> {
         areas_du2[room as usize] += if is_at_border { f64::INFINITY } else { 0.5 * (b - a).cross(c - a) };
     }
     areas_du2
-}
-
-fn halls(are_beside_border: &[bool], doors: &[Door]) -> Vec<u32> {
-    let mut halls = Sets::new(are_beside_border.len());
-    for door in doors.iter().filter(|door| !door.iter().any(|&room| are_beside_border[room as usize])) {
-        let [from, to] = door.map(|room| halls.find(room));
-        halls.join(from, to);
-    }
-    (0..are_beside_border.len() as u32).map(|room| halls.find(room)).collect()
 }
 
 /// The rooms that a colour has: those within the page hang together through wide gaps, and count as one.

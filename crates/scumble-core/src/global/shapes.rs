@@ -4,9 +4,9 @@
 //! Once colours have half of one, they have its corners too, behind whatever gap: nobody leaves a hole between a loose
 //! scale and the outline of a fish. A larger room behind a narrow gap may well be a thing of its own.
 
+use super::halls::Groups;
 use super::pockets::{Door, doors};
 use crate::planar_map::{Gap, PlanarMap};
-use crate::sets::Sets;
 use crate::triangulation::HalfEdge;
 
 /// Colours have the corners of a shape once they have more than this part of its area.
@@ -20,8 +20,8 @@ const CORNER: f64 = 1.0 / 6.0;
 pub(super) struct Shapes {
     /// Per room its shape; none where the border of the page is reached without crossing a line, or a slight gap.
     of_rooms: Vec<Option<u32>>,
-    /// Per room whether the border is not reached through slight gaps either.
-    are_closed: Vec<bool>,
+    /// Per room whether lines are all around it, without any gap to the border of the page.
+    pub(super) are_closed: Vec<bool>,
     /// Per room the part of its shape that it has.
     parts: Vec<f64>,
     /// Between rooms of one shape, but those through slight gaps; in ascending order.
@@ -40,21 +40,17 @@ impl Shapes {
     ) -> Self {
         let is_clear = |room: u32| are_clear[room as usize];
         let is_seen = |gap: &Gap, door: Door| !(gap.is_slight && door.into_iter().all(is_clear));
-        let seen = doors(map, gaps, room_of, is_seen);
-        let (shape_of, shapes_du2) = joined(&seen, areas_du2);
-        let (region_of, regions_du2) = joined(&doors(map, gaps, room_of, |_, _| true), areas_du2);
-        let are_closed = region_of.iter().map(|&region| regions_du2[region as usize].is_finite()).collect();
-        let part = |(&shape, area_du2): (&u32, &f64)| area_du2 / shapes_du2[shape as usize];
-        let parts = shape_of.iter().zip(areas_du2).map(part).collect();
-        let is_closed = |shape: &u32| shapes_du2[*shape as usize].is_finite();
-        let of_rooms: Vec<_> = shape_of.into_iter().map(|shape| Some(shape).filter(is_closed)).collect();
+        let rooms = 0..areas_du2.len() as u32;
+        let seen = doors(map, gaps, room_of, &is_seen);
+        let shapes = Groups::new(&seen, areas_du2);
+        let regions = Groups::new(&doors(map, gaps, room_of, &|_, _| true), areas_du2);
+        let are_closed = rooms.clone().map(|room| regions.area_du2(room).is_finite()).collect();
+        let part = |(room, area_du2): (u32, &f64)| area_du2 / shapes.area_du2(room);
+        let parts = rooms.clone().zip(areas_du2).map(part).collect();
+        let shape = |room| Some(shapes.of_rooms[room as usize]).filter(|_| shapes.area_du2(room).is_finite());
+        let of_rooms: Vec<_> = rooms.map(shape).collect();
         let doors = seen.into_iter().filter(|[from, _]| of_rooms[*from as usize].is_some()).collect();
         Self { of_rooms, are_closed, parts, doors }
-    }
-
-    /// Whether lines are all around a room, without any gap to the border of the page.
-    pub(super) fn is_closed(&self, room: u32) -> bool {
-        self.are_closed[room as usize]
     }
 
     /// The doors into the corners that colours, which have these rooms, do not have yet of shapes that they have for the
@@ -71,17 +67,4 @@ impl Shapes {
         let leads = move |[from, to]: Door| is_corner(to) && (are_colored[from as usize] || is_corner(from));
         self.doors.iter().copied().filter(move |&door| is_mostly(door[0]) && leads(door))
     }
-}
-
-/// Per room what it belongs to where doors join rooms of such areas, by one of the rooms in it; and how large that is, in du².
-fn joined(doors: &[Door], areas_du2: &[f64]) -> (Vec<u32>, Vec<f64>) {
-    let mut sets = Sets::new(areas_du2.len());
-    for door in doors {
-        let [from, to] = door.map(|room| sets.find(room));
-        sets.join(from, to);
-    }
-    let of_rooms: Vec<_> = (0..areas_du2.len() as u32).map(|room| sets.find(room)).collect();
-    let mut joined_du2 = vec![0.0; areas_du2.len()];
-    of_rooms.iter().zip(areas_du2).for_each(|(&set, area_du2)| joined_du2[set as usize] += area_du2);
-    (of_rooms, joined_du2)
 }
