@@ -32,6 +32,7 @@ const UNSEEN = [
   ["io/src/curve_set/write.rs"],
   ["io/src/svg.rs", "const IGNORED"],
   ["io/src/svg.rs", "const UNCLIPPED"],
+  ["io/src/svg.rs", "const UNMASKED"],
   ["io/src/svg_source.rs", "pub fn write_svg_source"],
   ["io/src/palette/gpl.rs", "pub(super) const MARK"],
   ["io/src/palette/gpl.rs", "pub(super) fn written"],

@@ -57,7 +57,7 @@ struct Level {
     covers: bool,
 }
 
-/// Clip paths within each other, or what covers shapes.
+/// Clip paths within each other, and what covers shapes.
 #[derive(Debug)]
 pub(crate) struct Clip {
     levels: Vec<Level>,
@@ -73,13 +73,13 @@ impl Clip {
         Self { levels: Vec::new(), page, work: Work::new() }
     }
 
-    /// Adds a clip path that consists of some areas.
+    /// Adds a clip path that consists of some areas, or what covers these.
     ///
     /// # Errors
     /// When it takes too long to look at them.
-    pub(crate) fn push(&mut self, areas: Vec<Outlines>) -> Result<(), TooMuch> {
+    pub(crate) fn push(&mut self, areas: Vec<Outlines>, covers: bool) -> Result<(), TooMuch> {
         let areas = areas.into_iter().map(|area| self.shape(area)).collect::<Result<_, _>>()?;
-        self.levels.push(Level { areas, covers: false });
+        self.levels.push(Level { areas, covers });
         Ok(())
     }
 
@@ -104,9 +104,14 @@ impl Clip {
         self.levels = vec![Level { areas, covers: true }];
     }
 
-    /// Takes the last one away.
-    pub(crate) fn pop(&mut self) {
-        self.levels.pop();
+    /// How many there are.
+    pub(crate) fn depth(&self) -> usize {
+        self.levels.len()
+    }
+
+    /// Takes all away but so many.
+    pub(crate) fn leave(&mut self, depth: usize) {
+        self.levels.truncate(depth);
     }
 
     pub(crate) fn is_empty(&self) -> bool {
@@ -205,8 +210,10 @@ fn border_bounds(levels: &[Level], area: &Area) -> Rect {
     if is_covered { area.bounds } else { bounds(levels).intersect(area.bounds) }
 }
 
-/// Beyond these bounds nothing is seen, or all where something covers it.
+/// Beyond these bounds nothing is seen, or all where there is nothing but what covers it.
 fn bounds(levels: &[Level]) -> Rect {
     let bounds_of = |level: &Level| level.areas.iter().map(|area| area.bounds).reduce(|a, b| a.union(b));
-    levels.iter().filter_map(bounds_of).reduce(|a, b| a.intersect(b)).unwrap_or_default()
+    let clips = levels.iter().filter(|level| !level.covers).filter_map(bounds_of);
+    let covers = levels.iter().filter_map(bounds_of);
+    clips.reduce(|a, b| a.intersect(b)).or_else(|| covers.reduce(|a, b| a.union(b))).unwrap_or_default()
 }

@@ -7,11 +7,13 @@
 //! |---|---|
 //! | what lies between brackets, quotes and semicolons | `text` |
 //! | rules that hold on some condition | `at_rules` |
+//! | what colours are given to | `property` |
 //! | a colour, as it is written | `values` |
 //! | the spaces that colours are in | `spaces` |
 //! | variables | `variables` |
 
 pub(crate) mod at_rules;
+mod property;
 mod spaces;
 mod text;
 mod values;
@@ -24,8 +26,9 @@ use roxmltree::{Attribute, Document, Node};
 
 use crate::limits::SVG;
 use crate::style_sheet::{self, shown_texts, without_comments};
+use property::Property;
 use text::{declared, is_plain};
-use values::{Property, readable};
+use values::readable;
 use variables::Variables;
 
 /// What is to be written anew.
@@ -109,16 +112,9 @@ impl Mender<'_> {
             _ => None,
         };
         let place = attribute.range_value();
-        if let Some(anew) = anew.filter(|_| self.is_quoted(&place)) {
+        if let Some(anew) = anew.filter(|_| is_quoted(self.text, &place)) {
             self.mends.edits.push((place, escaped(&anew)));
         }
-    }
-
-    /// Whether a place is right between two quotes: the parser counts the bytes before a value up to some limit.
-    fn is_quoted(&self, place: &Range<usize>) -> bool {
-        let byte = |at: Option<usize>| at.and_then(|at| self.text.as_bytes().get(at));
-        let quotes = [byte(place.start.checked_sub(1)), byte(Some(place.end))];
-        quotes[0] == quotes[1] && matches!(quotes[0], Some(b'"' | b'\''))
     }
 
     fn stand_in(&mut self, property: Property) -> String {
@@ -194,6 +190,13 @@ impl Mender<'_> {
         let anew = self.variables.put_in(value).filter(|anew| anew.len() <= value.len() + MOST_GROWTH)?;
         is_plain(name, &anew).then(|| Cow::Owned([name, ":", &anew].concat()))
     }
+}
+
+/// Whether a place is right between two quotes: the parser counts the bytes before a value up to some limit.
+pub(crate) fn is_quoted(text: &str, place: &Range<usize>) -> bool {
+    let byte = |at: Option<usize>| at.and_then(|at| text.as_bytes().get(at));
+    let quotes = [byte(place.start.checked_sub(1)), byte(Some(place.end))];
+    quotes[0] == quotes[1] && matches!(quotes[0], Some(b'"' | b'\''))
 }
 
 /// A value, and the mark that lets it go before others.

@@ -22,6 +22,10 @@ pub(crate) struct Expansion {
     pub(crate) class_bytes: u64,
     /// Levels, a `use` counting as one more.
     pub(crate) height: u32,
+    /// Elements that are masked.
+    pub(crate) masked: u64,
+    /// Elements that are more than shapes: texts, images, and what refers to paints, clip paths and the like.
+    pub(crate) beyond_shapes: u64,
 }
 
 impl Expansion {
@@ -29,7 +33,9 @@ impl Expansion {
         let attribute_bytes = node.attributes().map(|a| a.value().len() as u64).sum();
         let segments = geometry::cost(node).unwrap_or(0);
         let class_bytes = node.attribute("class").map_or(0, |value| value.len() as u64);
-        Self { elements: 1, attribute_bytes, segments, class_bytes, height: 1 }
+        let masked = u64::from(node.attributes().any(|a| a.name() == "mask"));
+        let beyond_shapes = u64::from(is_beyond_shapes(node));
+        Self { elements: 1, attribute_bytes, segments, class_bytes, height: 1, masked, beyond_shapes }
     }
 
     fn add_below(&mut self, other: Self) {
@@ -38,22 +44,43 @@ impl Expansion {
         self.segments = self.segments.saturating_add(other.segments);
         self.class_bytes = self.class_bytes.saturating_add(other.class_bytes);
         self.height = self.height.max(1 + other.height);
+        self.masked = self.masked.saturating_add(other.masked);
+        self.beyond_shapes = self.beyond_shapes.saturating_add(other.beyond_shapes);
     }
 }
 
-/// The expansion of a whole tree, which is at most [`MAX_DEPTH`] deep as written.
+fn is_beyond_shapes(node: Node) -> bool {
+    matches!(node.tag_name().name(), "text" | "image" | "foreignObject")
+        || node.attributes().any(|a| a.value().contains("url("))
+}
+
+/// The expansion of each element of a tree.
+#[derive(Debug)]
+pub(crate) struct Expansions(Vec<Known>);
+
+impl Expansions {
+    pub(crate) fn of(&self, node: Node) -> Expansion {
+        match self.0.get(node.id().get_usize()) {
+            Some(Known::Counted(expansion)) => *expansion,
+            _ => Expansion::default(),
+        }
+    }
+}
+
+/// The expansions of a tree, which is at most [`MAX_DEPTH`] deep as written.
 ///
 /// # Errors
 /// When elements refer to themselves, or the copies nest too deep.
 pub(crate) fn of<'a, 'input>(
     xml: &'a Document<'input>,
     ids: &Ids<'a, 'input>,
-) -> Result<Expansion, ImportError> {
+) -> Result<Expansions, ImportError> {
     let mut counter = Counter { ids, known: vec![Known::New; xml.descendants().count()] };
-    counter.count(xml.root_element(), 0)
+    counter.count(xml.root_element(), 0)?;
+    Ok(Expansions(counter.known))
 }
 
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, Debug)]
 enum Known {
     New,
     Open,

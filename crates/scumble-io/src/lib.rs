@@ -43,6 +43,7 @@ mod json;
 mod limits;
 mod link;
 mod look;
+mod masks;
 mod notes;
 mod outline;
 mod packed;

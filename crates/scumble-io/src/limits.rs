@@ -8,7 +8,7 @@ use roxmltree::{Document, ParsingOptions};
 use crate::MAX_FILE_BYTES;
 use crate::error::ImportError;
 use crate::expansion::{self, Expansion};
-use crate::style_sheet;
+use crate::{masks, style_sheet};
 
 /// Most `<` in a file: opening tags, closing tags, comments.
 const MAX_TAGS: usize = 1_000_000;
@@ -100,11 +100,20 @@ pub(crate) fn parse_xml(text: &str) -> Result<Document<'_>, ImportError> {
 /// The name space of SVG elements.
 pub(crate) const SVG: &str = "http://www.w3.org/2000/svg";
 
-/// Checks what `usvg` would make of a tree, and tells whether its clip paths are such as can be followed.
-pub(crate) fn check_tree(xml: &Document) -> Result<bool, ImportError> {
+/// Whether clip paths, and masks, are such as can be followed.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Followed {
+    pub(crate) clip_paths: bool,
+    pub(crate) masks: bool,
+}
+
+/// Checks what `usvg` would make of a tree, and tells what of it can be followed.
+pub(crate) fn check_tree(xml: &Document) -> Result<Followed, ImportError> {
     check_lines(xml)?;
     let ids = expansion::ids(xml);
-    let Expansion { elements, attribute_bytes, segments, class_bytes, height } = expansion::of(xml, &ids)?;
+    let expansions = expansion::of(xml, &ids)?;
+    let Expansion { elements, attribute_bytes, segments, class_bytes, height, .. } =
+        expansions.of(xml.root_element());
     if height > MAX_DEPTH {
         return Err(ImportError::TooDeep { limit: MAX_DEPTH });
     }
@@ -117,14 +126,17 @@ pub(crate) fn check_tree(xml: &Document) -> Result<bool, ImportError> {
     if attribute_bytes > MAX_ATTRIBUTE_BYTES || segments > MAX_SEGMENTS {
         return Err(ImportError::TooDetailed);
     }
-    if expansion::largest_paint_server(xml, &ids)?.saturating_mul(elements) > MAX_PAINT_COPIES {
+    let paint_server = expansion::largest_paint_server(xml, &ids)?;
+    if paint_server.saturating_mul(elements) > MAX_PAINT_COPIES {
         return Err(ImportError::TooManyStops);
     }
     let tests = style_sheet::tests_per_element(xml, height) * (1000 + elements + class_bytes / 8) as f64;
     if tests > MAX_STYLE_TESTS {
         return Err(ImportError::TooManyStyles);
     }
-    Ok(expansion::clip_paths(xml).all(|clip_path| expansion::can_clip(clip_path, &ids, elements)))
+    let clip_paths =
+        expansion::clip_paths(xml).all(|clip_path| expansion::can_clip(clip_path, &ids, elements));
+    Ok(Followed { clip_paths, masks: masks::are_followed(xml, &expansions, paint_server) })
 }
 
 /// The XML parser compares each attribute with all others of its element, and name spaces with those of the parent.

@@ -11,7 +11,7 @@ pub struct ImportNotes {
     pub images: usize,
     /// Clip paths, where what they hide is shown.
     pub clip_paths: usize,
-    /// Masks: what they hide is shown.
+    /// Masks, where what they hide is shown.
     pub masks: usize,
     /// Filters: what they change is shown unchanged.
     pub filters: usize,

@@ -1,14 +1,17 @@
 //! An SVG drawing as curves: strokes along their centre line, areas by their outline.
 //!
 //! `usvg` resolves styles, units, shapes, transforms and references; what it gives is turned into curves in drawing
-//! units here. Masks, filters, markers and what patterns show are ignored, text and images left out; all are counted.
+//! units here. Filters, markers, what patterns show, and masks that are more than shapes, are ignored, text and images left
+//! out; all are counted.
 //!
 //! | noun | file |
 //! |---|---|
 //! | the walk through a tree | `importer` |
 //! | a shape, as ink or as an area | `shape` |
+//! | a mask that is a clip path | `mask` |
 
 mod importer;
+mod mask;
 mod shape;
 
 use roxmltree::Document;
@@ -20,7 +23,7 @@ use crate::error::ImportError;
 use crate::notes::ImportNotes;
 use crate::page_size::PageSize;
 use crate::survey::{self, Survey};
-use crate::{limits, page, style_sheet};
+use crate::{limits, masks, page, style_sheet};
 use importer::Importer;
 
 /// A drawing, and what was left out of its file.
@@ -35,16 +38,19 @@ pub struct Import {
 }
 
 /// Keeps `usvg` from everything that is ignored anyway, from the colours of an exported picture, and from patterns
-/// within patterns. What is masked or filtered is taken for what others can be seen through.
-const IGNORED: &str = "* { mask: none !important; filter: none !important;
+/// within patterns. What has a filter, or a mask that is not followed, is taken for what others can be seen through.
+const IGNORED: &str = "* { filter: none !important;
     marker-start: none !important; marker-mid: none !important; marker-end: none !important }
     text, image, .scumble-colors { display: none !important }
     pattern * { fill: #808080 !important; stroke: none !important }
-    [mask], [filter] { mix-blend-mode: multiply !important }
+    [mask=\"url()\"], [filter] { mix-blend-mode: multiply !important }
     clipPath, clipPath * { clip-path: none !important }";
 
 /// Keeps it from clip paths.
 const UNCLIPPED: &str = "* { clip-path: none !important }";
+
+/// Keeps it from masks.
+const UNMASKED: &str = "* { mask: none !important } [mask] { mix-blend-mode: multiply !important }";
 
 /// Reads an SVG drawing.
 ///
@@ -60,6 +66,7 @@ pub fn import_svg(bytes: &[u8]) -> Result<Import, ImportError> {
     let Mends { mut edits, unreadable } = css::of(&xml);
     notes.bad_colors = unreadable;
     edits.extend(broken.into_iter().map(|shape| (shape, String::new())));
+    edits.extend(masks::edits(&xml));
     if edits.is_empty() {
         return import_tree(&xml, notes);
     }
@@ -68,16 +75,22 @@ pub fn import_svg(bytes: &[u8]) -> Result<Import, ImportError> {
 }
 
 /// Imports a tree of which every shape has usable coordinates.
-fn import_tree(xml: &Document, notes: ImportNotes) -> Result<Import, ImportError> {
-    let is_clipped = limits::check_tree(xml)?;
+fn import_tree(xml: &Document, mut notes: ImportNotes) -> Result<Import, ImportError> {
+    let followed = limits::check_tree(xml)?;
+    if followed.masks {
+        // What is wrong with others is known when they are met.
+        notes.masks = masks::replaced(xml);
+    }
     let unscaled = ["[vector-effect=non-scaling-stroke] {", css::UNSCALED, "}"].concat();
-    let style_sheet = [IGNORED, if is_clipped { "" } else { UNCLIPPED }, &unscaled].concat();
+    let clip_paths = if followed.clip_paths { "" } else { UNCLIPPED };
+    let masks = if followed.masks { "" } else { UNMASKED };
+    let style_sheet = [IGNORED, clip_paths, masks, &unscaled].concat();
     let options = Options { style_sheet: Some(style_sheet), ..Options::default() };
     let tree = usvg::Tree::from_xmltree(xml, &options).map_err(import_error)?;
     let size_px = [tree.size().width(), tree.size().height()].map(f64::from);
     let page = page::of(xml, size_px)?;
     let size = PageSize::of_svg(xml, page.rect);
-    let mut importer = Importer::new(page, notes, is_clipped);
+    let mut importer = Importer::new(page, notes, followed.clip_paths);
     importer.walk(tree.root(), has_masking_style(xml));
     importer.finish().map(|(drawing, notes)| Import { drawing, size, notes })
 }

@@ -118,7 +118,13 @@ fn the_deepest_drawings_that_are_read_need_little_stack() {
     let symbol = |i: usize| format!(r#"<symbol id="s{i}" viewBox="0 0 9 9">{}</symbol>"#, link(i + 1));
     let symbols: String = (0..95).map(symbol).collect();
     let symbols = svg(&format!(r#"{symbols}<symbol id="s95">{LINE}</symbol>{}"#, link(0)));
-    for deep in [groups, symbols] {
+    let masked = |inner: &str| [r#"<g mask="url(#m)">"#, inner, "</g>"].concat();
+    let masked = (0..90).fold(LINE.to_owned(), |inner, _| masked(&inner));
+    let masks = [95, 190].map(|levels| {
+        let content = [&"<g>".repeat(levels), LINE, &"</g>".repeat(levels)].concat();
+        svg(&format!(r#"<mask id="m">{content}</mask>{masked}"#))
+    });
+    for deep in [groups, symbols].into_iter().chain(masks) {
         let read = move || import_svg(deep.as_bytes()).map(|import| import.drawing.curves.len());
         let thread = std::thread::Builder::new().stack_size(STACK_BYTES).spawn(read).unwrap();
         assert_eq!(thread.join().unwrap(), Ok(1));
@@ -205,6 +211,87 @@ fn patterns_within_patterns_end() {
     let nested: String = (0..30).map(pattern).collect();
     let import = import_svg(svg(&format!(r#"{nested}<path d="M1 1h9v9z" fill="url(#p0)"/>"#)).as_bytes());
     assert_eq!(import.map(|import| import.drawing.curves.len()), Ok(1));
+}
+
+/// Masks that mask each other, or what is masked, without end.
+fn endless_masks() -> Vec<String> {
+    let masked = |i: usize| format!(r#"<rect width="9" height="9" fill="white" mask="url(#m{i})"/>"#);
+    let nested = |i: usize| format!(r#"<mask id="m{i}">{}</mask>"#, masked(i + 1).repeat(10));
+    let used = |i: usize| {
+        let group = format!(r#"<g id="g{i}">{}</g>"#, masked(i + 1).repeat(10));
+        format!(r##"<defs>{group}</defs><mask id="m{i}"><use href="#g{i}"/></mask>"##)
+    };
+    let linked = |i: usize| {
+        format!(r#"<mask id="m{i}" mask="url(#m{})"><path d="M0 0h9v9z" fill="white"/></mask>"#, i + 1)
+    };
+    let circle = |count: usize| -> String {
+        (0..count).map(|i| format!(r#"<mask id="m{i}">{}</mask>"#, masked((i + 1) % count))).collect()
+    };
+    let plain = r#"<mask id="m0"><path d="M0 0h9v9z" fill="white"/></mask>"#;
+    vec![
+        (0..30).map(nested).collect(),
+        (0..30).map(used).collect(),
+        (0..50_000).map(linked).collect(),
+        circle(1),
+        circle(2),
+        circle(3),
+        [plain, &circle(3)].concat(),
+        [plain, &circle(3).replace(" id=", " xml:id=")].concat(),
+        circle(3).replace(" mask=", " xlink:mask="),
+        circle(3).replace(r#"mask="url(#m1)""#, r#"style="MASK:url(#m1)""#),
+        format!(r#"<style>rect{{mask/**/:url(#m0)}}</style>{}"#, circle(3).replace(" mask=", " title=")),
+    ]
+}
+
+#[test]
+fn masks_that_mask_each_other_are_ignored_and_counted() {
+    for masks in endless_masks() {
+        let shape = r#"<path d="M1 1h30v30" fill="none" stroke="black" mask="url(#m0)"/>"#;
+        let svg = svg(&[&masks, shape].concat());
+        let svg = svg.replace("<svg ", r#"<svg xmlns:xlink="http://www.w3.org/1999/xlink" "#);
+        let import = import_svg(svg.as_bytes()).unwrap();
+        assert_eq!(import.drawing.curves[0].path.to_svg(), "M16,16 L496,16 L496,496", "{svg:.300}");
+        assert!(import.notes.masks > 0, "{svg:.300}");
+    }
+}
+
+#[test]
+fn masks_without_end_are_answered_soon() {
+    let mask = |content: &str| format!(r#"<mask id="m" fill="white">{content}</mask>"#);
+    let masked = |count: usize| r#"<path d="M1 1h30v30" mask="url(#m)"/>"#.repeat(count);
+    let square = r#"<path d="M0 0h9v9z"/>"#;
+    let stops = "<stop stop-color='white'/>".repeat(200);
+    let gradient = format!(r#"<linearGradient id="g">{stops}</linearGradient>"#);
+    let nothing = r#"<rect width="0" height="9"/>"#;
+    for content in [
+        [mask(&square.repeat(10)), masked(150_000)].concat(),
+        [mask(square), masked(20_000)].concat(),
+        [mask(&square.repeat(100)), masked(3000)].concat(),
+        [mask(&square.repeat(50_000)), masked(9)].concat(),
+        [mask(&square.repeat(50_000)), format!(r#"<mask id="n">{}</mask>"#, masked(50_000)), masked(1)]
+            .concat(),
+        [mask(&nothing.repeat(30_000)), masked(30_000)].concat(),
+        [
+            &gradient,
+            r#"<g fill="url(#g)">"#,
+            &mask(&square.repeat(9)).replace(" fill=\"white\"", ""),
+            "</g>",
+            &masked(9000),
+        ]
+        .concat(),
+        [
+            mask(&square.repeat(9)),
+            format!(r#"<pattern id="p" width="9" height="9">{}</pattern>"#, masked(100)),
+            r##"<path d="M1 1h30v30" fill="url(#p)"/>"##.repeat(9000),
+        ]
+        .concat(),
+    ] {
+        let file = svg(&content);
+        let start = std::time::Instant::now();
+        let _ = import_svg(file.as_bytes());
+        let took = start.elapsed();
+        assert!(took.as_secs() < 10, "{took:?} for {content:.60}…");
+    }
 }
 
 #[test]

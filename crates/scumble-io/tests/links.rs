@@ -4,6 +4,7 @@
 
 mod made;
 
+use std::collections::BTreeSet;
 use std::path::Path;
 use std::{fs, iter};
 
@@ -13,6 +14,7 @@ use scumble_core::{Curve, Document, Drawing, Paint, Scribble, Work};
 use scumble_io::{
     LinkError, MAX_LINK, import_svg, read_file, read_link, read_scribbles, write_file, write_link,
 };
+use serde_json::Value;
 
 const LINKS: &str = include_str!("fixtures/v1.0/links.txt");
 
@@ -170,27 +172,6 @@ fn work_that_could_not_be_read_again_gets_no_link() {
     refused(Document { scribbles: scattered, ..Document::new(page()) });
 }
 
-/// All fields of each kind of item, but for those that every file has.
-const KNOWN: [(Item, &str); Item::KINDS] = [
-    (
-        Item::Work,
-        r#""sample": "a.svg", "palette": [], "swatch_names": [], "color_points": [], "tracing_opacity": 1"#,
-    ),
-    (Item::Settings, r#""blend": "oklab", "engine": "global", "gap_closing": 1, "spread": true"#),
-    (
-        Item::Curve,
-        r##""path": "M 1 2 L 3 4", "width": 1, "color": "#000000", "caps": ["butt", "butt"], "join": "round",
-        "miter_limit": 4, "dashes": [1], "dash_offset": 1"##,
-    ),
-    (Item::Fill, r##""path": "M 1 2 L 3 4 Z", "rule": "nonzero", "color": "#000000""##),
-    (
-        Item::Scribble,
-        r#""color": "none", "width": 1, "kind": "shade", "strength": 1, "crosses": true, "points": [[1, 2]],
-        "radii": [1], "strengths": [1]"#,
-    ),
-    (Item::ColorPoint, r#""curve": 0, "side": "left", "at": 1, "color": "none""#),
-];
-
 /// What a link keeps of the fields of an item that are not known.
 fn linked(item: Item, fields: &str) -> Result<Work, LinkError> {
     let still =
@@ -200,16 +181,42 @@ fn linked(item: Item, fields: &str) -> Result<Work, LinkError> {
     read_link(&write_link(&work).unwrap().fragment)
 }
 
+/// The files of all versions, which have all fields.
+fn files() -> Vec<Vec<u8>> {
+    let versions = ["v1.0", "v1.1", "v1.2", "v1.3"];
+    let folders = versions.map(|version| root().join("crates/scumble-io/tests/fixtures").join(version));
+    let entries = folders.iter().flat_map(|folder| fs::read_dir(folder).unwrap());
+    let paths = entries.map(|entry| entry.unwrap().path());
+    let files = paths.filter(|path| path.extension().is_some_and(|ending| ending == "scumble"));
+    files.map(|path| fs::read(path).unwrap()).collect()
+}
+
+/// The names of the fields of all items of a kind in a file.
+fn names(file: &Value, item: Item) -> BTreeSet<&String> {
+    let list = |name: &str| file[name].as_array().into_iter().flatten().collect();
+    let items: Vec<_> = match item {
+        Item::Work => vec![file],
+        Item::Settings => vec![&file["settings"]],
+        Item::Curve => list("curves"),
+        Item::Fill => list("fills"),
+        Item::Scribble => list("scribbles"),
+        Item::ColorPoint => list("color_points"),
+    };
+    items.into_iter().filter_map(Value::as_object).flat_map(|fields| fields.keys()).collect()
+}
+
 #[test]
-fn no_field_that_a_file_has_is_among_those_that_are_not_known() {
-    let [work, settings, curve, fill, scribble, point] = KNOWN.map(|(_, fields)| fields);
-    let file = format!(
-        r#"{{"format": "scumble", "version": "1.2", "canvas": [0, 0, 1, 1], {work}, "settings": {{{settings}}},
-        "curves": [{{{curve}}}], "fills": [{{{fill}}}], "scribbles": [{{{scribble}}}], "color_points": [{{{point}}}]}}"#
-    );
-    assert_eq!(read_file(file.as_bytes()).unwrap().unknown, Unknown::default());
-    for (item, fields) in KNOWN {
-        assert_eq!(linked(item, fields).unwrap().unknown, Unknown::default(), "{fields}");
+fn a_link_keeps_those_unknown_fields_that_a_file_keeps() {
+    for file in files() {
+        let unknown = read_file(&file).unwrap().unknown;
+        let file = serde_json::from_slice(&file).unwrap();
+        let named = |item| names(&file, item).into_iter().map(move |name| (item, format!("\"{name}\"")));
+        for (item, name) in Item::ALL.into_iter().flat_map(named) {
+            let is_unknown = unknown.fields[item as usize].iter().any(|(_, text)| text.contains(&name));
+            let is_kept =
+                linked(item, &[&name, ": 0"].concat()).is_ok_and(|work| work.unknown != Unknown::default());
+            assert_eq!(is_kept, is_unknown, "{item:?} {name}");
+        }
     }
 }
 

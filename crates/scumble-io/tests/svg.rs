@@ -152,6 +152,22 @@ fn use_symbols_styles_and_units_are_resolved() {
 }
 
 #[test]
+fn symbols_with_a_size_of_their_own_lie_where_their_transforms_take_them() {
+    for overflow in ["", r#"overflow="visible""#] {
+        // From (0, -4) to (0, 4), in Illustrator's way upside down, then turned and moved.
+        let symbol = format!(
+            r##"<symbol id="s" viewBox="-5 -5 10 10" {overflow}><path d="M0-4V4" stroke="black"/></symbol>
+            <g transform="translate(16 0)"><use href="#s" width="10" height="10" x="-5" y="-5" transform="matrix(1 0 0 -1 0 32)"/>
+            <use href="#s" width="20" height="20" x="-10" y="-10" transform="translate(16 32) rotate(90)"/></g>"##
+        );
+        let curves = on_page(&symbol).drawing.curves;
+        assert_eq!(curves.len(), 2);
+        assert_close(bounds(&curves[0].path), [256.0, 448.0, 256.0, 576.0]);
+        assert_close(bounds(&curves[1].path), [384.0, 512.0, 640.0, 512.0]);
+    }
+}
+
+#[test]
 fn a_dark_area_is_ink_with_an_outline() {
     let import = on_page(r##"<path d="M8 8h16v16z M32 8h8v8z" fill="#202020" fill-rule="evenodd"/>"##);
     assert_eq!(import.drawing.curves.len(), 2);

@@ -1,11 +1,12 @@
 //! The walk through a tree of `usvg` in painting order, which makes a drawing of it.
 
-use kurbo::{Affine, BezPath};
+use kurbo::{Affine, BezPath, Rect, Shape as _};
 use scumble_core::work::MAX_CURVES;
 use scumble_core::{Curve, Drawing, Fill, Line};
 use usvg::{BlendMode, FillRule, Node, PaintOrder, ShapeRendering};
 
-use super::shape::{Filling, Shape};
+use super::mask;
+use super::shape::{Filling, Placed, Shape, affine};
 use crate::clip::{Clip, Outlines, Rest, TooMuch};
 use crate::doubles::without_doubles;
 use crate::error::ImportError;
@@ -22,6 +23,8 @@ pub(super) struct Importer {
     clip: Clip,
     /// Whether no clip path was left out.
     is_clipped: bool,
+    /// How many masks cut as clip paths do.
+    masks: usize,
     /// Whether the paper is dark: here it is white, so light lines are black.
     is_dark: bool,
     /// Groups within each other that are mixed with what is painted before them.
@@ -30,81 +33,125 @@ pub(super) struct Importer {
     covers: Vec<Cover>,
 }
 
+/// Where something is, and what all groups around it leave of its opacity. The transforms of groups tell that: what `usvg` says
+/// of the whole way, it says wrongly within symbols.
+#[derive(Clone, Copy, Debug)]
+struct Place {
+    du_from_user: Affine,
+    opacity: f32,
+}
+
+impl Place {
+    /// That of what is in a group.
+    fn within(self, group: &usvg::Group) -> Self {
+        let du_from_user = self.du_from_user * affine(group.transform());
+        Self { du_from_user, opacity: self.opacity * group.opacity().get() }
+    }
+}
+
 impl Importer {
     pub(super) fn new(page: Page, notes: ImportNotes, is_clipped: bool) -> Self {
         let drawing = Drawing::new(page.rect);
         let du_from_px = drawing.drawing_from_page() * page.page_from_px;
         let clip = Clip::new(drawing.frame());
-        Self { drawing, notes, du_from_px, clip, is_clipped, is_dark: false, blends: 0, covers: Vec::new() }
+        let (covers, is_dark) = (Vec::new(), false);
+        Self { drawing, notes, du_from_px, clip, is_clipped, masks: 0, is_dark, blends: 0, covers }
     }
 
     /// Takes all shapes of a tree. Where masks or filters may be at work that are not known, none of them hides others.
     pub(super) fn walk(&mut self, root: &usvg::Group, is_masked: bool) {
         self.blends += usize::from(is_masked);
-        self.group(root, 1.0);
+        self.group(root, Place { du_from_user: self.du_from_px, opacity: 1.0 });
     }
 
-    fn group(&mut self, group: &usvg::Group, opacity: f32) {
-        let is_clipped = group.clip_path().is_some_and(|clip_path| self.enter(group, clip_path));
-        let blends = usize::from(group.blend_mode() != BlendMode::Normal);
+    fn group(&mut self, group: &usvg::Group, around: Place) {
+        let place = around.within(group);
+        let outer = self.clip.depth();
+        self.clip_by_path(group, place);
+        let is_followed = self.clip_by_mask(group, place);
+        let blends = usize::from(group.blend_mode() != BlendMode::Normal || !is_followed);
         self.blends += blends;
-        self.children(group, opacity);
+        self.children(group, place);
         self.blends -= blends;
-        if is_clipped {
-            self.clip.pop();
-        }
+        self.clip.leave(outer);
     }
 
-    /// Whether a clip path hides anything; then it is one of those that shapes are cut by.
-    fn enter(&mut self, group: &usvg::Group, clip_path: &usvg::ClipPath) -> bool {
-        let du_from_clip = self.du_from_px * affine(group.abs_transform()) * affine(clip_path.transform());
-        let mut areas = Vec::new();
-        if self.clip_areas(clip_path.root(), du_from_clip, &mut areas).is_err() {
-            self.is_clipped = false;
-            return false;
+    /// Has shapes cut by the clip path of a group.
+    fn clip_by_path(&mut self, group: &usvg::Group, place: Place) {
+        let Some(clip_path) = group.clip_path() else { return };
+        let mut shapes = Vec::new();
+        add_shapes(clip_path.root(), affine(clip_path.transform()), &mut shapes);
+        self.is_clipped &= self.clip_by(&shapes, place.du_from_user).is_ok();
+    }
+
+    /// Has shapes cut by the mask of a group, and tells whether that is all that it does.
+    fn clip_by_mask(&mut self, group: &usvg::Group, place: Place) -> bool {
+        let Some(mask) = group.mask() else { return true };
+        let outer = self.clip.depth();
+        let region = mask.rect().to_rect();
+        let is_followed = mask::shapes(mask)
+            .is_some_and(|shapes| self.clip_by_shapes(&shapes, region, place.du_from_user).is_ok());
+        if is_followed {
+            self.masks += 1;
+        } else {
+            self.notes.masks += 1;
+            self.clip.leave(outer);
         }
+        is_followed
+    }
+
+    fn clip_by_shapes(
+        &mut self,
+        shapes: &mask::Shapes,
+        region: usvg::Rect,
+        du_from_mask: Affine,
+    ) -> Result<(), TooMuch> {
+        let [left, top, right, bottom] =
+            [region.left(), region.top(), region.right(), region.bottom()].map(f64::from);
+        let region = du_from_mask * Rect::new(left, top, right, bottom).to_path(0.0);
+        self.push(vec![(vec![region], false)])?;
+        self.clip_by(&shapes.shown, du_from_mask)?;
+        if shapes.hidden.is_empty() {
+            return Ok(());
+        }
+        let hidden = self.areas(&shapes.hidden, du_from_mask)?;
+        self.clip.push(hidden, true)
+    }
+
+    /// Has shapes cut by those of a clip path or a mask.
+    fn clip_by(&mut self, shapes: &[Placed<'_>], du_from_clip: Affine) -> Result<(), TooMuch> {
+        let areas = self.areas(shapes, du_from_clip)?;
+        self.push(areas)
+    }
+
+    /// Has shapes cut by some areas, unless these are the page.
+    fn push(&mut self, areas: Vec<Outlines>) -> Result<(), TooMuch> {
         let frame = self.drawing.frame();
         let is_page = matches!(&*areas, [(path, _)] if matches!(&**path, [path] if outline::is_rectangle_over(path, frame)));
-        let is_pushed = !is_page && self.clip.push(areas).is_ok();
-        self.is_clipped &= is_pushed || is_page;
-        is_pushed
+        if is_page { Ok(()) } else { self.clip.push(areas, false) }
     }
 
-    /// The areas of a clip path.
-    fn clip_areas(
-        &mut self,
-        group: &usvg::Group,
-        du_from_clip: Affine,
-        areas: &mut Vec<Outlines>,
-    ) -> Result<(), TooMuch> {
-        for child in group.children() {
-            match child {
-                Node::Group(group) => self.clip_areas(group, du_from_clip, areas)?,
-                Node::Path(path) if path.is_visible() => {
-                    self.clip.spend(path.data().verbs().len() as u64)?;
-                    let subpaths =
-                        outline::subpaths(path.data(), du_from_clip * affine(path.abs_transform()));
-                    let even_odd = path.fill().is_some_and(|fill| fill.rule() == FillRule::EvenOdd);
-                    areas.push((subpaths, even_odd));
-                }
-                Node::Path(_) | Node::Image(_) | Node::Text(_) => {}
-            }
-        }
-        Ok(())
+    fn areas(&mut self, shapes: &[Placed<'_>], du_from_clip: Affine) -> Result<Vec<Outlines>, TooMuch> {
+        let area = |(path, clip_from_user): &Placed<'_>| {
+            self.clip.spend(path.data().verbs().len() as u64)?;
+            let subpaths = outline::subpaths(path.data(), du_from_clip * *clip_from_user);
+            Ok((subpaths, path.fill().is_some_and(|fill| fill.rule() == FillRule::EvenOdd)))
+        };
+        shapes.iter().map(area).collect()
     }
 
-    fn children(&mut self, group: &usvg::Group, opacity: f32) {
+    fn children(&mut self, group: &usvg::Group, place: Place) {
         for child in group.children() {
             match child {
-                Node::Group(group) => self.group(group, opacity * group.opacity().get()),
-                Node::Path(path) if path.is_visible() => self.path(path, opacity),
+                Node::Group(group) => self.group(group, place),
+                Node::Path(path) if path.is_visible() => self.path(path, place),
                 Node::Path(_) | Node::Image(_) | Node::Text(_) => {}
             }
         }
     }
 
-    fn path(&mut self, path: &usvg::Path, opacity: f32) {
-        let shape = self.shape(path, opacity);
+    fn path(&mut self, path: &usvg::Path, place: Place) {
+        let shape = self.shape(path, place);
         let is_seen = shape.fill.is_some() || shape.line.is_some();
         self.notes.patterns += usize::from(is_seen && paint::has_pattern(path));
         let rest = self.rest(&shape);
@@ -121,21 +168,20 @@ impl Importer {
         self.draw(shape, rest);
     }
 
-    fn shape(&mut self, path: &usvg::Path, opacity: f32) -> Shape {
-        let du_from_path = self.du_from_px * affine(path.abs_transform());
-        let subpaths = self.usable(outline::subpaths(path.data(), du_from_path));
+    fn shape(&mut self, path: &usvg::Path, Place { du_from_user, opacity }: Place) -> Shape {
+        let subpaths = self.usable(outline::subpaths(path.data(), du_from_user));
         let fill = path.fill().filter(|_| subpaths.iter().any(outline::has_area));
         let fill = fill.and_then(|fill| Filling::of(fill, opacity, &subpaths, self.blends > 0));
         let is_under = path.paint_order() == PaintOrder::StrokeAndFill;
         let is_half_hidden = is_under && fill.is_some_and(|fill| fill.hides[0] && !fill.is_ink);
-        let line = self.line(path, opacity, du_from_path);
+        let line = self.line(path, opacity, du_from_user);
         let line = line.map(|line| if is_half_hidden { look::halved(line) } else { line });
         Shape { subpaths, line, fill }
     }
 
-    fn line(&self, path: &usvg::Path, opacity: f32, du_from_path: Affine) -> Option<Line> {
+    fn line(&self, path: &usvg::Path, opacity: f32, du_from_user: Affine) -> Option<Line> {
         let is_scaled = path.rendering_mode() != ShapeRendering::OptimizeSpeed;
-        let du_from_line = if is_scaled { du_from_path } else { self.du_from_px };
+        let du_from_line = if is_scaled { du_from_user } else { self.du_from_px };
         let line = look::line(path.stroke()?, opacity, du_from_line)?;
         Some(if self.is_dark { look::darkened(line) } else { line })
     }
@@ -195,8 +241,16 @@ impl Importer {
     fn rest(&mut self, Shape { subpaths, fill, .. }: &Shape) -> Option<Rest> {
         let Filling { even_odd, .. } = fill.filter(|_| !self.clip.is_empty())?;
         let rest = self.clip.area((subpaths.clone(), even_odd));
-        self.is_clipped &= rest.is_ok();
-        rest.ok().flatten()
+        rest.unwrap_or_else(|TooMuch| {
+            self.give_up();
+            None
+        })
+    }
+
+    /// What it takes too long to cut stays whole.
+    fn give_up(&mut self) {
+        self.is_clipped = false;
+        self.notes.masks += std::mem::take(&mut self.masks);
     }
 
     /// The subpaths whose coordinates are within reach.
@@ -213,9 +267,11 @@ impl Importer {
             return self.curves(subpaths, line);
         }
         for path in subpaths {
-            let seen = self.clip.line(&path);
-            self.is_clipped &= seen.is_ok();
-            self.curves(seen.unwrap_or_else(|TooMuch| vec![path]), line.clone());
+            let seen = self.clip.line(&path).unwrap_or_else(|TooMuch| {
+                self.give_up();
+                vec![path]
+            });
+            self.curves(seen, line.clone());
         }
     }
 
@@ -241,8 +297,15 @@ impl Importer {
     }
 }
 
-fn affine(t: usvg::Transform) -> Affine {
-    Affine::new([t.sx, t.ky, t.kx, t.sy, t.tx, t.ty].map(f64::from))
+/// Adds the shapes of a clip path.
+fn add_shapes<'a>(group: &'a usvg::Group, clip_from_user: Affine, shapes: &mut Vec<Placed<'a>>) {
+    for child in group.children() {
+        match child {
+            Node::Group(group) => add_shapes(group, clip_from_user * affine(group.transform()), shapes),
+            Node::Path(path) if path.is_visible() => shapes.push((path, clip_from_user)),
+            Node::Path(_) | Node::Image(_) | Node::Text(_) => {}
+        }
+    }
 }
 
 fn joined(subpaths: &[BezPath]) -> BezPath {

@@ -1,6 +1,6 @@
 //! A shape: its line, and whether its filling is ink that belongs to the lines or an area to be coloured.
 
-use kurbo::BezPath;
+use kurbo::{Affine, BezPath};
 use scumble_core::{Line, Rgba8};
 use usvg::FillRule;
 
@@ -12,6 +12,9 @@ const WIDEST_LINE_DU: f64 = 24.0;
 /// Areas of other colours that are as thin are lines where they are so many times as long as wide: a pencil's strokes that were
 /// made outlines.
 const LEAST_LENGTHS: f64 = 40.0;
+
+/// A path of a clip path or a mask, and how it lies there.
+pub(super) type Placed<'a> = (&'a usvg::Path, Affine);
 
 /// A shape before it is cut.
 #[derive(Debug)]
@@ -52,4 +55,8 @@ fn is_ink(color: Rgba8, [wide_du, long_du]: [f64; 2]) -> bool {
     let is_thin = wide_du <= WIDEST_LINE_DU;
     let is_line = is_thin && long_du >= LEAST_LENGTHS * wide_du && !paint::is_pale(color);
     is_line || paint::is_ink(color) && (is_thin || !paint::has_hue(color))
+}
+
+pub(super) fn affine(t: usvg::Transform) -> Affine {
+    Affine::new([t.sx, t.ky, t.kx, t.sy, t.tx, t.ty].map(f64::from))
 }

@@ -3,13 +3,14 @@
 
 use std::mem;
 
+use scumble_core::Document;
 use scumble_core::work::{Item, Work};
 
 use super::items::keep;
 use super::pressures::{self, RADII, STRENGTHS};
 use super::swatch_names::{are_named, name_swatches, push_names, read_names};
 use super::{NAMES_MINOR, PRESSURE_MINOR, SIZE_MINOR, VERSION};
-use crate::json::Json;
+use crate::json::{Fault, Json, Member};
 use crate::page_size::PageSize;
 
 /// The other fields that the schema has, for each kind of item; but for the page's size, which stays among those that are not
@@ -83,8 +84,19 @@ pub(crate) fn take_up(work: &mut Work) -> Option<()> {
 fn take_members(work: &mut Work, item: Item, index: usize, text: &str) -> Option<()> {
     let text = ["{", text, "}"].concat();
     let mut json = Json::within(&text, depth(item));
-    let (scribbles, palette) = (&mut work.document.scribbles, &mut work.document.palette);
-    let read = json.members(&mut |json, member| match (item, &*member.name) {
+    json.members(&mut |json, member| take_member(work, item, index, json, &member)).ok()?;
+    json.end().ok()
+}
+
+fn take_member(
+    work: &mut Work,
+    item: Item,
+    index: usize,
+    json: &mut Json,
+    member: &Member,
+) -> Result<(), Fault> {
+    let Document { scribbles, palette, .. } = &mut work.document;
+    match (item, &*member.name) {
         (Item::Work, "swatch_names") => {
             read_names(json, palette.len()).map(|names| name_swatches(palette, names))
         }
@@ -92,9 +104,8 @@ fn take_members(work: &mut Work, item: Item, index: usize, text: &str) -> Option
             pressures::press(json, name, scribbles.get_mut(index))
         }
         (_, name) if KNOWN[item as usize].contains(&name) => json.skip(),
-        _ => keep(json, &member, &mut work.unknown, item, index),
-    });
-    read.and_then(|()| json.end()).ok()
+        _ => keep(json, member, &mut work.unknown, item, index),
+    }
 }
 
 /// How deep an item lies in a file.
