@@ -71,6 +71,9 @@ const ACTIONS = new Map(
   ),
 );
 
+/** Arrow keys that are pressed within so long after one another are one gesture, as one that is held is. */
+const RUN_MS = 1_000;
+
 /** A key that is no letter, no digit, and has no name. */
 const SIGN = /^[^a-z\d]$/i;
 
@@ -137,6 +140,7 @@ export function listen(act, hold) {
     held.delete(key);
     if (action) hold(action, false);
   };
+  followRuns(() => act("settle"));
   window.addEventListener("keydown", (event) => {
     if (event.defaultPrevented || (event.altKey && !makesSign(event)) || document.querySelector("dialog[open]")) return;
     const chord = chordOf(event);
@@ -153,15 +157,37 @@ export function listen(act, hold) {
       hold(action, true);
     }
   });
-  window.addEventListener("keyup", (event) => {
-    release(event.key.toLowerCase());
-    // A key that is held is one gesture.
-    if (event.key.startsWith("Arrow")) act("settle");
-  });
+  window.addEventListener("keyup", (event) => release(event.key.toLowerCase()));
   window.addEventListener("blur", () => {
     // Keys that are let go elsewhere are not heard of.
     [...held.keys()].forEach(release);
     act("settle");
+  });
+}
+
+/**
+ * Ends the gesture of arrow keys where none is pressed for a while, or something else is done.
+ * @param {() => void} settle
+ */
+function followRuns(settle) {
+  let run = 0;
+  const end = () => {
+    // Without a run, what is in hand is a slider's.
+    if (run) settle();
+    clearTimeout(run);
+    run = 0;
+  };
+  window.addEventListener("pointerdown", end, true);
+  const follow = (/** @type {KeyboardEvent} */ { key }) => {
+    if (key.startsWith("Arrow")) clearTimeout(run);
+    // Shift is for arrows that go farther.
+    else if (key !== "Shift") end();
+  };
+  window.addEventListener("keydown", follow, true);
+  window.addEventListener("keyup", ({ key }) => {
+    if (!key.startsWith("Arrow")) return;
+    clearTimeout(run);
+    run = window.setTimeout(end, RUN_MS);
   });
 }
 

@@ -58,9 +58,24 @@ export class PaletteEditor {
 
   /** Shows the palette as it is. */
   follow() {
+    const before = this.#swatches;
     this.#swatches = this.#shell.swatches();
     this.#chosen = Math.min(this.#chosen, this.#last);
     this.#render();
+    // What is on its way gives the brush its colour when it stays.
+    if (this.#from === undefined) this.#lead(before);
+  }
+
+  /**
+   * Who scribbles with a swatch goes on with it where undo or redo has given it another colour: that swatch alone, as palettes
+   * of other drawings are other palettes.
+   * @param {Swatch[]} before
+   */
+  #lead(before) {
+    if (before.length !== this.#swatches.length) return;
+    const [other, ...more] = [...before.keys()].filter((i) => before[i].color !== this.#swatches[i].color);
+    if (more.length > 0 || before[other]?.color !== this.#shell.color()) return;
+    this.#shell.command("brush-color", this.#swatches[other].color);
   }
 
   /** The last one that is shown: a drawing may have more of them. */

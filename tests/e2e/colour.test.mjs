@@ -266,6 +266,23 @@ for (const browser of /** @type {const} */ (["chromium", "firefox"])) {
       assert.deepEqual(editor.tab.faults, []);
     });
 
+    test("the brush follows its swatch where undo and redo give it another colour, and stays where it was picked since", async () => {
+      const editor = await openColoured();
+      await openPanel(editor, "Edit palette");
+      await editor.tab.click("option", "Blue");
+      await write(editor, HEX, "#20a060");
+      await editor.tab.press("Escape");
+      const marked = () => editor.tab.evaluate(`[...document.querySelectorAll("#palette [aria-pressed=true]")].map((swatch) => swatch.dataset.color)`);
+      for (const [words, button, swatch] of [["Undone", "Undo", BLUE], ["Redone", "Redo", "#20a060"]]) {
+        await editor.until(words, () => editor.click(button));
+        assert.deepEqual([await color(editor), await marked()], [swatch, [swatch]], words);
+      }
+      await editor.click("Red");
+      await editor.until("Undone", () => editor.click("Undo"));
+      assert.equal(await color(editor), RED);
+      assert.deepEqual(editor.tab.faults, []);
+    });
+
     test("a swatch's other colour is the brush's, and not that of what is selected in other colours", async () => {
       const editor = await openColoured();
       await editor.click("Red");

@@ -66,6 +66,27 @@ for (const browser of /** @type {const} */ (["chromium", "firefox"])) {
       assert.deepEqual(editor.tab.faults, []);
     });
 
+    test("arrow keys that are pressed one after the other are one step, until something else is done or nothing is", async () => {
+      const editor = await open();
+      await show(editor);
+      // At once, so that no pause of the machine parts them.
+      const nudge = (/** @type {string[]} */ keys) =>
+        editor.until("moved", () => editor.tab.evaluate(`
+          for (const key of ${JSON.stringify(keys)}) {
+            for (const kind of ["keydown", "keyup"]) document.body.dispatchEvent(new KeyboardEvent(kind, { key, bubbles: true }));
+          }`));
+      const count = (/** @type {number} */ steps) => editor.tab.waitFor(`document.querySelectorAll("#history-panel [role=option]").length === ${steps}`);
+      await nudge(["ArrowRight", "ArrowRight", "ArrowDown"]);
+      await editor.until("selected", () => editor.tab.press("n"));
+      assert.deepEqual((await steps(editor)).slice(3), ["Recoloured", "* Moved"]);
+      await nudge(["ArrowLeft", "ArrowLeft"]);
+      await count(6);
+      await nudge(["ArrowUp", "ArrowUp"]);
+      await count(7);
+      assert.deepEqual((await steps(editor)).slice(3), ["Recoloured", "Moved", "Moved", "* Moved"]);
+      assert.deepEqual(editor.tab.faults, []);
+    });
+
     test("a click goes to a step, and what is done from there takes the place of the later ones", async () => {
       const editor = await open();
       await editor.tab.click("button", "History");

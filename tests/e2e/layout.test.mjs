@@ -130,6 +130,17 @@ for (const browser of /** @type {const} */ (["chromium", "firefox"])) {
       }
     });
 
+    test("on a phone held lengthwise all that shading takes is seen without scrolling", async () => {
+      await editor.tab.resize(844, 390);
+      await editor.tab.click("radio", "Shade");
+      const [rail, shading] = await editor.tab.evaluate(`{
+        const rail = document.querySelector("aside");
+        rail.scrollTop = 0;
+        [rail, document.getElementById("shading")].map((part) => part.getBoundingClientRect().bottom);
+      }`);
+      assert.ok(shading <= rail, `${shading} in ${rail}`);
+    });
+
     test("on a small phone for fingers, the bar fits, what is said is whole, and rows that go on fade", async () => {
       await editor.tab.resize(320, 568);
       await editor.tab.evaluate(`document.getElementById("unsaved").hidden = false`);

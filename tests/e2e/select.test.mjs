@@ -167,12 +167,10 @@ for (const browser of /** @type {const} */ (["chromium", "firefox"])) {
       assert.equal(await tab.evaluate(`document.querySelector('input[name="tool"]:checked').value`), "select");
       await editor.until("Scribble 1 of 2 selected", () => tab.press("n"));
       const [before] = /** @type {Point[]} */ (await frame(editor));
-      await editor.until("moved", () => tab.press("ArrowRight"));
-      await tab.hold("Shift", () => editor.until("moved", () => tab.press("ArrowDown")));
+      await tab.hold("ArrowRight", () => tab.hold("Shift", () => editor.until("moved", () => tab.press("ArrowDown"))));
       const [after] = /** @type {Point[]} */ (await frame(editor));
       const [[ax, ay], [bx, by]] = await editor.place([[0, 0], [SIDE / 1024, (10 * SIDE) / 1024]], SIDE);
       assert.ok(Math.hypot(after[0] - before[0] - (bx - ax), after[1] - before[1] - (by - ay)) < 0.1, `${after}`);
-      await editor.until("Undone", () => tab.hold("Control", () => tab.press("z")));
       await editor.until("Undone", () => tab.hold("Control", () => tab.press("z")));
       assert.deepEqual((await frame(editor))?.[0].map(Math.round), before.map(Math.round));
       await tab.hold("Control", () => editor.until("duplicated", () => tab.press("d")));
