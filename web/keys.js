@@ -178,6 +178,8 @@ function followRuns(settle) {
     run = 0;
   };
   window.addEventListener("pointerdown", end, true);
+  // Those who speak their commands click without a pointer.
+  window.addEventListener("click", end, true);
   const follow = (/** @type {KeyboardEvent} */ { key }) => {
     if (key.startsWith("Arrow")) clearTimeout(run);
     // Shift is for arrows that go farther.

@@ -431,6 +431,7 @@ async function start() {
   receive((file) => opening.file(file), (text) => opening.text(text));
   window.addEventListener("hashchange", () => void (location.hash && opening.address()));
   window.addEventListener("beforeunload", (event) => {
+    engine.command("settle");
     if (drawings.areAtRisk) event.preventDefault();
   });
   window.addEventListener("pagehide", leave);

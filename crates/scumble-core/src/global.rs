@@ -12,10 +12,9 @@
 //! hand that leaves its region a little. What is at hand is another matter: there the nearest scribble has its say,
 //! however narrow its place, so that a dab near a line colours that line.
 //!
-//! Colours stop at the [gaps](PlanarMap::gaps) of the map, but for those that lead into `pockets`, and into the corners of
-//! closed `shapes`. With `spread`, they
-//! go on from there: through all gaps, and then across lines, into each region from the neighbour that shares the
-//! longest border with it.
+//! Colours stop at the [gaps](PlanarMap::gaps) of the map, but for those that lead into `pockets`, through `halls` that they have
+//! enough of, and into the corners of closed `shapes`. With `spread`, they go on from there: through all gaps, and then across
+//! lines, into each region from the neighbour that shares the longest border with it.
 //!
 //! A minimum cut on the places in doubt was not needed: on the quality set, this flood alone is ahead of cuts on
 //! pixels, and of the best of three methods picked for each drawing.

@@ -511,6 +511,10 @@ fn a_stroke_across_stripes_means_them_and_one_that_slips_over_a_rim_does_not() {
     assert_eq!(colored_rooms(&stripes_du, &turns), [0, 1, 2, 3], "where it turns around it may have slipped");
     let rim_du = [100.0, 500.0, 515.0, 700.0];
     assert_eq!(colored_rooms(&rim_du, &[(300.0, 400.0), (540.0, 400.0)]), [0]);
+    let rims_du = [100.0, 115.0, 500.0, 515.0, 700.0];
+    let hatching: Vec<_> =
+        (0..40).map(|i| (if i % 2 == 0 { 90.0 } else { 540.0 }, 310.0 + 4.5 * f64::from(i))).collect();
+    assert_eq!(colored_rooms(&rims_du, &hatching), [1], "over rims on both sides");
 }
 
 /// A tree beside a house, and some of a child, on 800 × 600 units: the crown ends just above the trunk.

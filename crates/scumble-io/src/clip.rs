@@ -1,4 +1,4 @@
-//! What clip paths, or what is painted over them, leave of shapes, as the Bézier curves that they are.
+//! What clip paths, masks that cut as these do, or what is painted over them, leave of shapes, as the Bézier curves that they are.
 //!
 //! Each outline is parted where it crosses another one, and every part is asked for what lies at its two sides: of lines there
 //! remain those that are seen, of an area what has the seen on one side alone. (Libraries that cut areas make polygons of

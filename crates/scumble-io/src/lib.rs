@@ -12,7 +12,8 @@
 //! | … what its lines look like | `look` |
 //! | … its colours and styles as browsers read them | `css` |
 //! | … its paths as Bézier paths | `outline` |
-//! | … what its clip paths leave | `clip` |
+//! | … what its clip paths and masks leave | `clip` |
+//! | … which masks are followed | `masks` |
 //! | … what its areas hide | `hidden` |
 //! | … which of its outlines are lines, too | `doubles` |
 //! | … what keeps a hostile file from hanging the reader | `limits`, `expansion`, `geometry`, `style_sheet` |

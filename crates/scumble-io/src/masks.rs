@@ -52,21 +52,27 @@ pub(crate) fn are_followed(xml: &Document, expansions: &Expansions, paint_server
         && whole.height + highest <= MAX_DEPTH
         && elements(xml, "pattern").all(|pattern| expansions.of(pattern).masked == 0)
         && unfollowed(xml, expansions).next().is_none()
+        && mask_attributes(xml).all(|mask| is_known(mask.value()))
         && !are_in_styles(xml)
+}
+
+/// Whether it is known what a value refers to, as it is not where it is inherited.
+fn is_known(value: &str) -> bool {
+    matches!(value, "none" | UNFOLLOWED) || FuncIRI::from_str(value).is_ok()
 }
 
 /// Whether a style may mask something: then it is not known what.
 fn are_in_styles(xml: &Document) -> bool {
+    let names_mask = |css: &str| css.matches("mask").count() > css.matches("mask-type").count();
     let mut styles = xml.descendants().filter_map(|node| node.attribute("style"));
-    style_sheet::texts(xml).any(|css| css.contains("url("))
-        || styles.any(|css| css.contains("mask") && css.contains("url("))
+    style_sheet::texts(xml).any(|css| css.contains("url(") || names_mask(css)) || styles.any(names_mask)
 }
 
 /// The attributes that refer to something else than masks of nothing but shapes.
 fn unfollowed<'a>(xml: &'a Document, expansions: &Expansions) -> impl Iterator<Item = Attribute<'a, 'a>> {
     let mut plain = HashMap::new();
     for node in xml.descendants() {
-        let is_plain = node.tag_name().name() == "mask" && expansions.of(node).beyond_shapes == 0;
+        let is_plain = node.tag_name().name() == "mask" && is_plain(node, expansions.of(node));
         for id in node.attributes().filter(|attribute| attribute.name() == "id") {
             // Of several of a name it is not known which counts.
             *plain.entry(id.value()).or_insert(true) &= is_plain;
@@ -75,6 +81,12 @@ fn unfollowed<'a>(xml: &'a Document, expansions: &Expansions) -> impl Iterator<I
     mask_attributes(xml).filter(move |mask| {
         FuncIRI::from_str(mask.value()).is_ok_and(|FuncIRI(id)| plain.get(id) == Some(&false))
     })
+}
+
+/// Whether a mask has shapes alone. One in units of what it masks is not followed: `usvg` shows nothing of a line without height
+/// then, and knows no size of a text or an image.
+fn is_plain(mask: Node, Expansion { beyond_shapes, segments, .. }: Expansion) -> bool {
+    beyond_shapes == 0 && segments > 0 && mask.attribute("maskContentUnits") != Some("objectBoundingBox")
 }
 
 fn mask_attributes<'a>(xml: &'a Document) -> impl Iterator<Item = Attribute<'a, 'a>> {

@@ -228,7 +228,17 @@ fn endless_masks() -> Vec<String> {
         (0..count).map(|i| format!(r#"<mask id="m{i}">{}</mask>"#, masked((i + 1) % count))).collect()
     };
     let plain = r#"<mask id="m0"><path d="M0 0h9v9z" fill="white"/></mask>"#;
+    let inherited = |i: usize| {
+        let mask = r#"mask="inherit" maskUnits="userSpaceOnUse" width="9" height="9""#;
+        let next = (i + 1) % 3;
+        format!(
+            r#"<g mask="url(#m{next})"><mask id="m{i}" {mask}><path d="M0 0h9v9z" fill="white"/></mask></g>"#
+        )
+    };
+    let inherits = (0..3).map(inherited).collect::<String>();
     vec![
+        inherits.replace(r#"mask="inherit""#, r#"style="mask:inherit""#),
+        inherits,
         (0..30).map(nested).collect(),
         (0..30).map(used).collect(),
         (0..50_000).map(linked).collect(),
@@ -265,6 +275,14 @@ fn masks_without_end_are_answered_soon() {
     let nothing = r#"<rect width="0" height="9"/>"#;
     for content in [
         [mask(&square.repeat(10)), masked(150_000)].concat(),
+        [
+            "<style>path{mask:inherit}</style>",
+            &mask(&square.repeat(100)),
+            r#"<g mask="url(#m)">"#,
+            &r#"<path d="M1 1h30v30"/>"#.repeat(50_000),
+            "</g>",
+        ]
+        .concat(),
         [mask(square), masked(20_000)].concat(),
         [mask(&square.repeat(100)), masked(3000)].concat(),
         [mask(&square.repeat(50_000)), masked(9)].concat(),

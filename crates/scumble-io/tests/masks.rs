@@ -46,7 +46,6 @@ fn lines_end_where_a_mask_of_plain_shapes_does() {
         r##"<defs><rect id="path-1" x="8" y="8" width="16" height="16"/></defs>
             <mask id="m" fill="white"><use xlink:href="#path-1"/></mask>"##,
         r#"<mask id="m" maskUnits="userSpaceOnUse" x="8" y="8" width="16" height="16"><path d="M0 0H64V64H0z" fill="white"/></mask>"#,
-        r#"<mask id="m" maskContentUnits="objectBoundingBox"><rect x=".125" y=".125" width=".25" height=".25" fill="white"/></mask>"#,
         r#"<style>.w{fill:#fff}</style><mask id="m"><g class="w"><path d="M8 8h8v16h-8z"/><path d="M16 8h8v16h-8z"/></g></mask>"#,
         r#"<mask id="m"><rect x="8" y="8" width="16" height="16" fill="white"/><path d="M0 0h64v64z" display="none"/></mask>"#,
         r##"<symbol id="s" viewBox="0 0 4 4" overflow="visible"><path d="M0 0h4v4h-4z"/></symbol>
@@ -182,6 +181,15 @@ fn masks_that_are_more_than_shapes_are_ignored_and_counted() {
 }
 
 #[test]
+fn masks_in_units_of_what_they_mask_are_ignored_and_counted() {
+    let mask = r#"<mask id="m" maskUnits="userSpaceOnUse" maskContentUnits="objectBoundingBox"><path d="M0 0h1v1h-1z" fill="white"/></mask>"#;
+    let line = r#"<path d="M0 16H64" stroke="black" mask="url(#m)"/>"#;
+    let import = on_page(&[mask, line].concat());
+    assert_bounds(&import.drawing, &WHOLE[..1]);
+    assert_eq!(import.notes.masks, 1);
+}
+
+#[test]
 fn masks_that_are_followed_are_not_counted_beside_others() {
     let gray = r#"<mask id="n" fill="gray"><path d="M8 8h16v16h-16z"/></mask>"#;
     let gradient =
@@ -210,6 +218,7 @@ fn masks_in_styles_are_ignored_and_counted() {
         ("", r#"style="mask : url(#m)""#),
         ("<style>.a{mask:url(#m)}</style>", r#"class="a""#),
         ("<style>.a{mask:url(#m)}</style>", r#"mask="url(#m)""#),
+        ("<style>path{mask:inherit}</style>", r#"mask="url(#m)""#),
     ] {
         let lines = LINES.replace(r#"mask="url(#m)""#, attribute);
         let import = on_page(&[sheet, MASK, &lines].concat());

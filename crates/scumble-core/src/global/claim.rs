@@ -156,6 +156,9 @@ impl Route {
     fn go_on(&mut self, p: Point, room: u32, visits: &mut SmallMap<Visit>) -> f64 {
         // Beyond the page, there are no samples.
         let last = self.stay.filter(|stay| stay.to.distance(p) <= 2.0 * SAMPLE_SPACING_DU);
+        if last.is_none() {
+            *self = Self::default();
+        }
         let from = last.filter(|stay| stay.room == room).map_or(p, |stay| stay.from);
         if let Some(left) = last.filter(|stay| stay.room != room) {
             self.leave(&left, p, room, visits);
@@ -168,17 +171,26 @@ impl Route {
     /// Leaves a room for another.
     fn leave(&mut self, left: &Stay, p: Point, room: u32, visits: &mut SmallMap<Visit>) {
         let is_through = self.before.is_some_and(|before| before != room);
+        // One that is wide by itself says nothing of a rim beside it.
+        let is_wide = left.reach_du() >= CROSSED_DU;
+        if is_wide {
+            self.begin(left.from);
+        }
         if is_through {
             self.crossed.push(left.room);
             if self.crossed_from.distance(left.to) >= CROSSED_DU {
                 self.crossed.drain(..).for_each(|room| visits.entry(room).is_crossed = true);
             }
         }
-        if !is_through || left.reach_du() >= CROSSED_DU {
-            self.crossed.clear();
-            self.crossed_from = p;
+        if is_wide || !is_through {
+            self.begin(p);
         }
         self.before = Some(left.room);
+    }
+
+    fn begin(&mut self, p: Point) {
+        self.crossed.clear();
+        self.crossed_from = p;
     }
 }
 

@@ -18,7 +18,7 @@ const CLOSED_HALL: f64 = 1.0 / 16.0;
 /// The same where lines are all around but for gaps that are narrow beside it, as in a house whose corners are open by a hair.
 const TIGHT_HALL: f64 = 0.25;
 
-/// A gap is narrow beside a hall that is more than so many times as wide.
+/// A gap is narrow beside a hall if it is no wider than this part of its size, that of a square as large.
 const NARROW: f64 = 0.075;
 
 /// Rooms that hang together through some doors.
