@@ -517,6 +517,17 @@ fn a_stroke_across_stripes_means_them_and_one_that_slips_over_a_rim_does_not() {
     assert_eq!(colored_rooms(&rims_du, &hatching), [1], "over rims on both sides");
 }
 
+/// A map of lines of one width, in du, and what a stroke colours there; lines and stroke in units of so many du.
+fn stroked(paths: &[&str], width_du: f64, stroke: [(f64, f64); 2], unit_du: f64) -> (PlanarMap, Labels) {
+    let du_from_units = Affine::scale(unit_du);
+    let line = |path: &&str| (du_from_units * BezPath::from_svg(path).expect("a path"), width_du);
+    let map = sampled(paths.iter().map(line).collect(), 0.5, &Sampling::default());
+    let points = stroke.map(|p| du_from_units * Point::from(p)).into();
+    let stroke = Scribble { color: Paint::Clear, kind: ScribbleKind::Fill, width_du: 16.0, points };
+    let labels = fresh(&map, false, &[stroke]);
+    (map, labels)
+}
+
 /// A tree beside a house, and some of a child, on 800 × 600 units: the crown ends just above the trunk.
 const TREE_BESIDE_HOUSE: [&str; 10] = [
     "M179.7 300.8C179.3 313.8 177.2 352.4 177.4 379.1C177.6 405.8 179.3 437.5 180.9 461.0C182.5 484.5 185.8 510.3 186.8 520.1",
@@ -534,16 +545,8 @@ const TREE_BESIDE_HOUSE: [&str; 10] = [
 /// The ends of the crown and of the trunk leave a crevice between them, from which a hair of light leads into either place.
 #[test]
 fn a_crown_does_not_run_out_through_a_crevice_beside_its_trunk() {
-    let du_from_units = Affine::scale(1024.0 / 800.0);
-    let lines = TREE_BESIDE_HOUSE.map(|path| (du_from_units * BezPath::from_svg(path).expect("a path"), 6.4));
-    let map = sampled(lines.into(), 0.5, &Sampling::default());
-    let scribble = Scribble {
-        color: Paint::Clear,
-        kind: ScribbleKind::Fill,
-        width_du: 16.0,
-        points: [(90.0, 320.0), (110.0, 350.0)].map(|p| du_from_units * Point::from(p)).into(),
-    };
-    let labels = fresh(&map, false, &[scribble]);
+    let stroke = [(90.0, 320.0), (110.0, 350.0)];
+    let (map, labels) = stroked(&TREE_BESIDE_HOUSE, 6.4, stroke, 1024.0 / 800.0);
     let is_left_colored = |xs, ys| is_left_colored(&map, &labels, xs, ys);
     assert!(is_left_colored(205.0..215.0, 380.0..480.0), "the crown");
     assert!(!is_left_colored(220.0..240.0, 520.0..650.0), "beside the house");
@@ -575,16 +578,7 @@ const HOUSE: [&str; 9] = [
 
 #[test]
 fn a_house_with_corners_open_by_a_hair_is_filled_from_beside_its_door() {
-    let du_from_units = Affine::scale(2.9);
-    let lines = HOUSE.map(|path| (du_from_units * BezPath::from_svg(path).expect("a path"), 10.0));
-    let map = sampled(lines.into(), 0.5, &Sampling::default());
-    let scribble = Scribble {
-        color: Paint::Clear,
-        kind: ScribbleKind::Fill,
-        width_du: 16.0,
-        points: [(45.0, 210.0), (100.0, 215.0)].map(|p| du_from_units * Point::from(p)).into(),
-    };
-    let labels = fresh(&map, false, &[scribble]);
+    let (map, labels) = stroked(&HOUSE, 10.0, [(45.0, 210.0), (100.0, 215.0)], 2.9);
     let is_left_colored = |xs, ys| is_left_colored(&map, &labels, xs, ys);
     assert!(is_left_colored(775.0..790.0, 330.0..680.0), "the right wall");
     assert!(!is_left_colored(718.0..732.0, 390.0..480.0), "the window");

@@ -181,15 +181,6 @@ fn masks_that_are_more_than_shapes_are_ignored_and_counted() {
 }
 
 #[test]
-fn masks_in_units_of_what_they_mask_are_ignored_and_counted() {
-    let mask = r#"<mask id="m" maskUnits="userSpaceOnUse" maskContentUnits="objectBoundingBox"><path d="M0 0h1v1h-1z" fill="white"/></mask>"#;
-    let line = r#"<path d="M0 16H64" stroke="black" mask="url(#m)"/>"#;
-    let import = on_page(&[mask, line].concat());
-    assert_bounds(&import.drawing, &WHOLE[..1]);
-    assert_eq!(import.notes.masks, 1);
-}
-
-#[test]
 fn masks_that_are_followed_are_not_counted_beside_others() {
     let gray = r#"<mask id="n" fill="gray"><path d="M8 8h16v16h-16z"/></mask>"#;
     let gradient =
@@ -227,12 +218,16 @@ fn masks_in_styles_are_ignored_and_counted() {
     }
 }
 
+/// Nothing can be told by the size of such a line.
 #[test]
-fn a_line_without_height_keeps_a_mask_of_its_own_size_off() {
-    let line = r#"<path d="M0 16H64" stroke="black" mask="url(#m)"/>"#;
-    let import = on_page(&[MASK, line].concat());
-    assert_bounds(&import.drawing, &WHOLE[..1]);
-    assert_eq!(import.notes.masks, 1);
+fn masks_in_units_of_a_line_without_height_are_ignored_and_counted() {
+    let content = r#"<mask id="m" maskUnits="userSpaceOnUse" maskContentUnits="objectBoundingBox"><path d="M0 0h1v1h-1z" fill="white"/></mask>"#;
+    for mask in [MASK, content] {
+        let line = r#"<path d="M0 16H64" stroke="black" mask="url(#m)"/>"#;
+        let import = on_page(&[mask, line].concat());
+        assert_bounds(&import.drawing, &WHOLE[..1]);
+        assert_eq!(import.notes.masks, 1, "{mask}");
+    }
 }
 
 #[test]
