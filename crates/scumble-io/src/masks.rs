@@ -26,6 +26,9 @@ const MAX_MASKED: u64 = 20_000;
 
 /// Where a mask is to be taken from its element, and what is to stand there.
 pub(crate) fn edits(xml: &Document) -> Vec<(Range<usize>, String)> {
+    if mask_attributes(xml).next().is_none() {
+        return Vec::new();
+    }
     // What cannot be counted is refused later.
     let Ok(expansions) = expansion::of(xml, &expansion::ids(xml)) else { return Vec::new() };
     let places = unfollowed(xml, &expansions).map(|mask| mask.range_value());
