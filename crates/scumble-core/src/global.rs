@@ -25,6 +25,7 @@ mod crossing;
 mod flood;
 mod halls;
 mod pockets;
+mod route;
 mod shapes;
 mod shown;
 

@@ -3,10 +3,11 @@
 use kurbo::Point;
 
 use super::flood::{Cost, Ways, cost, length};
+use super::route::Route;
 use crate::clearance::{OPEN_DU, distance_to_lines_du, lines_under};
 use crate::planar_map::PlanarMap;
 use crate::small_map::SmallMap;
-use crate::stroke::{SAMPLE_SPACING_DU, Stroke};
+use crate::stroke::Stroke;
 
 /// A scribble holds its place like a passage that is this many times as wide as its distance from the drawn lines. With
 /// less, the scribble furthest from all lines takes a room for itself (which is better on drawings whose lights and
@@ -53,10 +54,6 @@ const THROUGH: f64 = 0.4;
 
 /// The same in any room, however large, and around the one that was drawn in, in du.
 const FAR_DU: f64 = 100.0;
-
-/// Rooms are meant, too, that a scribble goes right through, one after the other: in at one line and out at another, so far in all,
-/// in du.
-const CROSSED_DU: f64 = 30.0;
 
 /// A room lies around another, as far as one can tell, if it is at the border of the page, or so many times as large.
 const AROUND: f64 = 8.0;
@@ -117,81 +114,11 @@ struct Visit {
     area_du2: f64,
     /// How far the scribble went on from where it came in, in du.
     reach_du: f64,
-    /// Whether it went right through, here and beside it, for [`CROSSED_DU`].
+    /// Whether it went right through.
     is_crossed: bool,
     seeds: Vec<Seed>,
     /// How many of them have been let in.
     let_in: usize,
-}
-
-/// The way of a scribble from room to room.
-#[derive(Clone, Debug, Default)]
-struct Route {
-    /// Where it is.
-    stay: Option<Stay>,
-    /// The room where it was before.
-    before: Option<u32>,
-    /// The rooms that it has just gone through.
-    crossed: Vec<u32>,
-    /// Where it came into the first of them.
-    crossed_from: Point,
-}
-
-/// A room, with the first and the last sample there.
-#[derive(Clone, Copy, Debug)]
-struct Stay {
-    room: u32,
-    from: Point,
-    to: Point,
-}
-
-impl Stay {
-    fn reach_du(&self) -> f64 {
-        self.from.distance(self.to)
-    }
-}
-
-impl Route {
-    /// Goes on to a sample in a room; how far that is from where the scribble came in there, in du.
-    fn go_on(&mut self, p: Point, room: u32, visits: &mut SmallMap<Visit>) -> f64 {
-        // Beyond the page, there are no samples.
-        let last = self.stay.filter(|stay| stay.to.distance(p) <= 2.0 * SAMPLE_SPACING_DU);
-        if last.is_none() {
-            *self = Self::default();
-        }
-        let from = last.filter(|stay| stay.room == room).map_or(p, |stay| stay.from);
-        if let Some(left) = last.filter(|stay| stay.room != room) {
-            self.leave(&left, p, room, visits);
-        }
-        let stay = Stay { room, from, to: p };
-        self.stay = Some(stay);
-        stay.reach_du()
-    }
-
-    /// Leaves a room for another.
-    fn leave(&mut self, left: &Stay, p: Point, room: u32, visits: &mut SmallMap<Visit>) {
-        let is_through = self.before.is_some_and(|before| before != room);
-        // One that is wide by itself says nothing of a rim beside it.
-        let is_wide = left.reach_du() >= CROSSED_DU;
-        if is_wide {
-            self.begin(left.from);
-        }
-        if is_through {
-            self.crossed.push(left.room);
-            if self.crossed_from.distance(left.to) >= CROSSED_DU {
-                self.crossed.drain(..).for_each(|room| visits.entry(room).is_crossed = true);
-            }
-        }
-        if is_wide || !is_through {
-            self.begin(p);
-        }
-        self.before = Some(left.room);
-    }
-
-    fn begin(&mut self, p: Point) {
-        self.crossed.clear();
-        self.crossed_from = p;
-    }
 }
 
 impl Claim {
@@ -209,7 +136,7 @@ impl Claim {
             let is_on_lines = distance_du <= 0.0;
             let place = if is_on_lines { shown_by_lines(map, ways, p, [base, *triangle]) } else { *triangle };
             let room = ways.room_of[place];
-            let reach_du = route.go_on(p, room, visits);
+            let reach_du = route.go_on(p, room, |room| visits.entry(room).is_crossed = true);
             let visit = visits.entry(room);
             visit.area_du2 = ways.rooms.area_du2(room);
             visit.reach_du = visit.reach_du.max(reach_du);
