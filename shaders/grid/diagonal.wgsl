@@ -10,7 +10,7 @@ fn weighted(weight: f32, place: vec2<i32>) -> vec4<f32> {
 
 fn kernel(place: vec2<i32>) -> vec4<f32> {
     largest = 0.0;
-    let hold = texel(first, place).x;
+    let hold = weights(first, place).x;
     let diagonal = hold + linked(place).x;
     let most = max(diagonal, 4.0 * largest);
     if most > 0.0 {

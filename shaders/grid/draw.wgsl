@@ -2,5 +2,5 @@
 
 @fragment
 fn fragment(@builtin(position) position: vec4<f32>) -> @location(0) vec4<u32> {
-    return bitcast<vec4<u32>>(kernel(vec2<i32>(position.xy)));
+    return written(kernel(vec2<i32>(position.xy)));
 }

@@ -3,9 +3,9 @@
 fn linked(place: vec2<i32>) -> vec4<f32> {
     let cell = place.x % level.columns;
     let slot = place.x / level.columns;
-    let to_east = texel(east, place);
-    let to_south = texel(south, place);
-    let inside = load(within, place);
+    let to_east = weights(east, place);
+    let to_south = weights(south, place);
+    let inside = weights(within, place);
     var sum = vec4(0.0);
     for (var other = 0; other < level.slots; other++) {
         let across = vec2(other * level.columns + cell, place.y);
@@ -13,8 +13,8 @@ fn linked(place: vec2<i32>) -> vec4<f32> {
         let northern = across - vec2(0, 1);
         sum += weighted(to_east[other], across + vec2(1, 0));
         sum += weighted(to_south[other], across + vec2(0, 1));
-        sum += weighted(load(east, western)[slot], western);
-        sum += weighted(load(south, northern)[slot], northern);
+        sum += weighted(weights(east, western)[slot], western);
+        sum += weighted(weights(south, northern)[slot], northern);
         sum += weighted(inside[other], across);
     }
     return sum;

@@ -48,14 +48,14 @@ fn visit_links(cell: vec2<i32>, member: i32) {
     for (var other = 0; other < level.slots; other++) {
         if (quarter & 1) != 0 {
             let western = (quarter - 1) * level.slots + other;
-            visit(member, western, load(east, member_place(cell, western))[slot]);
+            visit(member, western, weights(east, member_place(cell, western))[slot]);
         }
         if (quarter & 2) != 0 {
             let northern = (quarter - 2) * level.slots + other;
-            visit(member, northern, load(south, member_place(cell, northern))[slot]);
+            visit(member, northern, weights(south, member_place(cell, northern))[slot]);
         }
         if other < slot {
-            visit(member, member - slot + other, load(within, member_place(cell, member))[other]);
+            visit(member, member - slot + other, weights(within, member_place(cell, member))[other]);
         }
     }
 }

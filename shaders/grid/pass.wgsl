@@ -4,7 +4,7 @@
 // Programs compute many texels in one invocation: private variables keep what the last one has left, so kernels set all that
 // they read.
 //
-// Textures hold the bits of floats: whole numbers can be drawn on every device, floats on some alone.
+// Textures hold the bits of floats, or of halves: whole numbers can be drawn on every device, floats on some alone.
 
 alias Texels = texture_2d<u32>;
 
@@ -18,5 +18,13 @@ fn extent(texels: Texels) -> vec2<i32> {
 
 // A texel within the border.
 fn texel(texels: Texels, place: vec2<i32>) -> vec4<f32> {
-    return bitcast<vec4<f32>>(textureLoad(texels, place, 0));
+    return numbers(textureLoad(texels, place, 0));
+}
+
+// A texel of two channels, which are halves, has 0 and 1 in the place of the others.
+fn numbers(bits: vec4<u32>) -> vec4<f32> {
+    if bits.z == 0u && bits.w == 1u {
+        return 0.125 * vec4(unpack2x16float(bits.x), unpack2x16float(bits.y));
+    }
+    return bitcast<vec4<f32>>(bits);
 }

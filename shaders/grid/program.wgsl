@@ -21,7 +21,7 @@ struct Instruction {
     holds: Texels,
 }
 
-@group(0) @binding(0) var outlet: texture_storage_2d<rgba32uint, write>;
+@group(0) @binding(0) var outlet: Result;
 @group(0) @binding(1) var<storage, read> instructions: array<Instruction>;
 @group(0) @binding(2) var<storage, read_write> pool: array<vec4<f32>>;
 @group(0) @binding(3) var inlet0: texture_2d<u32>;
@@ -55,6 +55,10 @@ fn texel(texels: Texels, place: vec2<i32>) -> vec4<f32> {
     return pool[index(texels, place)];
 }
 
+fn weights(texels: Texels, place: vec2<i32>) -> vec4<f32> {
+    return load(texels, place);
+}
+
 fn inlet(i: u32, place: vec2<i32>) -> vec4<u32> {
     switch i {
         case 0u: { return textureLoad(inlet0, place, 0); }
@@ -85,7 +89,7 @@ fn execute(instruction: Instruction, place: vec2<i32>) {
             pool[index(instruction.result, place)] = bitcast<vec4<f32>>(inlet(instruction.first.offset, place));
         }
         case GIVE: {
-            textureStore(outlet, place, bitcast<vec4<u32>>(texel(first, place)));
+            textureStore(outlet, place, written(texel(first, place)));
         }
         default: {
             pool[index(instruction.result, place)] = kernel(instruction.kernel, place);

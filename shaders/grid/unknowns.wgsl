@@ -6,3 +6,11 @@
 @group(1) @binding(2) var south: Texels;
 @group(1) @binding(3) var within: Texels;
 @group(1) @binding(4) var holds: Texels;
+
+// The weights of links, or how strongly an unknown is held, zeros beyond the border. Of pixels that is one float a texel.
+fn weights(texels: Texels, place: vec2<i32>) -> vec4<f32> {
+    if level.slots > 1 || any(place < vec2(0)) || any(place >= extent(texels)) {
+        return load(texels, place);
+    }
+    return bitcast<vec4<f32>>(textureLoad(texels, place, 0));
+}

@@ -32,7 +32,7 @@ mod points;
 mod reduction;
 mod stack;
 mod tape;
-mod texels;
+pub(crate) mod texels;
 
 #[cfg(test)]
 mod tests;

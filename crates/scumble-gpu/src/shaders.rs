@@ -19,8 +19,9 @@ pub(crate) const SOLUTION: [&str; 4] = [COMMON, SEEN, TARGET, wgsl!("solution")]
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::grid::computing::{COMPUTE, program_text};
-    use crate::grid::kernels::{BORDER, DRAW, POINTS, SOURCES};
+    use crate::grid::computing::{computed, program_text};
+    use crate::grid::kernels::{BORDER, POINTS, SOURCES, drawn};
+    use crate::grid::texels::{FORMAT, HALF_FORMAT};
     use naga::ShaderStage::{Fragment, Vertex};
     use naga::back::glsl;
     use naga::valid::{Capabilities, ModuleInfo, ValidationFlags, Validator};
@@ -34,20 +35,28 @@ mod tests {
     ];
 
     /// Pieces of the grid solver's kernels that are none themselves.
-    const PIECES: [&str; 13] = [
-        "block", "compute", "draw", "given", "level", "links", "load", "matrix", "merged", "parent", "pass",
-        "program", "unknowns",
+    const PIECES: [&str; 15] = [
+        "block", "compute", "draw", "floats", "given", "halves", "level", "links", "load", "matrix",
+        "merged", "parent", "pass", "program", "unknowns",
     ];
+
+    /// The kernels, made for both formats in some way.
+    fn kernels(
+        way: impl Fn(wgpu::TextureFormat) -> [&'static str; 3],
+    ) -> impl Iterator<Item = (&'static str, String)> {
+        let ways = [FORMAT, HALF_FORMAT].map(way).into_iter();
+        ways.flat_map(|way| SOURCES.iter().map(move |source| (source.name, source.text(&way))))
+    }
 
     fn all() -> impl Iterator<Item = (&'static str, String)> {
         let scene = SCENE.into_iter().map(|(name, pieces)| (name, pieces.concat()));
-        scene.chain(SOURCES.iter().map(|source| (source.name, source.text(&DRAW))))
+        scene.chain(kernels(drawn))
     }
 
     fn validated(name: &str, source: &str) -> (naga::Module, ModuleInfo) {
         let module = naga::front::wgsl::parse_str(source)
             .unwrap_or_else(|error| panic!("{name}: {}", error.emit_to_string(source)));
-        let info = Validator::new(ValidationFlags::all(), Capabilities::empty())
+        let info = Validator::new(ValidationFlags::all(), Capabilities::SHADER_FLOAT16_IN_FLOAT32)
             .validate(&module)
             .unwrap_or_else(|error| panic!("{name}: {}", error.emit_to_string(source)));
         (module, info)
@@ -82,8 +91,7 @@ mod tests {
 
     #[test]
     fn every_kernel_can_be_computed() {
-        let kernels = SOURCES.iter().map(|source| (source.name, source.text(&[COMPUTE])));
-        for (name, source) in kernels.chain([("program", program_text())]) {
+        for (name, source) in kernels(computed).chain([("program", program_text())]) {
             let (module, _) = validated(name, &source);
             assert_eq!(module.entry_points[0].stage, naga::ShaderStage::Compute, "{name}");
         }

@@ -5,8 +5,9 @@ mod fusion;
 #[cfg(not(target_os = "unknown"))]
 mod program;
 
-use super::kernels::{Pipeline, Source, compiled};
+use super::kernels::{Pipeline, Source, compiled, written};
 use super::tape::Pass;
+use super::texels::FORMAT;
 use crate::wgsl::wgsl;
 #[cfg(not(target_os = "unknown"))]
 pub(super) use fusion::fuse;
@@ -18,8 +19,17 @@ pub(crate) use program::text as program_text;
 /// Columns and rows that are computed together, as the shader has them.
 const WORKGROUP: u32 = 8;
 
+/// What is computed goes to a texture of floats, or of halves.
+const FLOATS_TO: &str = "alias Result=texture_storage_2d<rgba32uint,write>;\n";
+const HALVES_TO: &str = "alias Result=texture_storage_2d<rg32uint,write>;\n";
+
 /// Computes all texels.
-pub(crate) const COMPUTE: &str = wgsl!("grid/compute");
+const COMPUTE: &str = wgsl!("grid/compute");
+
+/// How texels of a format are computed.
+pub(crate) fn computed(format: wgpu::TextureFormat) -> [&'static str; 3] {
+    [if format == FORMAT { FLOATS_TO } else { HALVES_TO }, written(format), COMPUTE]
+}
 
 /// Limits with what computing takes. In WebGPU every adapter has that.
 pub(crate) fn limits(least: wgpu::Limits) -> wgpu::Limits {
@@ -46,9 +56,10 @@ pub(crate) fn most_limits(least: wgpu::Limits, most: &wgpu::Limits) -> wgpu::Lim
 pub(super) fn kernel(
     device: &wgpu::Device,
     source: &Source,
+    format: wgpu::TextureFormat,
     layouts: &[Option<&wgpu::BindGroupLayout>],
 ) -> wgpu::ComputePipeline {
-    pipeline(device, source.name, &source.text(&[COMPUTE]), layouts)
+    pipeline(device, source.name, &source.text(&computed(format)), layouts)
 }
 
 fn pipeline(

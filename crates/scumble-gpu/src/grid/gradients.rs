@@ -48,7 +48,8 @@ impl Gradients {
         levels.first_picture(recorder);
         let finest = &mut levels.levels[0];
         let like = |view: &wgpu::TextureView| alike(gpu, view);
-        let [residual, corrected] = [(); 2].map(|()| like(&finest.values));
+        let residual = like(&finest.values);
+        let [corrected, now, room] = [(); 3].map(|()| like(&finest.room));
         let values = std::mem::replace(&mut finest.values, corrected);
         recorder.pass_on(&finest.matrix, Kernel::Residual, &[&values, &finest.right], &residual);
         finest.right = residual;
@@ -57,7 +58,7 @@ impl Gradients {
         recorder.pass(Kernel::Ratio, &[&levels.zero, &levels.zero], &scalars.curvature);
         Self {
             residual_room: like(&values),
-            direction: Pair { now: like(&values), room: like(&values) },
+            direction: Pair { now, room },
             image: like(&values),
             reduction: Reduction::new(gpu, values.texture().width(), values.texture().height()),
             values: Pair { room: like(&values), now: values },

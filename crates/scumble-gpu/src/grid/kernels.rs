@@ -1,11 +1,13 @@
 //! The kernels of the grid solver: shaders, and the pipelines that run them.
 
+use std::cell::OnceCell;
+
 use wgpu::VertexFormat::{Float32x2, Uint32, Uint32x4};
 
 #[cfg(any(not(target_os = "unknown"), feature = "webgpu"))]
 use super::computing;
 use super::layer;
-use super::texels::{FORMAT, THIN_FORMAT};
+use super::texels::{FORMAT, HALF_FORMAT, THIN_FORMAT};
 use crate::gpu::Gpu;
 use crate::shaders::{SEEN, TARGET};
 use crate::wgsl::wgsl;
@@ -64,8 +66,15 @@ impl Source {
     }
 }
 
-/// Draws all texels.
-pub(crate) const DRAW: [&str; 2] = [TARGET, wgsl!("grid/draw")];
+/// How texels of a format are drawn.
+pub(crate) fn drawn(format: wgpu::TextureFormat) -> [&'static str; 3] {
+    [TARGET, written(format), wgsl!("grid/draw")]
+}
+
+/// How what a kernel gives is written in a format.
+pub(super) fn written(format: wgpu::TextureFormat) -> &'static str {
+    if format == FORMAT { wgsl!("grid/floats") } else { wgsl!("grid/halves") }
+}
 
 const BLOCK: &str = wgsl!("grid/block");
 const GIVEN: &str = wgsl!("grid/given");
@@ -134,14 +143,23 @@ pub(super) enum Pipeline {
     Computes(wgpu::ComputePipeline),
 }
 
-/// A pipeline for each kernel, and how they are given what they read: the same for all solvers on a device.
+/// Pipelines of kernels that make texels of one format, by their numbers, and how they are given what they read.
+#[derive(Debug)]
+struct Makers {
+    format: wgpu::TextureFormat,
+    pipelines: [OnceCell<Pipeline>; SOURCES.len()],
+    operands_layout: wgpu::BindGroupLayout,
+}
+
+/// Pipelines for all kernels, and how they are given what they read: the same for all solvers on a device. Kernels are compiled
+/// when the first solver is made that needs them.
 #[derive(Debug)]
 pub struct Kernels {
-    pipelines: Vec<Pipeline>,
+    /// Those that make floats, and those that make halves.
+    makers: [Makers; 2],
     /// For targets of one number a texel, and of four.
     points: [wgpu::RenderPipeline; 2],
     pub(super) border: wgpu::RenderPipeline,
-    pub(super) operands_layout: wgpu::BindGroupLayout,
     pub(super) level_layout: wgpu::BindGroupLayout,
     /// Where passes over few texels are made programs.
     #[cfg(not(target_os = "unknown"))]
@@ -149,30 +167,16 @@ pub struct Kernels {
 }
 
 impl Kernels {
-    /// Has all of them compiled.
+    /// For solvers on a device.
     pub fn new(gpu: &Gpu) -> Self {
         let device = &gpu.device;
-        let operand = |i| entry(i as u32, if i < OPERANDS { TEXELS } else { RESULT });
-        let operands: [_; OPERANDS + 1] = std::array::from_fn(operand);
         let level =
             [entry(0, UNIFORM), entry(1, TEXELS), entry(2, TEXELS), entry(3, TEXELS), entry(4, TEXELS)];
-        let operands_layout = bind_group_layout(device, "operands", &operands[..bindings(gpu)]);
         let level_layout = bind_group_layout(device, "level", &level);
-        let both = [Some(&operands_layout), Some(&level_layout)];
-        let pipelines = SOURCES.iter().map(|source| {
-            let layouts = if source.has_level { &both[..] } else { &both[..1] };
-            #[cfg(any(not(target_os = "unknown"), feature = "webgpu"))]
-            if gpu.computes {
-                return Pipeline::Computes(computing::kernel(device, source, layouts));
-            }
-            let drawing = Drawing { format: FORMAT, topology: TRIANGLES, buffers: &[] };
-            Pipeline::Draws(pipeline(device, source.name, &source.text(&DRAW), layouts, &drawing))
-        });
         Self {
-            pipelines: pipelines.collect(),
+            makers: [FORMAT, HALF_FORMAT].map(|format| Makers::new(gpu, format)),
             points: points(device),
             border: border(device),
-            operands_layout,
             level_layout,
             #[cfg(not(target_os = "unknown"))]
             programs: computing::Programs::of(gpu),
@@ -184,8 +188,41 @@ impl Kernels {
         &self.points[usize::from(format == FORMAT)]
     }
 
-    pub(super) fn pipeline(&self, kernel: Kernel) -> &Pipeline {
-        &self.pipelines[kernel as usize]
+    /// What makes texels of a format.
+    pub(super) fn pipeline(&self, gpu: &Gpu, kernel: Kernel, format: wgpu::TextureFormat) -> &Pipeline {
+        let makers = self.makers(format);
+        makers.pipelines[kernel as usize].get_or_init(|| makers.compiled(gpu, kernel, &self.level_layout))
+    }
+
+    /// How kernels that make texels of a format are given what they read.
+    pub(super) fn operands_layout(&self, format: wgpu::TextureFormat) -> &wgpu::BindGroupLayout {
+        &self.makers(format).operands_layout
+    }
+
+    fn makers(&self, format: wgpu::TextureFormat) -> &Makers {
+        &self.makers[usize::from(format == HALF_FORMAT)]
+    }
+}
+
+impl Makers {
+    fn new(gpu: &Gpu, format: wgpu::TextureFormat) -> Self {
+        let operand = |i| entry(i as u32, if i < OPERANDS { TEXELS } else { result(format) });
+        let operands: [_; OPERANDS + 1] = std::array::from_fn(operand);
+        let operands_layout = bind_group_layout(&gpu.device, "operands", &operands[..bindings(gpu)]);
+        Self { format, pipelines: Default::default(), operands_layout }
+    }
+
+    fn compiled(&self, gpu: &Gpu, kernel: Kernel, level_layout: &wgpu::BindGroupLayout) -> Pipeline {
+        let source = &SOURCES[kernel as usize];
+        let both = [Some(&self.operands_layout), Some(level_layout)];
+        let layouts = if source.has_level { &both[..] } else { &both[..1] };
+        #[cfg(any(not(target_os = "unknown"), feature = "webgpu"))]
+        if gpu.computes {
+            return Pipeline::Computes(computing::kernel(&gpu.device, source, self.format, layouts));
+        }
+        let drawing = Drawing { format: self.format, topology: TRIANGLES, buffers: &[] };
+        let text = source.text(&drawn(self.format));
+        Pipeline::Draws(pipeline(&gpu.device, source.name, &text, layouts, &drawing))
     }
 }
 
@@ -195,11 +232,11 @@ pub(super) const TEXELS: wgpu::BindingType = wgpu::BindingType::Texture {
     multisampled: false,
 };
 
-pub(super) const RESULT: wgpu::BindingType = wgpu::BindingType::StorageTexture {
-    access: wgpu::StorageTextureAccess::WriteOnly,
-    format: FORMAT,
-    view_dimension: wgpu::TextureViewDimension::D2,
-};
+/// Texels of a format that are made.
+pub(super) fn result(format: wgpu::TextureFormat) -> wgpu::BindingType {
+    let (access, view_dimension) = (wgpu::StorageTextureAccess::WriteOnly, wgpu::TextureViewDimension::D2);
+    wgpu::BindingType::StorageTexture { access, format, view_dimension }
+}
 
 pub(super) const UNIFORM: wgpu::BindingType = wgpu::BindingType::Buffer {
     ty: wgpu::BufferBindingType::Uniform,

@@ -5,7 +5,7 @@ use scumble_solve::grid::{FIRST_DEPTH, STEPS, Size, WHOLE_STEP};
 use super::equations::Equations;
 use super::kernels::{Kernel, Kernels, bind_group};
 use super::tape::Recorder;
-use super::texels::{FORMAT, alike, single, single_texel, target};
+use super::texels::{FORMAT, HALF_FORMAT, alike, single, single_texel, target};
 use crate::gpu::Gpu;
 
 /// The matrix of a level.
@@ -27,7 +27,7 @@ pub(crate) struct GpuLevel {
     pub(super) values: wgpu::TextureView,
     /// At first the given colours.
     pub(super) right: wgpu::TextureView,
-    room: wgpu::TextureView,
+    pub(super) room: wgpu::TextureView,
     /// What each unknown adds to the one of the next level that it is a part of; nothing on the coarsest.
     shares: wgpu::TextureView,
     /// What each unknown is a part of, by cells of the coarser level; nothing on the coarsest.
@@ -58,25 +58,42 @@ struct Maker<'a> {
     kernels: &'a Kernels,
 }
 
+/// Levels of more unknowns, or room for them, are kept in halves: what moves them is slower than what computes them. Cycles
+/// need not be exact, as conjugate gradients, in floats, ask by the equations themselves how far to go.
+pub(super) const MOST_IN_FLOATS: usize = 1 << 16;
+
 impl Maker<'_> {
-    fn target(&self, columns: usize, rows: usize) -> wgpu::TextureView {
-        target(self.gpu, [columns as u32, rows as u32], FORMAT)
+    fn target(&self, columns: usize, rows: usize, format: wgpu::TextureFormat) -> wgpu::TextureView {
+        target(self.gpu, [columns as u32, rows as u32], format)
     }
 
-    /// The level of the pixels. They have but one link to each side, and none within.
+    /// Room for numbers of all unknowns of a level.
+    fn room(&self, size: Size) -> wgpu::TextureView {
+        let columns = size.columns * size.slots;
+        let format = if columns * size.rows > MOST_IN_FLOATS { HALF_FORMAT } else { FORMAT };
+        self.target(columns, size.rows, format)
+    }
+
+    /// The level of the pixels. They have but one link to each side, and none within. Its matrix, right side and first values
+    /// are those that are solved, in floats.
     fn finest(&self, size: Size, equations: &Equations, zero: &wgpu::TextureView) -> GpuLevel {
         let links = [&equations.east, &equations.south, zero].map(Clone::clone);
-        self.level(size, links, equations.right.clone())
+        let [holds, values] = [(); 2].map(|()| alike(self.gpu, &equations.right));
+        self.level(size, links, [holds, values, equations.right.clone()])
     }
 
     fn coarse(&self, size: Size) -> GpuLevel {
-        let right = self.target(size.columns * size.slots, size.rows);
-        self.level(size, [(); 3].map(|()| alike(self.gpu, &right)), right)
+        self.level(size, [(); 3].map(|()| self.room(size)), [(); 3].map(|()| self.room(size)))
     }
 
-    fn level(&self, size: Size, links: [wgpu::TextureView; 3], right: wgpu::TextureView) -> GpuLevel {
-        let [holds, values, room, shares] = [(); 4].map(|()| alike(self.gpu, &right));
-        let marks = self.target(size.columns.div_ceil(2), size.rows.div_ceil(2));
+    fn level(
+        &self,
+        size: Size,
+        links: [wgpu::TextureView; 3],
+        [holds, values, right]: [wgpu::TextureView; 3],
+    ) -> GpuLevel {
+        let [room, shares] = [(); 2].map(|()| self.room(size));
+        let marks = self.target(size.columns.div_ceil(2), size.rows.div_ceil(2), FORMAT);
         let draft = self.matrix(size, links.clone(), values.clone());
         let matrix = self.matrix(size, links, holds);
         GpuLevel { matrix, draft, values, right, room, shares, marks }

@@ -140,7 +140,7 @@ impl<'a> Recorder<'a> {
         target: &wgpu::TextureView,
     ) {
         self.tape.passes.push(Pass {
-            pipeline: self.kernels.pipeline(kernel).clone(),
+            pipeline: self.kernels.pipeline(self.gpu, kernel, target.texture().format()).clone(),
             operands: self.operands(operands, target),
             level: matrix.map(|matrix| matrix.group.clone()),
             target: target.clone(),
@@ -163,7 +163,7 @@ impl<'a> Recorder<'a> {
         });
         self.gpu.device.create_bind_group(&wgpu::BindGroupDescriptor {
             label: Some("operands"),
-            layout: &self.kernels.operands_layout,
+            layout: self.kernels.operands_layout(target.texture().format()),
             entries: &entries[..bindings(self.gpu)],
         })
     }

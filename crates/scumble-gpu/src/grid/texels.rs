@@ -10,14 +10,17 @@ use crate::read_back::{copied, mapped, read_back_error};
 
 /// The bits of four floats a texel: every device draws whole numbers, many phones no floats but halves. Those would not do:
 /// conjugate gradients live on the last bits.
-pub(super) const FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rgba32Uint;
+pub(crate) const FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rgba32Uint;
+
+/// The bits of four halves a texel, two in each number: half of what is moved, for what need not be exact.
+pub(crate) const HALF_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rg32Uint;
 
 /// The bits of one float a texel.
 pub(super) const THIN_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::R32Uint;
 
 /// Texels that may be made; at first zeros.
 pub(super) fn target(gpu: &Gpu, size: [u32; 2], format: wgpu::TextureFormat) -> wgpu::TextureView {
-    let is_computed = gpu.computes && format == FORMAT;
+    let is_computed = gpu.computes && format != THIN_FORMAT;
     let computed =
         if is_computed { wgpu::TextureUsages::STORAGE_BINDING } else { wgpu::TextureUsages::empty() };
     let drawn = wgpu::TextureUsages::RENDER_ATTACHMENT | wgpu::TextureUsages::COPY_SRC;
@@ -26,7 +29,7 @@ pub(super) fn target(gpu: &Gpu, size: [u32; 2], format: wgpu::TextureFormat) -> 
 
 /// A target like another.
 pub(super) fn alike(gpu: &Gpu, view: &wgpu::TextureView) -> wgpu::TextureView {
-    target(gpu, [view.texture().width(), view.texture().height()], FORMAT)
+    target(gpu, [view.texture().width(), view.texture().height()], view.texture().format())
 }
 
 /// The same texels on the GPU, to be read and drawn.

@@ -4,7 +4,7 @@ use bytemuck::{Pod, Zeroable};
 use wgpu::util::DeviceExt;
 
 use crate::gpu::Gpu;
-use crate::grid::kernels::{LEVEL, LOAD, RESULT, SOURCES, Source, TEXELS, bind_group, bind_group_layout};
+use crate::grid::kernels::{LEVEL, LOAD, SOURCES, Source, TEXELS, bind_group, bind_group_layout, result};
 use crate::grid::texels::{FORMAT, target};
 use crate::wgsl::wgsl;
 
@@ -110,7 +110,7 @@ impl Programs {
 }
 
 fn entries() -> Vec<wgpu::BindGroupLayoutEntry> {
-    let types = [RESULT, storage(true), storage(false)].into_iter().chain([TEXELS; INLETS]);
+    let types = [result(FORMAT), storage(true), storage(false)].into_iter().chain([TEXELS; INLETS]);
     let visibility = wgpu::ShaderStages::COMPUTE;
     (0..)
         .zip(types)
@@ -136,7 +136,8 @@ pub(crate) fn text() -> String {
     let chosen = format!(
         "fn kernel(number: u32, place: vec2<i32>) -> vec4<f32> {{\nswitch number {{\n{cases}default: {{ return vec4(0.0); }}\n}}\n}}\n"
     );
-    [wgsl!("grid/program"), &numbers, LOAD, LEVEL, &kernels, &chosen].concat()
+    let [to, floats, _] = super::computed(FORMAT);
+    [wgsl!("grid/program"), to, floats, &numbers, LOAD, LEVEL, &kernels, &chosen].concat()
 }
 
 /// The pieces of a kernel, with the kernel's name after every name that they declare.
