@@ -52,15 +52,15 @@ pub(crate) struct GpuLevels {
 /// As `Level` in WGSL has it.
 type LevelUniform = [i32; 4];
 
+/// Levels of more unknowns, or room for them, are kept in halves: what moves them is slower than what computes them. Cycles
+/// need not be exact, as conjugate gradients, in floats, ask by the equations themselves how far to go.
+const MOST_IN_FLOATS: usize = 1 << 16;
+
 /// Makes levels.
 struct Maker<'a> {
     gpu: &'a Gpu,
     kernels: &'a Kernels,
 }
-
-/// Levels of more unknowns, or room for them, are kept in halves: what moves them is slower than what computes them. Cycles
-/// need not be exact, as conjugate gradients, in floats, ask by the equations themselves how far to go.
-pub(super) const MOST_IN_FLOATS: usize = 1 << 16;
 
 impl Maker<'_> {
     fn target(&self, columns: usize, rows: usize, format: wgpu::TextureFormat) -> wgpu::TextureView {
