@@ -104,6 +104,17 @@ const look = (tab) => tab.evaluate(`void document.dispatchEvent(new Event("visib
 /** @param {Tab} tab */
 const isReady = (tab) => tab.waitFor(`!document.getElementById("update").hidden`);
 
+/**
+ * Waits until the other version has taken over, in a page of the host's that is of no version: Chromium may wait without
+ * end for one that is asked for while the worker before is being stopped.
+ * @param {Tab} tab
+ * @param {string} url the page's
+ */
+const isTaken = async (tab, url) => {
+  await tab.goto(new URL("/", url).href);
+  await tab.waitFor(`navigator.serviceWorker.getRegistration("${url}").then(({ active, waiting }) => !waiting && active.state === "activated")`);
+};
+
 /** Has files fetched that the page does without until then, and tells whether they are the other version's. @param {Editor} editor */
 const areLazyFilesOther = async (editor) => {
   await editor.openDrawing("shading");
@@ -238,6 +249,7 @@ for (const browser of /** @type {const} */ (["chromium", "firefox"])) {
       await isReady(again.tab);
       const blank = await editor.tab.beside();
       await editor.tab.close();
+      await isTaken(blank, host.url);
       await openUntil(blank, async () => (await keptVersions(blank)).length === 1);
       assert.equal(await versionOf(blank), OTHER);
       // As a page that was asked for before and gets its script only now.
