@@ -1,6 +1,8 @@
-// Numbers are written as the bits of halves, two in each channel, and eight times as large: cycles lose their last bits later.
+// Numbers are written as halves, two in each channel, rounded to nearest; what is too large, as the largest.
 
 fn written(numbers: vec4<f32>) -> vec4<u32> {
-    let halves = clamp(8.0 * numbers, vec4(-65504.0), vec4(65504.0));
-    return vec4(pack2x16float(halves.xy), pack2x16float(halves.zw), 0u, 1u);
+    let bits = bitcast<vec4<u32>>(0x1p-80f * numbers);
+    let sizes = min(((bits & vec4(0x7fffffffu)) + 0x2000u) >> vec4(14u), vec4(0x7fffu));
+    let halves = sizes | ((bits >> vec4(16u)) & vec4(0x8000u));
+    return vec4(halves.xz | (halves.yw << vec2(16u)), 0u, 1u);
 }

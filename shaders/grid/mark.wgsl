@@ -112,7 +112,7 @@ fn score(cell: vec2<i32>) {
     visit_members(cell);
     for (var i = 0; i < member_count(); i++) {
         let out = scores[i];
-        // Less is what rounding leaves of links that all stay within.
+        // Less is what rounding leaves of links that all stay within; that of halves may leave more, for a slot without links.
         scores[i] = select(0.0, out * out / (out + holding[i]), out > 1e-5 * (linked[i] + holding[i]));
     }
 }

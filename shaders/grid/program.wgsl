@@ -50,7 +50,7 @@ fn index(texels: Texels, place: vec2<i32>) -> u32 {
     return texels.offset + u32(place.y * texels.width + place.x);
 }
 
-// A texel within the border.
+// A texel within the border. In the pool all are floats.
 fn texel(texels: Texels, place: vec2<i32>) -> vec4<f32> {
     return pool[index(texels, place)];
 }

@@ -49,6 +49,7 @@ impl Gradients {
         let finest = &mut levels.levels[0];
         let like = |view: &wgpu::TextureView| alike(gpu, view);
         let residual = like(&finest.values);
+        // Any direction will do whose image is that of what is kept of it.
         let [corrected, now, room] = [(); 3].map(|()| like(&finest.room));
         let values = std::mem::replace(&mut finest.values, corrected);
         recorder.pass_on(&finest.matrix, Kernel::Residual, &[&values, &finest.right], &residual);

@@ -188,7 +188,7 @@ impl Kernels {
         &self.points[usize::from(format == FORMAT)]
     }
 
-    /// What makes texels of a format.
+    /// What makes texels of a format, on the device that these are for.
     pub(super) fn pipeline(&self, gpu: &Gpu, kernel: Kernel, format: wgpu::TextureFormat) -> &Pipeline {
         let makers = self.makers(format);
         makers.pipelines[kernel as usize].get_or_init(|| makers.compiled(gpu, kernel, &self.level_layout))
@@ -200,7 +200,7 @@ impl Kernels {
     }
 
     fn makers(&self, format: wgpu::TextureFormat) -> &Makers {
-        &self.makers[usize::from(format == HALF_FORMAT)]
+        &self.makers[usize::from(format != FORMAT)]
     }
 }
 

@@ -52,8 +52,8 @@ pub(crate) struct GpuLevels {
 /// As `Level` in WGSL has it.
 type LevelUniform = [i32; 4];
 
-/// Levels of more unknowns, or room for them, are kept in halves: what moves them is slower than what computes them. Cycles
-/// need not be exact, as conjugate gradients, in floats, ask by the equations themselves how far to go.
+/// Levels of more unknowns, or room for them, are kept in halves: what moves them is slower than what computes them. Neither
+/// cycles nor directions need be exact: values and residuals, in floats, go along the direction as it is kept.
 const MOST_IN_FLOATS: usize = 1 << 16;
 
 /// Makes levels.

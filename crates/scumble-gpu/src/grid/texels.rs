@@ -12,7 +12,8 @@ use crate::read_back::{copied, mapped, read_back_error};
 /// conjugate gradients live on the last bits.
 pub(crate) const FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rgba32Uint;
 
-/// The bits of four halves a texel, two in each number: half of what is moved, for what need not be exact.
+/// The bits of four halves a texel, two in each number, as `pass.wgsl` has them: half of what is moved, for what need not be
+/// exact.
 pub(crate) const HALF_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rg32Uint;
 
 /// The bits of one float a texel.
@@ -95,9 +96,10 @@ fn write_part(gpu: &Gpu, target: wgpu::TexelCopyTextureInfo<'_>, bytes: &[u8], s
     gpu.queue.write_texture(target, bytes, layout, size);
 }
 
-/// The texels of a target, row by row.
+/// The texels of a target of floats, row by row.
 pub(crate) async fn read(gpu: &Gpu, view: &wgpu::TextureView) -> Result<Vec<Texel>, GpuError> {
     let texture = view.texture();
+    debug_assert_eq!(texture.format(), FORMAT);
     let row_bytes = size_of::<Texel>() * texture.width() as usize;
     let (buffer, padded_row_bytes) = copied(gpu, texture, size_of::<Texel>() as u32);
     mapped(&gpu.device, &buffer).await.map_err(read_back_error)?;

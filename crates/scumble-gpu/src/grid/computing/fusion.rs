@@ -8,6 +8,7 @@ use super::program::{GIVE, INLETS, Instruction, TAKE, Texels};
 use crate::gpu::Gpu;
 use crate::grid::kernels::{OPERANDS, Pipeline};
 use crate::grid::tape::{Pass, Recipe, Tape};
+use crate::grid::texels::FORMAT;
 
 /// Texels of the largest texture that is in the pool: those of 16 × 16 cells of four slots. For more texels one work
 /// group takes longer than all of a card with a dispatch a pass.
@@ -57,6 +58,7 @@ impl<'a> Pool<'a> {
         let recipes = tapes.iter().flat_map(|tape| &tape.recipes).filter(|recipe| is_small(recipe));
         for view in recipes.flat_map(Recipe::views) {
             if places.iter().all(|(other, _)| other != view) {
+                debug_assert_eq!(view.texture().format(), FORMAT, "programs know no halves");
                 let [width, height] = [view.texture().width(), view.texture().height()];
                 places.push((view.clone(), Texels { offset: end, width, height }));
                 end += width * height;
