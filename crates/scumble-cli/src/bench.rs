@@ -177,7 +177,7 @@ impl Report {
     /// The same colours by multigrid on pixels and, from scratch, by ours.
     fn baseline(&mut self, opened: &mut Opened, boundary: &Boundary) -> anyhow::Result<()> {
         let view = stages::page_view(&opened.document.drawing, SIZE_PX);
-        let both = Both::new(&mut opened.picture, boundary, Settings::default().blend, &view)?;
+        let both = Both::new(&mut opened.picture, boundary, Settings::default().blend, &view, None)?;
         self.baseline.push(both.grid_ms);
         self.differences.add(&both.differences());
         let mut fresh = scumble_solve::MeshSolver::new(opened.picture.map().refined().clone());

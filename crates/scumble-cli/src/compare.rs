@@ -10,6 +10,7 @@ mod both;
 mod finer;
 mod graded;
 mod levels;
+mod solver;
 mod zones;
 
 use std::path::Path;
@@ -19,6 +20,7 @@ use scumble_core::{Blend, Boundary, PlanarMap, Settings, SideId};
 use scumble_solve::grid::{Constraints, JeschkeSolver};
 use scumble_solve::{Picture, View, centers};
 
+use crate::card::Card;
 use crate::set::{self, Kind};
 use crate::{made, stages};
 use levels::{Levels, levels};
@@ -59,38 +61,42 @@ pub(crate) struct CompareOptions {
     pub(crate) half: bool,
     /// A graded mesh tells which solver is right.
     pub(crate) referee: bool,
+    /// The grid solver is the graphics card's.
+    pub(crate) gpu: bool,
 }
 
 /// Compares on all drawings of a set, or on every so many-th; with all colours or with those of half the sides.
 ///
 /// # Errors
-/// When the set cannot be read or a drawing fails.
+/// When the set cannot be read, a drawing fails, or there is no graphics card where one is asked for.
 pub(crate) fn run(set: &Path, every: usize, options: CompareOptions) -> anyhow::Result<()> {
+    let card = options.gpu.then(Card::find).transpose()?;
+    let card = card.as_ref();
     print_head(options.referee);
     let mut all = Row::default();
     for entry in set::entries(set)?.iter().step_by(every) {
-        let row = drawing(entry, options).with_context(|| format!("drawing {}", entry.id))?;
+        let row = drawing(entry, options, card).with_context(|| format!("drawing {}", entry.id))?;
         row.print(&entry.id);
         all.add(&row);
     }
     all.print("all of them");
-    made_row(options)?.print("made, 10,000 pieces");
+    made_row(options, card)?.print("made, 10,000 pieces");
     Ok(())
 }
 
-fn drawing(entry: &set::Entry, options: CompareOptions) -> anyhow::Result<Row> {
+fn drawing(entry: &set::Entry, options: CompareOptions, card: Option<&Card>) -> anyhow::Result<Row> {
     let mut opened = stages::open(&entry.svg()?)?;
     let scribbles = entry.scribbles(Kind::Dense, &opened.document.drawing)?;
     let boundary = opened.picture.color(&scribbles, &[], &Settings::default()).clone();
     let view = stages::page_view(&opened.document.drawing, SIZE_PX);
-    row(&mut opened.picture, boundary, &view, options)
+    row(&mut opened.picture, boundary, &view, options, card)
 }
 
-fn made_row(options: CompareOptions) -> anyhow::Result<Row> {
+fn made_row(options: CompareOptions, card: Option<&Card>) -> anyhow::Result<Row> {
     let drawing = made::drawing(MADE_CELLS);
     let mut picture = Picture::new(&drawing)?;
     let boundary = picture.color(&made::scribbles(), &[], &Settings::default()).clone();
-    row(&mut picture, boundary, &stages::page_view(&drawing, SIZE_PX), options)
+    row(&mut picture, boundary, &stages::page_view(&drawing, SIZE_PX), options, card)
 }
 
 fn row(
@@ -98,17 +104,18 @@ fn row(
     mut boundary: Boundary,
     view: &View,
     options: CompareOptions,
+    card: Option<&Card>,
 ) -> anyhow::Result<Row> {
     if options.half {
         uncolor_half(picture.map(), &mut boundary);
     }
     let blend = Settings::default().blend;
-    let mut both = Both::new(picture, &boundary, blend, view)?;
+    let mut both = Both::new(picture, &boundary, blend, view, card)?;
     let referee = options.referee.then(|| graded::field(picture.map(), &boundary, blend)).transpose()?;
     let finer = finer::changes(picture.map(), &boundary, view, &both.mesh)?;
     Ok(Row {
         steps: both.steps,
-        iteration: both.change_by_further_steps(),
+        iteration: both.change_by_further_steps()?,
         away: both.differences(),
         special: both.between(Zone::Special, &both.grid, &both.mesh),
         finer,
@@ -182,26 +189,38 @@ mod tests {
     use super::*;
 
     /// A made drawing, on fewer pixels than the table's.
-    fn compared(options: CompareOptions) -> Row {
+    fn compared(options: CompareOptions, card: Option<&Card>) -> Row {
         let drawing = made::drawing(3);
         let mut picture = Picture::new(&drawing).expect("a map");
         let boundary = picture.color(&made::scribbles(), &[], &Settings::default()).clone();
-        row(&mut picture, boundary, &stages::page_view(&drawing, 512), options).expect("a row")
+        row(&mut picture, boundary, &stages::page_view(&drawing, 512), options, card).expect("a row")
+    }
+
+    fn assert_near(row: &Row) {
+        assert!(row.away.mean() <= 0.4 && row.away.percentile(0.99) <= 3.0, "{}", row.away);
+        assert!(row.iteration <= 0.5, "{}", row.iteration);
     }
 
     #[test]
     fn the_grid_solver_is_as_near_to_the_mesh_solver_as_is_asked_and_jeschkes_is_not() {
-        let row = compared(CompareOptions::default());
-        assert!(row.away.mean() <= 0.4 && row.away.percentile(0.99) <= 3.0, "{}", row.away);
-        assert!(row.iteration <= 0.5, "{}", row.iteration);
+        let row = compared(CompareOptions::default(), None);
+        assert_near(&row);
         for jeschke in row.jeschke {
             assert!(jeschke.mean() > 2.0 * row.away.mean(), "{jeschke}");
         }
     }
 
     #[test]
+    fn so_is_that_of_the_graphics_card() {
+        match Card::find() {
+            Ok(card) => assert_near(&compared(CompareOptions::default(), Some(&card))),
+            Err(error) => eprintln!("skipped: {error}"),
+        }
+    }
+
+    #[test]
     fn where_half_of_the_sides_have_no_colour_a_graded_mesh_tells_who_is_right() {
-        let row = compared(CompareOptions { half: true, referee: true });
+        let row = compared(CompareOptions { half: true, referee: true, gpu: false }, None);
         let [mesh, grid] = row.errors.expect("a referee");
         assert!(row.iteration <= 0.5 && mesh.mean() > 0.0 && grid.mean() > 0.0);
         assert!(mesh.mean() <= 0.1 && grid.mean() <= 0.5, "{mesh} {grid}");

@@ -20,6 +20,7 @@
 //! | files in and out | `files` |
 
 mod bench;
+mod card;
 mod clock;
 mod color;
 mod compare;
@@ -96,10 +97,10 @@ scumble corpus DIR [--take N]
 scumble bench SETDIR
     times each stage on a quality set (SETDIR/ID/drawing.svg, SETDIR/ID/dense.json), and labelling by each engine
 
-scumble compare SETDIR [--every 1] [--half] [--referee]
+scumble compare SETDIR [--every 1] [--half] [--referee] [--gpu]
     how far pictures by the grid solver and by Jeschke's, and those on a mesh of half the width, are from those of the mesh
     solver, on every so many-th drawing of a set, with all colours or with those of half the sides; and how far both solvers
-    are from the picture on a mesh that is graded towards tips and junctions
+    are from the picture on a mesh that is graded towards tips and junctions. With --gpu the grid solver is the graphics card's
 
 scumble bench --made
     times maps, labelling and pictures on made drawings of about 1,000 to 100,000 pieces

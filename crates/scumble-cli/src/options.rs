@@ -167,6 +167,7 @@ pub(crate) fn parse(arguments: impl Iterator<Item = OsString>) -> anyhow::Result
             let options = CompareOptions {
                 half: arguments.contains("--half"),
                 referee: arguments.contains("--referee"),
+                gpu: arguments.contains("--gpu"),
             };
             let [set] = rest(arguments, ["SETDIR"])?;
             Ok(Command::Compare { set: set.into(), every: every.unwrap_or(1), options })

@@ -1,13 +1,11 @@
 //! Pictures by the solvers that work on pixels.
 
-use std::sync::{Arc, OnceLock};
-
 use anyhow::Context;
-use scumble_gpu::{Gpu, GpuError, GpuGridSolver, GridError, GridKernels};
 use scumble_solve::Pixmap;
 use scumble_solve::grid::{Constraints, GridSolver, JeschkeSolver, TOLERANCE};
 
 use super::parts::{MOST_PX, Page};
+use crate::card::Card;
 use crate::options::{ColorOptions, Solver};
 use crate::render;
 use crate::stages::{self, Opened, PAPER};
@@ -39,23 +37,12 @@ pub(super) fn paint(opened: &Opened, options: &ColorOptions) -> anyhow::Result<P
 }
 
 fn paint_on_gpu(page: &Page<'_>) -> anyhow::Result<Pixmap> {
-    let failure = Arc::new(OnceLock::new());
-    let noted = Arc::clone(&failure);
-    let gpu = pollster::block_on(Gpu::headless(move |error| drop(noted.set(error))))?;
-    let kernels = GridKernels::new(&gpu);
-    page.paint(|constraints| Ok(pollster::block_on(on_gpu(&gpu, &kernels, &failure, constraints))?))
-}
-
-async fn on_gpu(
-    gpu: &Gpu,
-    kernels: &GridKernels,
-    failure: &OnceLock<GpuError>,
-    constraints: &Constraints,
-) -> Result<Vec<[f32; 4]>, GridError> {
-    let mut solver = GpuGridSolver::new(gpu, kernels, constraints)?;
-    solver.solve(TOLERANCE).await?;
-    let pixels = solver.pixels().await?;
-    failure.get().map_or(Ok(pixels), |error| Err(error.clone().into()))
+    let card = Card::find()?;
+    page.paint(|constraints| {
+        let mut solver = card.solver(constraints)?;
+        card.solve(&mut solver, TOLERANCE)?;
+        Ok(card.pixels(&solver)?)
+    })
 }
 
 fn on_cpu(constraints: &Constraints) -> Vec<[f32; 4]> {

@@ -1,11 +1,14 @@
 //! The pictures that the mesh solver and the grid solver make of the same boundary.
 
 use scumble_core::{Bends, Blend, Boundary};
-use scumble_solve::grid::{Constraints, GridSolver, TOLERANCE};
+use scumble_gpu::GridError;
+use scumble_solve::grid::Constraints;
 use scumble_solve::{Picture, View, centers};
 
 use super::levels::{Levels, Spread, levels};
+use super::solver::Solver;
 use super::zones::{self, Zone};
+use crate::card::Card;
 use crate::clock::timed;
 
 /// Pixels nearer than this, in px, to an end, a junction or a change count apart.
@@ -15,9 +18,9 @@ const SPECIAL_PX: f64 = 4.0;
 const FURTHER_STEPS: usize = 8;
 
 /// Both pictures.
-pub(crate) struct Both {
+pub(crate) struct Both<'a> {
     pub(super) constraints: Constraints,
-    solver: GridSolver,
+    solver: Solver<'a>,
     /// Those of the grid solver.
     pub(super) steps: usize,
     /// What it takes for the picture, once it is known where curves cut its links.
@@ -28,8 +31,9 @@ pub(crate) struct Both {
     blend: Blend,
 }
 
-impl Both {
-    /// Has both solvers make their picture; colours are in the space `blend`.
+impl<'a> Both<'a> {
+    /// Has both solvers make their picture, that on pixels on a graphics card where there is one; colours are in the space
+    /// `blend`.
     ///
     /// # Errors
     /// When one fails.
@@ -38,16 +42,18 @@ impl Both {
         boundary: &Boundary,
         blend: Blend,
         view: &View,
+        card: Option<&'a Card>,
     ) -> anyhow::Result<Self> {
         let mesh = levels(&centers::colors(picture.mesh().solve(boundary, blend)?, view), blend);
         let (map, bends) = (picture.map(), Bends::default());
         let constraints = Constraints::new(map, boundary, view)?.fitted(map, &bends, boundary, view);
-        let ((solver, steps), grid_ms) = timed(|| {
-            let mut solver = GridSolver::new(&constraints);
-            let steps = solver.solve(TOLERANCE);
-            (solver, steps)
+        let (solved, grid_ms) = timed(|| {
+            let mut solver = Solver::new(&constraints, card)?;
+            let steps = solver.solve()?;
+            Ok::<_, GridError>((solver, steps))
         });
-        let grid = levels(&solver.pixels(), blend);
+        let (solver, steps) = solved?;
+        let grid = levels(&solver.pixels()?, blend);
         let zones = zones::zones(map, boundary, view, SPECIAL_PX);
         Ok(Self { constraints, solver, steps, grid_ms, mesh, grid, zones, blend })
     }
@@ -63,8 +69,11 @@ impl Both {
     }
 
     /// The most that further steps of the grid solver change.
-    pub(super) fn change_by_further_steps(&mut self) -> f64 {
+    ///
+    /// # Errors
+    /// When the graphics card fails.
+    pub(super) fn change_by_further_steps(&mut self) -> anyhow::Result<f64> {
         (0..FURTHER_STEPS).for_each(|_| self.solver.step());
-        Spread::of(&self.grid, &levels(&self.solver.pixels(), self.blend), |_| true).largest()
+        Ok(Spread::of(&self.grid, &levels(&self.solver.pixels()?, self.blend), |_| true).largest())
     }
 }
