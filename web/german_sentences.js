@@ -218,6 +218,8 @@ export const things = {
   "filters": "Filter",
   "marker": "Markierung",
   "markers": "Markierungen",
+  "transform": "Transformation",
+  "transforms": "Transformationen",
   "pattern": "Muster",
   "patterns": "Muster",
   "shape with unusable coordinates": "Form mit unbrauchbaren Koordinaten",

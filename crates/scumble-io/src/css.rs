@@ -1,7 +1,7 @@
-//! Colours and style sheets as browsers read them, written anew for `usvg`, which knows fewer of them.
+//! Colours, transforms and style sheets as browsers read them, written anew for `usvg`, which knows fewer of them.
 //!
 //! It leaves out a line whose colour it cannot read, makes such an area black, and passes over all declarations behind one that
-//! it does not understand. Only values of colours and styles are looked at here, each once.
+//! it does not understand; units in transforms it does not know. Only values of colours and styles are looked at here, each once.
 //!
 //! | noun | file |
 //! |---|---|
@@ -10,12 +10,14 @@
 //! | what colours are given to | `property` |
 //! | a colour, as it is written | `values` |
 //! | the spaces that colours are in | `spaces` |
+//! | transforms | `transforms` |
 //! | variables | `variables` |
 
 pub(crate) mod at_rules;
 mod property;
 mod spaces;
 mod text;
+mod transforms;
 mod values;
 mod variables;
 
@@ -38,6 +40,8 @@ pub(crate) struct Mends {
     pub(crate) edits: Vec<(Range<usize>, String)>,
     /// Colours that nobody can read.
     pub(crate) unreadable: usize,
+    /// Transforms that cannot be followed.
+    pub(crate) lost_transforms: usize,
 }
 
 /// Bytes that a declaration with variables may grow by.
@@ -180,15 +184,35 @@ impl Mender<'_> {
     }
 
     /// A declaration of something else than a colour.
-    fn other<'c>(&self, declaration: &'c str, name: &str, value: &str) -> Option<Cow<'c, str>> {
+    fn other<'c>(&mut self, declaration: &'c str, name: &str, value: &str) -> Option<Cow<'c, str>> {
         if name == "vector-effect" && value == "non-scaling-stroke" {
             return Some(Cow::Owned(UNSCALED.to_owned()));
+        }
+        if name == "transform" {
+            return self.transform(declaration, value);
         }
         if is_plain(name, value) && !value.contains("var(") {
             return Some(Cow::Borrowed(declaration));
         }
         let anew = self.variables.put_in(value).filter(|anew| anew.len() <= value.len() + MOST_GROWTH)?;
         is_plain(name, &anew).then(|| Cow::Owned([name, ":", &anew].concat()))
+    }
+
+    /// A declaration of a transform.
+    fn transform<'c>(&mut self, declaration: &'c str, value: &str) -> Option<Cow<'c, str>> {
+        let (given, important) = split_important(value);
+        if given.is_empty() {
+            return None;
+        }
+        let value = self.variables.put_in(given).unwrap_or_default();
+        match transforms::readable(&value) {
+            Some(anew) if anew == given => Some(Cow::Borrowed(declaration)),
+            Some(anew) => Some(Cow::Owned(["transform:", &anew, important].concat())),
+            None => {
+                self.mends.lost_transforms += 1;
+                None
+            }
+        }
     }
 }
 
@@ -252,6 +276,11 @@ mod tests {
             (r#"<svg style=";fill:;stroke:red"/>"#, r#"<svg style="stroke:red"/>"#),
             (r#"<svg style="font:&quot;A&quot;;--x:'"/>"#, r#"<svg style="font:&quot;A&quot;"/>"#),
             (r#"<svg style="/*;*/--x:1;stroke-width:var(--x)"/>"#, r#"<svg style="stroke-width:1"/>"#),
+            (
+                r#"<svg style="transform:scaleX(2)!important;fill:none"/>"#,
+                r#"<svg style="transform:matrix(2 0 0 1 0 0)!important;fill:none"/>"#,
+            ),
+            (r#"<svg style="transform:;fill:none"/>"#, r#"<svg style="fill:none"/>"#),
             (r#"<svg style="FILL:none;Stroke-Width:2"/>"#, r#"<svg style="fill:none;stroke-width:2"/>"#),
             (r#"<svg fill="a" stroke="b"/>"#, r#"<svg fill="white" stroke="black"/>"#),
             (

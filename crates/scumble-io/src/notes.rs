@@ -17,6 +17,8 @@ pub struct ImportNotes {
     pub filters: usize,
     /// Markers, such as arrow heads.
     pub markers: usize,
+    /// Transforms of styles, in percent or in space: what they move stays.
+    pub transforms: usize,
     /// Shapes with a pattern for a paint: lines are grey, areas empty.
     pub patterns: usize,
     /// Shapes and subpaths with coordinates that are no numbers or far too large.
@@ -42,6 +44,7 @@ impl fmt::Display for ImportNotes {
             (self.masks, "mask", "masks"),
             (self.filters, "filter", "filters"),
             (self.markers, "marker", "markers"),
+            (self.transforms, "transform", "transforms"),
             (self.patterns, "pattern", "patterns"),
             (self.broken, "shape with unusable coordinates", "shapes with unusable coordinates"),
             (self.bad_colors, "colour that cannot be read", "colours that cannot be read"),

@@ -92,10 +92,14 @@ fn read_sides(json: &mut Json) -> Result<Option<[String; 2]>, Fault> {
 
 /// A side as SVG writes it, and in pixels.
 fn side(text: &str) -> Option<(String, f64)> {
+    length(text).filter(|(_, side_px)| SIDES_PX.contains(side_px))
+}
+
+/// A length as SVG writes it, and in pixels of 1/96 inch; `None` where it has no unit with a length of its own.
+pub(crate) fn length(text: &str) -> Option<(String, f64)> {
     let Length { number, unit } = text.trim().parse().ok()?;
     let (_, name, unit_px) = UNITS.iter().find(|(known, ..)| *known == unit)?;
-    let side_px = number * unit_px;
-    SIDES_PX.contains(&side_px).then(|| (format!("{number}{name}"), side_px))
+    Some((format!("{number}{name}"), number * unit_px))
 }
 
 #[cfg(test)]

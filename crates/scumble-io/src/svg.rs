@@ -63,8 +63,9 @@ pub fn import_svg(bytes: &[u8]) -> Result<Import, ImportError> {
     let text = limits::readable_text(bytes)?;
     let xml = limits::parse_svg(text)?;
     let Survey { mut notes, broken } = survey::of(&xml);
-    let Mends { mut edits, unreadable } = css::of(&xml);
+    let Mends { mut edits, unreadable, lost_transforms } = css::of(&xml);
     notes.bad_colors = unreadable;
+    notes.transforms = lost_transforms;
     edits.extend(broken.into_iter().map(|shape| (shape, String::new())));
     edits.extend(masks::edits(&xml));
     if edits.is_empty() {

@@ -114,6 +114,20 @@ fn transforms_move_curves_and_scale_widths() {
 }
 
 #[test]
+fn transforms_of_styles_are_followed_or_told() {
+    let Import { drawing, notes, .. } = on_page(
+        r#"<style>.turned { transform: rotate(90deg) scale(200%) }</style><g stroke="black">
+            <line x2="8" class="turned"/><line x2="8" style="transform:translate(8px,8px)"/>
+            <line x2="8" style="transform:translateX(50%)" transform="translate(0 8)"/></g>"#,
+    );
+    let expected = [[0.0, 0.0, 0.0, 256.0], [128.0, 128.0, 256.0, 128.0], [0.0, 128.0, 128.0, 128.0]];
+    let found: Vec<_> = drawing.curves.iter().map(|curve| bounds(&curve.path)).collect();
+    assert_eq!(found.len(), expected.len());
+    found.into_iter().zip(expected).for_each(|(found, expected)| assert_close(found, expected));
+    assert_eq!(notes.to_string(), "left out: 1 transform");
+}
+
+#[test]
 fn a_line_that_does_not_scale_is_as_wide_as_in_the_picture() {
     let look = [
         r#"vector-effect="non-scaling-stroke""#,

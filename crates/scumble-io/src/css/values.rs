@@ -122,7 +122,7 @@ fn in_space(space: Space, arguments: &str) -> Option<Rgba8> {
 }
 
 /// A number, a percentage of what is the whole, or an angle in degrees.
-fn channel(word: &str, whole: f64) -> Option<f64> {
+pub(super) fn channel(word: &str, whole: f64) -> Option<f64> {
     if word.eq_ignore_ascii_case("none") {
         return Some(0.0);
     }
