@@ -204,8 +204,8 @@ impl Mender<'_> {
         if given.is_empty() {
             return None;
         }
-        let value = self.variables.put_in(given).unwrap_or_default();
-        match transforms::readable(&value) {
+        let with_variables = || Some(transforms::readable(&self.variables.put_in(given)?)?.into_owned());
+        match transforms::readable(given).or_else(|| with_variables().map(Cow::Owned)) {
             Some(anew) if anew == given => Some(Cow::Borrowed(declaration)),
             Some(anew) => Some(Cow::Owned(["transform:", &anew, important].concat())),
             None => {

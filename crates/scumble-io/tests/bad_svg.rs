@@ -355,19 +355,24 @@ fn nested_values(bytes: usize) -> Vec<String> {
 #[test]
 fn colours_and_styles_without_end_are_answered_soon() {
     let mut files = Vec::new();
-    for value in nested_values(6_000_000) {
-        files.push(format!(r#"<g fill="{value}" style="stroke:{value};--b:{value}"/>"#));
+    for value in nested_values(4_500_000) {
+        files.push(format!(r#"<g fill="{value}" style="stroke:{value};--b:{value};transform:{value}"/>"#));
         files.push(format!("<style>a{{fill:{value};--b:{value}}}</style>"));
     }
     for value in nested_values(240) {
         files.push(format!(r#"<g fill="{value}"/>"#).repeat(70_000));
-        files.push(format!(r#"<g style="fill:{value};width:{value};--a:{value}"/>"#).repeat(24_000));
+        files.push(
+            format!(r#"<g style="fill:{value};width:{value};--a:{value};transform:{value}"/>"#)
+                .repeat(18_000),
+        );
     }
     let names = |count: usize| (0..count).map(|i| format!("--a{i}:var(--a{});", i + 1)).collect::<String>();
     files.push(format!("<style>a{{{}}}</style>", names(700_000)));
     files.push(format!("<style>{}</style>", "a{".repeat(9_000_000)));
     files.push(format!("<style>{}</style>", "a{--b:c}".repeat(2_000_000)));
     files.push(format!("<g style=\"fill:{}\"/>", r"\'".repeat(9_000_000)));
+    files.push(format!("<g style='transform:{}'/>", "scaleX(1)".repeat(2_000_000)));
+    files.push(format!("<g style='{}'/>", "transform:scaleX(1);".repeat(900_000)));
     files.push(format!("<g style='{}'/>", ";:".repeat(9_000_000)));
     files.push(format!("<g style='{}{}'/>", "fill:red;".repeat(1_000_000), "stroke:#;".repeat(1_000_000)));
     for content in files {
