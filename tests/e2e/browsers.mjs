@@ -68,7 +68,7 @@ const VIEWPORT = { width: 1200, height: 800 };
  * @typedef {object} Tab one page of a browser
  * @property {(url: string) => Promise<unknown>} goto
  * @property {<T>(expression: string) => Promise<T>} evaluate
- * @property {(expression: string) => Promise<unknown>} waitFor until the expression, or what it promises, is true in the page
+ * @property {(expression: string) => Promise<unknown>} waitFor until the expression is true in the page
  * @property {(role: string, name: string) => Promise<void>} click a control by its role and accessible name
  * @property {(list: string, option: string) => Promise<unknown>} choose an option, by its value, of a list, by its name
  * @property {{move(x: number, y: number): Promise<void>, down(): Promise<void>, up(): Promise<void>}} mouse
@@ -300,7 +300,7 @@ async function waitFor(page, expression) {
   let answer;
   while (Date.now() < end_ms) {
     // A page that is going, or has not come yet, has faults.
-    answer = await page.evaluate(`Promise.resolve(${expression}).then(Boolean)`).catch((fault) => fault);
+    answer = await page.evaluate(`Boolean(${expression})`).catch((fault) => fault);
     if (answer === true) return;
     await setTimeout(20);
   }

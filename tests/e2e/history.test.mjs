@@ -70,11 +70,11 @@ for (const browser of /** @type {const} */ (["chromium", "firefox"])) {
       const editor = await open();
       await show(editor);
       // At once, so that no pause of the machine parts them.
-      const nudge = (/** @type {string[]} */ keys) =>
-        editor.until("moved", () => editor.tab.evaluate(`
-          for (const key of ${JSON.stringify(keys)}) {
-            for (const kind of ["keydown", "keyup"]) document.body.dispatchEvent(new KeyboardEvent(kind, { key, bubbles: true }));
-          }`));
+      const pressed = (/** @type {string[]} */ keys) => `
+        for (const key of ${JSON.stringify(keys)}) {
+          for (const kind of ["keydown", "keyup"]) document.body.dispatchEvent(new KeyboardEvent(kind, { key, bubbles: true }));
+        }`;
+      const nudge = (/** @type {string[]} */ keys) => editor.until("moved", () => editor.tab.evaluate(pressed(keys)));
       const count = (/** @type {number} */ steps) => editor.tab.waitFor(`document.querySelectorAll("#history-panel [role=option]").length === ${steps}`);
       await nudge(["ArrowRight", "ArrowRight", "ArrowDown"]);
       await editor.until("selected", () => editor.tab.press("n"));
@@ -84,6 +84,11 @@ for (const browser of /** @type {const} */ (["chromium", "firefox"])) {
       await nudge(["ArrowUp", "ArrowUp"]);
       await count(7);
       assert.deepEqual((await steps(editor)).slice(3), ["Recoloured", "Moved", "Moved", "* Moved"]);
+      // Those who speak their commands click without a pointer.
+      const undo = `document.querySelector("[data-action=undo]").click()`;
+      await editor.until("Undone", () => editor.tab.evaluate(pressed(["ArrowRight"]) + undo));
+      await count(8);
+      assert.equal((await steps(editor))[6], "* Moved");
       assert.deepEqual(editor.tab.faults, []);
     });
 

@@ -97,7 +97,7 @@ for (const browser of /** @type {const} */ (["chromium", "firefox"])) {
       /** @type {((editor: import("./harness.mjs").Editor) => Promise<unknown>)[]} */
       const ways = [
         (editor) => editor.until("Opened other.svg", () => editor.drop(svg, "other.svg")),
-        ...["blur", "pagehide"].map((kind) => (/** @type {import("./harness.mjs").Editor} */ editor) =>
+        ...["blur", "pagehide", "beforeunload"].map((kind) => (/** @type {import("./harness.mjs").Editor} */ editor) =>
           editor.tab.evaluate(`window.dispatchEvent(new Event("${kind}"))`)),
       ];
       for (const [i, leave] of ways.entries()) {

@@ -112,7 +112,9 @@ const isReady = (tab) => tab.waitFor(`!document.getElementById("update").hidden`
  */
 const isTaken = async (tab, url) => {
   await tab.goto(new URL("/", url).href);
-  await tab.waitFor(`navigator.serviceWorker.getRegistration("${url}").then(({ active, waiting }) => !waiting && active.state === "activated")`);
+  const isSo = () =>
+    tab.evaluate(`navigator.serviceWorker.getRegistration("${url}").then(({ active, waiting }) => !waiting && active.state === "activated")`);
+  for (let tries = 0; tries < 600 && !(await isSo()); tries++) await new Promise((wake) => setTimeout(wake, 100));
 };
 
 /** Has files fetched that the page does without until then, and tells whether they are the other version's. @param {Editor} editor */

@@ -53,7 +53,12 @@ pub(crate) const UNSCALED: &str = "shape-rendering:optimizeSpeed";
 
 /// Looks through all elements.
 pub(crate) fn of(xml: &Document) -> Mends {
-    let mut mender = Mender { text: xml.input_text(), variables: variables(xml), mends: Mends::default() };
+    let mut mender = Mender {
+        text: xml.input_text(),
+        variables: variables(xml),
+        has_own_boxes: has_own_boxes(xml),
+        mends: Mends::default(),
+    };
     let elements = xml.descendants().filter(|node| matches!(node.tag_name().namespace(), None | Some(SVG)));
     for node in elements.filter(Node::is_element) {
         mender.element(node);
@@ -87,9 +92,18 @@ fn variables(xml: &Document) -> Variables {
     Variables::of(blocks.chain(styles.iter().map(String::as_str)))
 }
 
+/// Whether styles say that transforms are around points of the boxes of shapes.
+fn has_own_boxes(xml: &Document) -> bool {
+    let styles = xml.descendants().filter_map(|node| node.attribute("style"));
+    let boxes = ["fill-box", "stroke-box", "content-box", "border-box"];
+    styles.chain(shown_texts(xml)).any(|css| boxes.iter().any(|name| css.contains(name)))
+}
+
 struct Mender<'t> {
     text: &'t str,
     variables: Variables,
+    /// Whether shapes may be turned around points of their own boxes, which are not known here.
+    has_own_boxes: bool,
     mends: Mends,
 }
 
@@ -205,8 +219,11 @@ impl Mender<'_> {
             return None;
         }
         let with_variables = || Some(transforms::readable(&self.variables.put_in(given)?)?.into_owned());
-        match transforms::readable(given).or_else(|| with_variables().map(Cow::Owned)) {
-            Some(anew) if anew == given => Some(Cow::Borrowed(declaration)),
+        let anew = transforms::readable(given).or_else(|| with_variables().map(Cow::Owned));
+        match anew.filter(|anew| !self.has_own_boxes || transforms::only_moves(anew)) {
+            Some(anew) if anew == given && declaration.ends_with(important) => {
+                Some(Cow::Borrowed(declaration))
+            }
             Some(anew) => Some(Cow::Owned(["transform:", &anew, important].concat())),
             None => {
                 self.mends.lost_transforms += 1;
@@ -278,7 +295,7 @@ mod tests {
             (r#"<svg style="/*;*/--x:1;stroke-width:var(--x)"/>"#, r#"<svg style="stroke-width:1"/>"#),
             (
                 r#"<svg style="transform:scaleX(2)!important;fill:none"/>"#,
-                r#"<svg style="transform:matrix(2 0 0 1 0 0)!important;fill:none"/>"#,
+                r#"<svg style="transform:matrix(2e0 0e0 0e0 1e0 0e0 0e0)!important;fill:none"/>"#,
             ),
             (r#"<svg style="transform:;fill:none"/>"#, r#"<svg style="fill:none"/>"#),
             (r#"<svg style="FILL:none;Stroke-Width:2"/>"#, r#"<svg style="fill:none;stroke-width:2"/>"#),

@@ -371,8 +371,11 @@ fn colours_and_styles_without_end_are_answered_soon() {
     files.push(format!("<style>{}</style>", "a{".repeat(9_000_000)));
     files.push(format!("<style>{}</style>", "a{--b:c}".repeat(2_000_000)));
     files.push(format!("<g style=\"fill:{}\"/>", r"\'".repeat(9_000_000)));
-    files.push(format!("<g style='transform:{}'/>", "scaleX(1)".repeat(2_000_000)));
-    files.push(format!("<g style='{}'/>", "transform:scaleX(1);".repeat(900_000)));
+    for call in ["scaleX(1)", "scaleX(1e308)", "rotateZ(1)", "matrix(1e308,1e-308,0,1e308,0,0)"] {
+        files.push(format!("<g style='transform:scaleX(1){}'/>", call.repeat(19_000_000 / call.len())));
+        let declaration = format!("transform:scaleX(1){call};");
+        files.push(format!("<g style='{}'/>", declaration.repeat(19_000_000 / declaration.len())));
+    }
     files.push(format!("<g style='{}'/>", ";:".repeat(9_000_000)));
     files.push(format!("<g style='{}{}'/>", "fill:red;".repeat(1_000_000), "stroke:#;".repeat(1_000_000)));
     for content in files {

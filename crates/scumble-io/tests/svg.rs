@@ -128,6 +128,16 @@ fn transforms_of_styles_are_followed_or_told() {
 }
 
 #[test]
+fn what_is_turned_around_its_own_box_stays_and_is_told() {
+    let Import { drawing, notes, .. } = on_page(
+        r#"<g stroke="black" style="transform-box:fill-box;transform-origin:center;transform:translateX(8px)">
+            <line x2="8" style="transform:rotate(90deg)"/></g>"#,
+    );
+    assert_close(bounds(&drawing.curves[0].path), [128.0, 0.0, 256.0, 0.0]);
+    assert_eq!(notes.to_string(), "left out: 1 transform");
+}
+
+#[test]
 fn a_line_that_does_not_scale_is_as_wide_as_in_the_picture() {
     let look = [
         r#"vector-effect="non-scaling-stroke""#,

@@ -1,17 +1,19 @@
-//! Transforms as CSS writes them, as `usvg` reads them: in pixels and degrees, without units.
+//! Transforms as CSS writes them, as `usvg` reads them: in pixels and degrees, without units. Those that it reads as they are
+//! stay, though browsers want units.
 //!
 //! What is said in parts of a size or in letters cannot be followed, nor what leaves the plane otherwise than along the line of
 //! sight.
 
 use std::borrow::Cow;
 
+use kurbo::Affine;
 use svgtypes::Transform;
 
 use super::text::{call, parts};
 use super::values::channel;
 use crate::page_size::length;
 
-/// A matrix, column by column.
+/// A matrix, column by column; it moves by pixels.
 type Matrix = [f64; 6];
 
 /// A value as `usvg` reads it: as it is, if possible; `None` where it cannot be followed.
@@ -23,17 +25,26 @@ pub(crate) fn readable(value: &str) -> Option<Cow<'_, str>> {
         return Some(Cow::Borrowed("scale(1)"));
     }
     let calls = value.split_inclusive(')').map(str::trim).filter(|text| !text.is_empty());
-    let matrices: Option<Vec<_>> = calls.map(|text| Some(written(matrix(call(text)?)?))).collect();
-    matrices.map(|matrices| Cow::Owned(matrices.join(" ")))
+    // One for all of them: a list of matrices may be many times as long as what it stands for.
+    let mut matrices = calls.map(|text| matrix(call(text)?).map(Affine::new));
+    let whole = matrices.try_fold(Affine::IDENTITY, |whole, next| Some(whole * next?))?;
+    whole.is_finite().then(|| Cow::Owned(written(whole.as_coeffs())))
 }
 
+/// Whether a transform that `usvg` reads moves alone, so that it does not matter around which point it is.
+pub(crate) fn only_moves(value: &str) -> bool {
+    value.parse::<Transform>().is_ok_and(|t| [t.a, t.b, t.c, t.d] == [1.0, 0.0, 0.0, 1.0])
+}
+
+/// With exponents: numbers may have hundreds of digits without.
 fn written(matrix: Matrix) -> String {
-    ["matrix(", &matrix.map(|number| number.to_string()).join(" "), ")"].concat()
+    ["matrix(", &matrix.map(|number| format!("{number:e}")).join(" "), ")"].concat()
 }
 
 fn matrix((name, arguments): (&str, &str)) -> Option<Matrix> {
-    let arguments: Vec<_> = parts(arguments, |b| b == b',').map(str::trim).collect();
-    Some(match (&*name.to_ascii_lowercase(), &arguments[..]) {
+    let [name, arguments] = [name, arguments].map(str::to_ascii_lowercase);
+    let arguments: Vec<_> = parts(&arguments, |b| b == b',').map(str::trim).collect();
+    Some(match (&*name, &arguments[..]) {
         ("translate" | "translatex", [x]) => moved(px(x)?, 0.0),
         ("translatey", [y]) => moved(0.0, px(y)?),
         ("translatez", [_]) => moved(0.0, 0.0),
@@ -73,12 +84,15 @@ fn px(text: &str) -> Option<f64> {
     length(text).map(|(_, length_px)| length_px)
 }
 
+/// A number or a percentage; colours may also have angles there.
 fn factor(text: &str) -> Option<f64> {
-    channel(text, 1.0)
+    let is_number = text.ends_with(|c: char| c.is_ascii_digit() || matches!(c, '.' | '%'));
+    channel(text, 1.0).filter(|_| is_number)
 }
 
+/// An angle; colours may also have none there.
 fn radians(text: &str) -> Option<f64> {
-    channel(text, f64::NAN).map(f64::to_radians)
+    channel(text, f64::NAN).filter(|_| text != "none").map(f64::to_radians)
 }
 
 #[cfg(test)]
@@ -103,7 +117,7 @@ mod tests {
             ("translate(10px)", "translate(10)"),
             ("translateX(1in) translateY(-3pt)", "translate(96 -4)"),
             ("translate3d(1px, 2px, 0)", "translate(1 2)"),
-            ("TRANSLATEX(1px)scaleX(50%)scaley(2)", "translate(1) scale(.5 2)"),
+            ("TRANSLATEX(1PX)scaleX(50%)scaley(2)", "translate(1) scale(.5 2)"),
             ("scale(200%)", "scale(2)"),
             ("scale3d(2, 3, 1) translateZ(0)", "scale(2 3)"),
             ("skew(30deg, 0deg) skewY(10deg)", "skewX(30) skewY(10)"),
@@ -128,6 +142,11 @@ mod tests {
             "translate(1em, 0)",
             "translate(calc(1px + 2px))",
             "rotate(10%)",
+            "rotate(none)",
+            "scale(none)",
+            "scale(1turn)",
+            "translate(1e308in)",
+            "scaleX(1e200) scaleX(1e200)",
             "rotateX(10deg)",
             "perspective(10px)",
             "translate(1px",
