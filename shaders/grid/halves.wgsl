@@ -1,4 +1,5 @@
-// Numbers are written as halves, two in each channel, rounded to nearest; what is too large, as the largest.
+// Numbers are written as the halves that pass.wgsl reads, two in each channel, rounded to nearest; what is too large, as the
+// largest.
 
 fn written(numbers: vec4<f32>) -> vec4<u32> {
     let bits = bitcast<vec4<u32>>(0x1p-80f * numbers);

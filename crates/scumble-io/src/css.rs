@@ -1,7 +1,7 @@
 //! Colours, transforms and style sheets as browsers read them, written anew for `usvg`, which knows fewer of them.
 //!
 //! It leaves out a line whose colour it cannot read, makes such an area black, and passes over all declarations behind one that
-//! it does not understand; units in transforms it does not know. Only values of colours and styles are looked at here, each once.
+//! it does not understand. It knows no units in transforms. Only values of colours and styles are looked at here, each once.
 //!
 //! | noun | file |
 //! |---|---|
@@ -96,7 +96,8 @@ fn variables(xml: &Document) -> Variables {
 fn has_own_boxes(xml: &Document) -> bool {
     let styles = xml.descendants().filter_map(|node| node.attribute("style"));
     let boxes = ["fill-box", "stroke-box", "content-box", "border-box"];
-    styles.chain(shown_texts(xml)).any(|css| boxes.iter().any(|name| css.contains(name)))
+    let mut boxed = styles.chain(shown_texts(xml)).filter(|css| css.contains("transform-box"));
+    boxed.any(|css| boxes.iter().any(|name| css.contains(name)))
 }
 
 struct Mender<'t> {

@@ -17,7 +17,7 @@ pub struct ImportNotes {
     pub filters: usize,
     /// Markers, such as arrow heads.
     pub markers: usize,
-    /// Transforms of styles, in percent or in space: what they move stays.
+    /// Transforms of styles in percent, in space, or around a shape's own box: what they move stays.
     pub transforms: usize,
     /// Shapes with a pattern for a paint: lines are grey, areas empty.
     pub patterns: usize,

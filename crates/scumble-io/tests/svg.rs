@@ -116,7 +116,7 @@ fn transforms_move_curves_and_scale_widths() {
 #[test]
 fn transforms_of_styles_are_followed_or_told() {
     let Import { drawing, notes, .. } = on_page(
-        r#"<style>.turned { transform: rotate(90deg) scale(200%) }</style><g stroke="black">
+        r#"<style>* { box-sizing: border-box } .turned { transform: rotate(90deg) scale(200%) }</style><g stroke="black">
             <line x2="8" class="turned"/><line x2="8" style="transform:translate(8px,8px)"/>
             <line x2="8" style="transform:translateX(50%)" transform="translate(0 8)"/></g>"#,
     );
