@@ -1,6 +1,7 @@
 // The two panels of colours: the picker of the colour to scribble with, and the palette.
 
-import { button, make } from "./elements.js";
+import { button } from "./buttons.js";
+import { make } from "./elements.js";
 import { panel } from "./panel.js";
 import { PaletteEditor } from "./palette.js";
 import { Picker } from "./picker.js";

@@ -1,6 +1,7 @@
 // The dialog of "Export": the picture as a file for other programs, or as pixels on the clipboard. It has nothing of the
 // page but what is handed to it, so that it is a file of its own.
 
+import { makeDialog, openDialog } from "./dialogs.js";
 import { pngOf } from "./png.js";
 
 /** Pixels of the longer side at 1×. */
@@ -25,17 +26,40 @@ const TYPES = { png: "image/png", svg: "image/svg+xml", pdf: "application/pdf" }
  * @property {import("./engine.js").Engine} engine
  * @property {typeof import("./formats.js").formats} formats
  * @property {(key: string, values?: Record<string, unknown>) => string} say
+ * @property {(root: ParentNode) => void} label puts words into elements, by their `data-text` and `data-label`
  * @property {(text: string) => void} done
- * @property {(dialog: HTMLDialogElement) => void} openDialog
+ * @property {() => string} drawing the name of the drawing
+ * @property {(name: string) => string} stem a name without its ending
  * @property {(name: string, file: Blob) => void} download
  */
 
 const part = (/** @type {string} */ id) => /** @type {HTMLElement} */ (document.getElementById(id));
 const input = (/** @type {string} */ id) => /** @type {HTMLInputElement} */ (part(id));
-const dialog = /** @type {HTMLDialogElement} */ (part("export"));
+
+const CONTENT = `
+  <div class="body">
+    <div class="kinds" role="radiogroup" data-label="format">
+      <label class="kind"><input type="radio" name="format" value="png" data-label="png" checked><span data-text="png"></span></label>
+      <label class="kind"><input type="radio" name="format" value="svg" data-label="svg"><span data-text="svg"></span></label>
+      <label class="kind"><input type="radio" name="format" value="pdf" data-label="pdf"><span data-text="pdf"></span></label>
+    </div>
+    <p class="size"><label for="export-size" data-text="export-size"></label>
+      <input type="number" id="export-size" aria-describedby="export-status" min="1" max="16384" value="1024" required>
+      <button type="button" data-action="export-1">1×</button>
+      <button type="button" data-action="export-2">2×</button>
+      <button type="button" data-action="export-4">4×</button></p>
+    <p class="size"><label class="check"><input type="checkbox" id="export-lines"><span data-text="lines"></span></label>
+      <label class="check"><input type="checkbox" id="export-transparent"><span data-text="transparent"></span></label></p>
+    <p class="size"><button type="button" class="main first" data-action="save-export" id="save-export" data-text="save-export"></button>
+      <button type="button" class="main" data-action="copy-picture" id="copy-picture" data-text="copy-picture"></button></p>
+    <p id="export-progress" hidden><progress id="export-share" data-label="painting"></progress>
+      <button type="button" data-action="cancel-export" data-text="cancel"></button></p>
+    <p id="export-status" role="status"></p>
+  </div>`;
 
 export class Export {
   #shell;
+  #dialog;
   /** Ends the work that is going on. @type {AbortController | undefined} */
   #job;
   /** Whether lines were shown as the dialog was opened last: what is chosen in it holds until that changes. @type {boolean | undefined} */
@@ -50,8 +74,9 @@ export class Export {
   /** @param {Shell} shell */
   constructor(shell) {
     this.#shell = shell;
-    dialog.addEventListener("close", () => this.cancel());
-    dialog.addEventListener("input", ({ target }) => {
+    this.#dialog = makeDialog("export", CONTENT, this.#acts(), shell.label);
+    this.#dialog.addEventListener("close", () => this.#cancel());
+    this.#dialog.addEventListener("input", ({ target }) => {
       if (target === input("export-size")) this.#sizes[kind()] = input("export-size").value;
       if (/** @type {HTMLInputElement} */ (target).name === "format") this.#sized = this.#showSize();
       this.#judge();
@@ -64,34 +89,50 @@ export class Export {
     delete this.#sizes.shapes;
     this.#sized = this.#showSize();
     this.#judge();
-    this.#shell.openDialog(dialog);
+    openDialog(this.#dialog);
   }
 
-  cancel() {
+  /** What the buttons do. @returns {Record<string, () => unknown>} */
+  #acts() {
+    return {
+      "export-1": () => this.#setSize(1),
+      "export-2": () => this.#setSize(2),
+      "export-4": () => this.#setSize(4),
+      "save-export": () => this.#save(),
+      "copy-picture": () => this.#copy(),
+      "cancel-export": () => this.#cancel(),
+    };
+  }
+
+  #cancel() {
     this.#job?.abort();
   }
 
   /** @param {number} times */
-  setSize(times) {
+  #setSize(times) {
     input("export-size").value = this.#sizes[kind()] = String(times * ONE_PX);
     this.#judge();
   }
 
-  /**
-   * @param {string} stem of the file's name
-   * @param {string} drawing the name of the drawing, whose own file this is not to take the place of
-   */
-  async save(stem, drawing) {
-    const own = `${stem}.${format()}`;
-    const name = own.toLowerCase() === drawing.toLowerCase() ? `${stem} (Scumble).${format()}` : own;
+  async #save() {
+    const { download, done, say } = this.#shell;
+    const name = this.#fileName();
     const file = await this.#worked((signal) => this.#made(format(), signal));
     if (!file) return;
-    this.#shell.download(name, file);
-    dialog.close();
-    this.#shell.done(this.#shell.say("exported", { name }));
+    download(name, file);
+    this.#dialog.close();
+    done(say("exported", { name }));
   }
 
-  async copy() {
+  /** The drawing's name, but not that of its own file, whose place this one is not to take. */
+  #fileName() {
+    const drawing = this.#shell.drawing();
+    const stem = this.#shell.stem(drawing);
+    const own = `${stem}.${format()}`;
+    return own.toLowerCase() === drawing.toLowerCase() ? `${stem} (Scumble).${format()}` : own;
+  }
+
+  async #copy() {
     // Some browsers take only what is handed to them in the click itself.
     const copied = await this.#worked(async (signal) => {
       await navigator.clipboard.write([new ClipboardItem({ [TYPES.png]: this.#made("png", signal) })]);
@@ -221,7 +262,7 @@ function hasSize() {
 
 /** @returns {Format} */
 function format() {
-  return /** @type {any} */ (dialog.querySelector("[name=format]:checked")).value;
+  return /** @type {any} */ (part("export").querySelector("[name=format]:checked")).value;
 }
 
 /** @returns {Kind} */

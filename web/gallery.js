@@ -1,36 +1,43 @@
 // The dialog of the drawings that come with the page: a gallery of their colourings, by kind. It has nothing of the page but what
 // is handed to it, so that it is a file of its own.
 
-import { button, make } from "./elements.js";
+import { button } from "./buttons.js";
+import { makeDialog, openDialog } from "./dialogs.js";
+import { make } from "./elements.js";
 
 /** @typedef {import("./samples.js").Sample} Sample */
 
 /**
  * @typedef {object} Shell what the dialog has of the page
  * @property {(key: string, values?: Record<string, unknown>) => string} say
+ * @property {(root: ParentNode) => void} label puts words into elements, by their `data-text` and `data-label`
  * @property {(control: HTMLElement, label: string) => void} name
- * @property {(dialog: HTMLDialogElement) => void} openDialog
  * @property {() => Promise<Sample[]>} list
  * @property {(sample: Sample) => string} nameOf
  * @property {URL} folder where they are, with a picture of the colouring of each
  * @property {(sample: Sample, isColored: boolean) => unknown} open
  */
 
+const CONTENT = `
+  <div></div>
+  <p class="credit" data-text="samples-credit"></p>`;
+
 export class Gallery {
-  #dialog = /** @type {HTMLDialogElement} */ (document.getElementById("samples"));
-  #gallery = /** @type {HTMLElement} */ (this.#dialog.querySelector("div"));
   #shell;
+  #dialog;
+  #gallery;
 
   /** @param {Shell} shell */
   constructor(shell) {
     this.#shell = shell;
+    this.#dialog = makeDialog("samples", CONTENT, {}, shell.label);
+    this.#gallery = /** @type {HTMLElement} */ (this.#dialog.querySelector("div"));
   }
 
   /** Fetches the list, the first time, and shows it. */
   async show() {
-    const { list, openDialog } = this.#shell;
     if (!this.#gallery.hasChildNodes()) {
-      const samples = await list();
+      const samples = await this.#shell.list();
       const kinds = [...new Set(samples.map(({ kind }) => kind))];
       this.#gallery.replaceChildren(...kinds.flatMap((kind) => this.#shelf(kind, samples)));
     }

@@ -3,7 +3,6 @@
 import { begin, end, isBusy } from "./busy.js";
 import { followed } from "./cursor.js";
 import { Colors } from "./colors.js";
-import { closeOpen, openDialog } from "./dialogs.js";
 import { Drawings, isKept, isUnsaved, stem } from "./drawings.js";
 import { Engine } from "./engine.js";
 import { make } from "./elements.js";
@@ -16,7 +15,7 @@ import { Keeper } from "./keeper.js";
 import { SHORTCUTS, haveSingles, listen, setSingles, written } from "./keys.js";
 import { connectLanguage } from "./language.js";
 import { lazily } from "./lazy.js";
-import { haveWords, name, say } from "./messages.js";
+import { haveWords, label, name, say } from "./messages.js";
 import { Opening } from "./opening.js";
 import { Pointers } from "./pointer.js";
 import { FOLDER, sampleList, sampleName } from "./samples.js";
@@ -181,14 +180,14 @@ function nameShown() {
 
 const sharing = lazily(
   () => import("./share.js"),
-  ({ Share }) => new Share({ say, codeOf: formats.qrCode, openDialog }),
+  ({ Share }) => new Share({ say, label, codeOf: formats.qrCode, save }),
 );
 
 const gallery = lazily(
   () => import("./gallery.js"),
   ({ Gallery }) => {
     const open = opening.sample.bind(opening);
-    return new Gallery({ say, name, openDialog, list: sampleList, nameOf: sampleName, folder: FOLDER, open });
+    return new Gallery({ say, label, name, list: sampleList, nameOf: sampleName, folder: FOLDER, open });
   },
 );
 
@@ -200,18 +199,18 @@ const recent = lazily(
       if (isGone) keeper.drop(drawings.forget(id));
       return isGone;
     };
-    return new Recent({ say, name, openDialog, entries, picture, open: (id) => opening.kept(id), remove });
+    return new Recent({ say, label, name, entries, picture, open: (id) => opening.kept(id), remove });
   },
 );
 
 const exporting = lazily(
   () => import("./export.js"),
-  ({ Export }) => new Export({ engine, formats, say, done, openDialog, download }),
+  ({ Export }) => new Export({ engine, formats, say, label, done, drawing: () => drawings.shown.name, stem, download }),
 );
 
 const help = lazily(
   () => import("./help.js"),
-  ({ Help }) => new Help({ say, label: labelNames, openDialog, shortcuts: SHORTCUTS, written, haveSingles, setSingles }),
+  ({ Help }) => new Help({ say, label, labelNames, shortcuts: SHORTCUTS, written, haveSingles, setSingles, showFirstSteps }),
 );
 
 const keyboardPen = lazily(
@@ -260,19 +259,10 @@ const actions = {
   open: () => void choose((file) => opening.file(file)).catch(failed),
   save,
   export: () => exporting.use((dialog) => dialog.open(areLinesShown())),
-  "export-1": () => exporting.now?.setSize(1),
-  "export-2": () => exporting.now?.setSize(2),
-  "export-4": () => exporting.now?.setSize(4),
-  "save-export": () => exporting.now?.save(stem(drawings.shown.name), drawings.shown.name),
-  "copy-picture": () => exporting.now?.copy(),
-  "cancel-export": () => exporting.now?.cancel(),
   "remove-tracing": removeTracing,
   share,
-  "copy-link": () => sharing.now?.copy(),
-  "send-link": () => sharing.now?.send(),
   recent: showRecent,
   samples: () => gallery.use((dialog) => dialog.show()),
-  close: closeOpen,
   "pick-color": () => colors.show("color"),
   "edit-palette": () => colors.show("edit-palette"),
   dismiss: () => warn(""),
@@ -282,10 +272,6 @@ const actions = {
   help: () => help.use((dialog) => dialog.show()),
   history: () => steps.toggle(),
   "full-screen": turnFullScreen,
-  "first-steps": () => {
-    closeOpen();
-    showFirstSteps();
-  },
   "skip-steps": skipFirstSteps,
   "select-more": toggleMore,
   fingers: () => pointers.turnFingers(),

@@ -72,7 +72,6 @@ export const english = {
   "fit": "Fit",
   "rotate-left": "Rotate left",
   "rotate-right": "Rotate right",
-  "rotate-reset": "Reset rotation",
   "degrees": ({ degrees }) => `${degrees}°`,
   "rotated": ({ degrees }) => `Rotation ${degrees}°`,
   "mirror": "Mirror",
@@ -88,7 +87,6 @@ export const english = {
   "erasing-whole": "Whole scribbles",
   "erasing-whole-short": "Whole",
   "erasing-parts": "Parts",
-  "other-erasing": "Erase whole scribbles or parts",
   "tool-select": "Select",
   "selection": "Selection",
   "select-more": "Select more",
@@ -138,15 +136,10 @@ export const english = {
   "fingers": "Fingers draw",
   "fingers-draw": "Fingers draw too",
   "pen-draws": "Only the pen draws now, fingers move the picture; the button with a finger changes that",
-  "hold-hand": "Hand, while held",
-  "hold-rotate": "Rotate by dragging, while held",
-  "hold-before": "Before, while held",
   "before": "The drawing before it was coloured",
-  "other-kind": "Fill or shade",
   "pen": "Draw with the keyboard: cross hairs",
   "drop": "Drop the stroke, or deselect",
   "swatch-0": "No colour",
-  "zoom-reset": "Zoom to 100%",
   "dismiss": "Dismiss",
   "update-ready": "A new version is ready",
   "reload": "Reload",
@@ -275,10 +268,9 @@ export async function speak(language) {
   document.documentElement.lang = language;
 }
 
-/** Has the words of what is fetched later, too, and puts them into the dialogs. */
+/** Has the words of what is fetched later, too. */
 export async function haveWords() {
   Object.assign(english, (await import("./later_messages.js")).later);
-  document.querySelectorAll("dialog").forEach(label);
 }
 
 /**

@@ -2,7 +2,6 @@
 // files, what belongs to the one that is shown: palettes, pictures to trace.
 
 import { begin, end, expectLong, isBusy } from "./busy.js";
-import { closeOpen } from "./dialogs.js";
 import { formats, isLink } from "./formats.js";
 import { letGo, removed } from "./hold.js";
 import { lastIds, take } from "./keeper.js";
@@ -318,6 +317,12 @@ async function whole(coming) {
   const { work, notes, lacks, image } = opened;
   if (!lacks) return opened;
   return { work: await formats.onSample(work, await sampleWork(lacks)), notes, image };
+}
+
+function closeOpen() {
+  // What was asked for twice may be there one over the other.
+  const open = document.querySelector("dialog:focus-within") ?? document.querySelector("dialog[open]");
+  /** @type {HTMLDialogElement | null} */ (open)?.close();
 }
 
 /** @param {unknown} fault */

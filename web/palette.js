@@ -1,7 +1,8 @@
 // The editor of the palette: swatches to sort, to name, to take away and to give another colour, which all that is painted
 // with them follows; and palettes in and out of files.
 
-import { button, make } from "./elements.js";
+import { button } from "./buttons.js";
+import { make } from "./elements.js";
 import { Picker } from "./picker.js";
 
 /** @typedef {import("./colors.js").Shell} Shell */
@@ -16,6 +17,15 @@ const CLICK_PX = 5;
 const GRAY = 0.03;
 
 const NAME_LENGTH = 80;
+
+/** Those that nothing else of the page has. */
+const SYMBOLS = `
+  <symbol id="i-earlier" viewBox="0 0 20 20"><path d="M16 10H4m5-5-5 5 5 5"/></symbol>
+  <symbol id="i-later" viewBox="0 0 20 20"><path d="M4 10h12m-5-5 5 5-5 5"/></symbol>
+  <symbol id="i-hue" viewBox="0 0 20 20"><path d="M7.5 12.5a4 4 0 1 1 0-8 4 4 0 0 1 0 8zM12.5 12.5a4 4 0 1 1 0-8 4 4 0 0 1 0 8zM10 17a4 4 0 1 1 0-8 4 4 0 0 1 0 8z"/></symbol>
+  <symbol id="i-lightness" viewBox="0 0 20 20"><path fill="currentColor" d="M10 3v14a7 7 0 0 0 0-14z"/><path d="M10 3a7 7 0 1 0 0 14"/></symbol>`;
+
+document.querySelector("body > svg")?.insertAdjacentHTML("beforeend", SYMBOLS);
 
 export class PaletteEditor {
   #shell;

@@ -1,6 +1,7 @@
 // What the panels beside the rail have in common, which are fetched when they are opened.
 
-import { button, make } from "./elements.js";
+import { button } from "./buttons.js";
+import { make } from "./elements.js";
 
 /**
  * A panel that a button opens and closes.

@@ -1,7 +1,8 @@
 // A picker of colours: sliders over what they give, the colour in hexadecimal digits, and colours that go with it. It is
 // fetched with the panels of colours; the module has the arithmetic.
 
-import { button, make } from "./elements.js";
+import { button } from "./buttons.js";
+import { make } from "./elements.js";
 import { Square } from "./square.js";
 
 /** @typedef {import("./colors.js").Shell} Shell */

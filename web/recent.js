@@ -1,30 +1,39 @@
 // The drawings that the browser keeps: a dialog of their pictures, to go on with or to be deleted. It has nothing of the page but
 // what is handed to it, so that it is a file of its own.
 
-import { button, make } from "./elements.js";
+import { button } from "./buttons.js";
+import { makeDialog, openDialog } from "./dialogs.js";
+import { make } from "./elements.js";
 
 /** @typedef {import("./storage.js").Entry} Entry */
 
 /**
  * @typedef {object} Shell what the dialog has of the page
  * @property {(key: string, values?: any) => string} say
+ * @property {(root: ParentNode) => void} label puts words into elements, by their `data-text` and `data-label`
  * @property {(control: HTMLElement, label: string) => void} name
- * @property {(dialog: HTMLDialogElement) => void} openDialog
  * @property {() => Promise<Entry[]>} entries what the browser keeps
  * @property {(id: string) => Promise<Uint8Array<ArrayBuffer> | undefined>} picture
  * @property {(id: string) => unknown} open
  * @property {(id: string) => Promise<boolean>} remove deletes a drawing, and says whether it is gone
  */
 
+const CONTENT = `
+  <ul role="list"></ul>
+  <p class="none credit" data-text="recent-none" hidden></p>`;
+
 export class Recent {
-  #dialog = /** @type {HTMLDialogElement} */ (document.getElementById("recent"));
-  #list = /** @type {HTMLUListElement} */ (this.#dialog.querySelector("ul"));
-  #none = /** @type {HTMLElement} */ (this.#dialog.querySelector(".none"));
   #shell;
+  #dialog;
+  #list;
+  #none;
 
   /** @param {Shell} shell */
   constructor(shell) {
     this.#shell = shell;
+    this.#dialog = makeDialog("recent", CONTENT, {}, shell.label);
+    this.#list = /** @type {HTMLUListElement} */ (this.#dialog.querySelector("ul"));
+    this.#none = /** @type {HTMLElement} */ (this.#dialog.querySelector(".none"));
   }
 
   /**
@@ -32,8 +41,7 @@ export class Recent {
    * @param {string | undefined} shown the drawing that is open
    */
   async show(shown) {
-    const { entries, openDialog } = this.#shell;
-    this.#list.replaceChildren(...(await entries()).map((entry) => this.#item(entry, entry.id === shown)));
+    this.#list.replaceChildren(...(await this.#shell.entries()).map((entry) => this.#item(entry, entry.id === shown)));
     this.#none.hidden = this.#list.childElementCount > 0;
     openDialog(this.#dialog);
   }

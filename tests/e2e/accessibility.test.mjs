@@ -57,7 +57,7 @@ const NARROW = {
 /** @param {Editor} editor @param {string} button @param {string} dialog */
 async function opened(editor, button, dialog) {
   await editor.click(button);
-  await editor.tab.waitFor(`document.getElementById("${dialog}").open`);
+  await editor.tab.waitFor(`document.getElementById("${dialog}")?.open`);
 }
 
 /**

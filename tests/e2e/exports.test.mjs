@@ -143,7 +143,7 @@ for (const browser of /** @type {const} */ (["chromium", "firefox"])) {
     test("what takes long can be stopped", async () => {
       const editor = await shaded();
       await editor.click("Export");
-      await editor.tab.waitFor(`document.getElementById("export").open`);
+      await editor.tab.waitFor(`document.getElementById("export")?.open`);
       await editor.tab.evaluate(`{
         const size = document.getElementById("export-size");
         size.value = "16384";
@@ -169,7 +169,7 @@ for (const browser of /** @type {const} */ (["chromium", "firefox"])) {
       const editor = await session.open("cpu");
       await editor.openDrawing("rooms");
       await editor.tab.hold("Control", () => editor.tab.hold("Shift", () => editor.tab.press("E")));
-      await editor.tab.waitFor(`document.getElementById("export").open`);
+      await editor.tab.waitFor(`document.getElementById("export")?.open`);
       return editor;
     };
 

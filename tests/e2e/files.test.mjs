@@ -149,7 +149,7 @@ for (const browser of /** @type {const} */ (["chromium", "firefox"])) {
       await editor.openSample("Apple");
       await editor.until("Saved rooms.scumble", () => editor.tab.evaluate(`window.release()`));
       await editor.click("Recent drawings");
-      await editor.tab.waitFor(`document.getElementById("recent").open`);
+      await editor.tab.waitFor(`document.getElementById("recent")?.open`);
       await editor.until("Opened rooms.scumble", () => editor.click("Open rooms.scumble"));
       assert.equal(await title(editor), saved("rooms.scumble"));
       assert.deepEqual(editor.tab.faults, []);

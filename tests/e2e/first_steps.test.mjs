@@ -73,7 +73,7 @@ for (const browser of /** @type {const} */ (["chromium", "firefox"])) {
       await editor.tab.press("Escape");
       assert.equal(await step(editor), 0);
       await editor.tab.press("?");
-      await editor.tab.waitFor(`document.getElementById("help").open`);
+      await editor.tab.waitFor(`document.getElementById("help")?.open`);
       await editor.tab.evaluate(`document.querySelector('[data-action="first-steps"]').focus()`);
       await editor.tab.press("Enter");
       await editor.tab.waitFor(`!document.getElementById("help").open`);
@@ -89,7 +89,7 @@ for (const browser of /** @type {const} */ (["chromium", "firefox"])) {
     test("those who come by a link are not shown it", async () => {
       const editor = await visit();
       await editor.click("Share");
-      await editor.tab.waitFor(`document.getElementById("share").open`);
+      await editor.tab.waitFor(`document.getElementById("share")?.open`);
       const link = String(await editor.tab.evaluate(`document.getElementById("link").value`));
       const linked = await visit(link.slice(link.indexOf("#")));
       assert.equal(await linked.name(), "Shared drawing");

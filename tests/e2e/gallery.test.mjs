@@ -106,7 +106,7 @@ describe("the gallery of samples", () => {
   async function opened() {
     const editor = await session.open("cpu");
     await editor.click("Samples");
-    await editor.tab.waitFor(`document.getElementById("samples").open`);
+    await editor.tab.waitFor(`document.getElementById("samples")?.open`);
     return editor;
   }
 });

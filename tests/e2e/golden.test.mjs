@@ -32,11 +32,11 @@ const STATES = {
   },
   help: async (editor) => {
     await editor.click("Help");
-    await editor.tab.waitFor(`document.getElementById("help").open`);
+    await editor.tab.waitFor(`document.getElementById("help")?.open`);
   },
   export: async (editor) => {
     await editor.click("Export");
-    await editor.tab.waitFor(`document.getElementById("export").open`);
+    await editor.tab.waitFor(`document.getElementById("export")?.open`);
   },
 };
 

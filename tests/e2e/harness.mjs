@@ -270,7 +270,7 @@ export class Editor {
    */
   async #openSample(name, button) {
     await this.click("Samples");
-    await this.tab.waitFor(`document.getElementById("samples").open`);
+    await this.tab.waitFor(`document.getElementById("samples")?.open`);
     await this.until(`Opened ${name}`, () => this.tab.click("button", button));
   }
 

@@ -68,7 +68,7 @@ for (const browser of /** @type {const} */ (["chromium", "firefox"])) {
     /** @param {Editor} editor @returns {Promise<[string, string[]][]>} actions with their chords, in the page's words */
     const listed = async (editor) => {
       await editor.click("Help");
-      await editor.tab.waitFor(`document.getElementById("help").open`);
+      await editor.tab.waitFor(`document.getElementById("help")?.open`);
       const rows = await editor.tab.evaluate(`
         [...document.querySelectorAll("#shortcuts dl div")].map((row) =>
           [row.querySelector("dt").textContent, [...row.querySelectorAll("kbd")].map((key) => key.textContent)])`);
@@ -146,7 +146,7 @@ for (const browser of /** @type {const} */ (["chromium", "firefox"])) {
       const swatch = () => editor.tab.evaluate(`document.querySelector("#palette button").title`);
       assert.deepEqual([await tooltip(), await swatch()], ["Erase (E)", "Red (1)"]);
       await editor.tab.press("?");
-      await editor.tab.waitFor(`document.getElementById("help").open`);
+      await editor.tab.waitFor(`document.getElementById("help")?.open`);
       await editor.tab.click("checkbox", "Shortcuts of a single key");
       await editor.click("Close");
       /** @param {Editor} page */
@@ -164,7 +164,7 @@ for (const browser of /** @type {const} */ (["chromium", "firefox"])) {
       const again = await Editor.open(editor.tab, `${session.url}?renderer=cpu`, "cpu");
       await areOff(again);
       await again.click("Help");
-      await again.tab.waitFor(`document.getElementById("help").open`);
+      await again.tab.waitFor(`document.getElementById("help")?.open`);
       await again.tab.click("checkbox", "Shortcuts of a single key");
       await again.click("Close");
       await again.tab.press("e");
@@ -176,7 +176,7 @@ for (const browser of /** @type {const} */ (["chromium", "firefox"])) {
     test("it tells how to begin, in three steps, and closes by Escape", async () => {
       const editor = await open();
       await editor.tab.press("?");
-      await editor.tab.waitFor(`document.getElementById("help").open`);
+      await editor.tab.waitFor(`document.getElementById("help")?.open`);
       const steps = /** @type {string[]} */ (await editor.tab.evaluate(`
         [...document.querySelectorAll("#help .guide li")].filter((step) => step.checkVisibility()).map((step) => step.innerText)`));
       assert.equal(steps.length, 3);

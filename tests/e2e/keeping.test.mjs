@@ -72,7 +72,7 @@ for (const browser of /** @type {const} */ (["chromium", "firefox"])) {
     /** @param {import("./harness.mjs").Editor} editor @returns {Promise<string[]>} what the buttons of the list say, without its heads */
     const list = async (editor) => {
       await editor.click("Recent drawings");
-      await editor.tab.waitFor(`document.getElementById("recent").open`);
+      await editor.tab.waitFor(`document.getElementById("recent")?.open`);
       return editor.tab.evaluate(`[...document.querySelectorAll("#recent li button")].map((button) => button.ariaLabel)`);
     };
 

@@ -59,7 +59,7 @@ for (const browser of /** @type {const} */ (["chromium", "firefox"])) {
       await editor.until("Redone", () => editor.tab.hold("Control", () => editor.tab.press("y")));
 
       await editor.tab.hold("Control", () => editor.tab.hold("Shift", () => editor.tab.press("E")));
-      await editor.tab.waitFor(`document.getElementById("export").open`);
+      await editor.tab.waitFor(`document.getElementById("export")?.open`);
       await tabTo(editor, `document.activeElement.dataset.action === "save-export"`);
       await editor.until("Exported", () => editor.tab.press("Enter"));
       assert.deepEqual(editor.tab.faults, []);

@@ -22,7 +22,25 @@ const DAMAGED_LINK = "Der Link ist beschädigt: ein Teil davon fehlt oder ist ve
 const MIXED = `<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 9 9"><text>a</text>${'<image href="a.png" width="9" height="9"/>'.repeat(2)}
   <path d="M1 1H8V8H1Z" fill="none" stroke="#000"/></svg>`;
 
+/** The dialogs, by their ids, which are those of what opens them. */
+const DIALOGS = ["help", "export", "share", "samples", "recent"];
+
+/** The modules that have markup with labels. */
+const MODULES = ["dialogs.js", "recent.js", "gallery.js", "share.js", "export.js", "help.js"];
+
 const page = () => readFile(new URL("../../index.html", import.meta.url), "utf8");
+
+/** @param {string} file */
+const module = (file) => readFile(new URL(`../../web/${file}`, import.meta.url), "utf8");
+
+/** @param {Editor} editor @param {string} id */
+async function openDialog(editor, id) {
+  await editor.tab.evaluate(`document.querySelector('[data-action="${id}"]').click()`);
+  await editor.tab.waitFor(`document.getElementById("${id}")?.open`);
+}
+
+/** The keys of labels. @param {string} markup */
+const labelsOf = (markup) => [...markup.matchAll(/data-(?:text|label)="([^"$]+)"/g)].map(([, key]) => key);
 
 test("both tables have the same keys, and every label of the page", async () => {
   // The tables tell the keys of a Mac by the browser.
@@ -36,25 +54,26 @@ test("both tables have the same keys, and every label of the page", async () => 
   assert.equal(Object.keys(english).length, Object.keys(first.english).length + Object.keys(later).length);
   assert.deepEqual(Object.keys(german).sort(), Object.keys(english).sort());
   for (const [key, text] of Object.entries(english)) assert.equal(typeof german[key], typeof text, key);
-  const used = [...(await page()).matchAll(/data-(?:text|label)="([^"]+)"/g)].map(([, key]) => key);
+  const markup = await Promise.all([page(), ...MODULES.map(module)]);
+  const used = markup.flatMap(labelsOf);
   assert.ok(used.length > 100);
+  for (const text of markup) assert.ok(labelsOf(text).length > 0);
   assert.deepEqual(used.filter((key) => !(key in english)), []);
 });
 
 test("no word that is fetched later is said before", async () => {
   const { later } = await import("../../web/later_messages.js");
-  const outside = (await page()).replace(/<dialog[^]*?<\/dialog>/g, "");
-  const labels = [...outside.matchAll(/data-(?:text|label)="([^"]+)"/g)];
+  const labels = labelsOf(await page());
   // Neither comments nor the names of a table are said.
   const code = [...(await firstModules())].map((text) => text.replace(/\/\*[^]*?\*\/|^\s*\/\/.*$|"[^"\n]+":/gm, ""));
-  const said = [...labels, ...code.flatMap((text) => [...text.matchAll(/"([^"\n]+)"/g)])].map(([, key]) => key);
+  const said = [...labels, ...code.flatMap((text) => [...text.matchAll(/"([^"\n]+)"/g)].map(([, key]) => key))];
   assert.ok(["undo", "degrees", "step-1"].every((key) => said.includes(key)));
   assert.deepEqual(said.filter((key) => key in later), []);
 });
 
 /** The modules that the page has from the start: those that they import by name. The names in the table of keys Help alone says. */
 async function firstModules(found = new Map(), file = "main.js") {
-  const text = await readFile(new URL(`../../web/${file}`, import.meta.url), "utf8");
+  const text = await module(file);
   found.set(file, text);
   for (const [, next] of text.matchAll(/^import .* from "\.\/(.+)";$/gm)) {
     if (!found.has(next)) await firstModules(found, next);
@@ -97,6 +116,10 @@ for (const browser of /** @type {const} */ (["chromium", "firefox"])) {
       const editor = await openGerman();
       assert.equal(await lang(editor), "de");
       assert.equal(await editor.name(), "Goldfisch");
+      for (const id of DIALOGS) {
+        await openDialog(editor, id);
+        await editor.tab.evaluate(`document.getElementById("${id}").close()`);
+      }
       const { german } = await import("../../web/german.js");
       const labels = /** @type {[string, string][]} */ (await editor.tab.evaluate(`
         [...document.querySelectorAll("[data-text]")].map((element) => [element.dataset.text, element.textContent])
@@ -130,6 +153,7 @@ for (const browser of /** @type {const} */ (["chromium", "firefox"])) {
       await tab.waitFor(`document.documentElement.lang === "de"`);
       assert.ok(isFetched());
       assert.equal(await selected(), "1 Kritzel");
+      assert.equal(await tab.evaluate(`document.querySelector("#samples h2").textContent`), "Beispiele");
       await tab.press("Escape");
       assert.equal(await tab.evaluate(`document.getElementById("zoom").textContent`).then((text) => /\d\u00a0%$/.test(String(text))), true);
       await editor.click("Farbe");
@@ -183,14 +207,10 @@ for (const browser of /** @type {const} */ (["chromium", "firefox"])) {
         const cut = await editor.tab.evaluate(`
           [...document.querySelectorAll("aside .kinds")].filter((group) => group.scrollWidth > group.clientWidth).map((group) => group.ariaLabel)`);
         assert.deepEqual(cut, [], `${width} by ${height}`);
-        // Their style comes with the first one.
-        await editor.tab.evaluate(`document.querySelector('[data-action="help"]').click()`);
-        await editor.tab.waitFor(`document.getElementById("help").open`);
-        await editor.tab.evaluate(`document.getElementById("help").close()`);
-        for (const id of ["help", "export", "share", "samples", "recent"]) {
+        for (const id of DIALOGS) {
+          await openDialog(editor, id);
           const [inner, outer] = /** @type {number[]} */ (await editor.tab.evaluate(`{
             const dialog = document.getElementById("${id}");
-            dialog.showModal();
             const widths = [dialog.scrollWidth, dialog.clientWidth];
             dialog.close();
             widths;

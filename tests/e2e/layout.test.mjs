@@ -170,7 +170,7 @@ for (const browser of /** @type {const} */ (["chromium", "firefox"])) {
       await editor.tab.click("button", "File");
       assert.ok(await isOpen(editor, "files"));
       await editor.tab.click("button", "Samples");
-      await editor.tab.waitFor(`document.getElementById("samples").open`);
+      await editor.tab.waitFor(`document.getElementById("samples")?.open`);
       assert.ok(!(await isOpen(editor, "files")));
       await editor.tab.press("Escape");
       await editor.tab.waitFor(`!document.getElementById("samples").open`);

@@ -23,7 +23,7 @@ const isShown = (editor, id) => editor.tab.evaluate(`document.getElementById(${J
 /** @param {Editor} editor @returns {Promise<string>} the link that the dialog shows */
 const shared = async (editor) => {
   await editor.click("Share");
-  await editor.tab.waitFor(`document.getElementById("share").open`);
+  await editor.tab.waitFor(`document.getElementById("share")?.open`);
   return editor.tab.evaluate(`document.getElementById("link").value`);
 };
 

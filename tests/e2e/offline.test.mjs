@@ -182,7 +182,7 @@ for (const browser of /** @type {const} */ (["chromium", "firefox"])) {
       await paint(editor);
       assert.equal(await colorOfRoom(editor), RED);
       await editor.click("Share");
-      await editor.tab.waitFor(`document.getElementById("share").open`);
+      await editor.tab.waitFor(`document.getElementById("share")?.open`);
       const link = await editor.tab.evaluate(`document.getElementById("link").value`);
       await editor.tab.press("Escape");
       const again = await Editor.open(editor.tab, host.url, "cpu");

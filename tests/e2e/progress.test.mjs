@@ -174,7 +174,7 @@ for (const browser of /** @type {const} */ (["chromium", "firefox"])) {
       await session.reopen(editor.tab);
       assert.equal(await editor.name(), "again.svg");
       await editor.click("Recent drawings");
-      await editor.tab.waitFor(`document.getElementById("recent").open`);
+      await editor.tab.waitFor(`document.getElementById("recent")?.open`);
       const kept = await editor.tab.evaluate(`[...document.querySelectorAll("#recent li span")].map((name) => name.textContent)`);
       assert.deepEqual(kept, ["again.svg", "rooms.svg"]);
       assert.deepEqual(editor.tab.faults, []);
@@ -191,7 +191,7 @@ for (const browser of /** @type {const} */ (["chromium", "firefox"])) {
       await editor.until("Cancelled; the drawing is as it was before", () => editor.click("Cancel"));
       await editor.tab.evaluate(`goOn(), held(), ${PAINTED}`);
       await editor.click("Recent drawings");
-      await editor.tab.waitFor(`document.getElementById("recent").open`);
+      await editor.tab.waitFor(`document.getElementById("recent")?.open`);
       assert.equal(await editor.tab.evaluate(`document.querySelectorAll("#recent li").length`), 1);
       assert.equal(await editor.tab.evaluate(`document.querySelectorAll('#recent img[src^="blob:"]').length`), 0);
       assert.deepEqual(editor.tab.faults, []);

@@ -57,7 +57,7 @@ for (const browser of /** @type {const} */ (["chromium", "firefox"])) {
       const found = {};
       for (const name of ["rooms.svg", "Copy of rooms.svg"]) {
         await last.click("Recent drawings");
-        await last.tab.waitFor(`document.getElementById("recent").open`);
+        await last.tab.waitFor(`document.getElementById("recent")?.open`);
         await last.click(`Open ${name}`);
         await last.tab.waitFor(`document.getElementById("drawing").textContent === ${JSON.stringify(name)}`);
         await last.scribble(IN_LEFT_ROOM, ROOMS);
@@ -80,7 +80,7 @@ for (const browser of /** @type {const} */ (["chromium", "firefox"])) {
     /** @param {Editor} editor */
     const list = async (editor) => {
       await editor.click("Recent drawings");
-      await editor.tab.waitFor(`document.getElementById("recent").open`);
+      await editor.tab.waitFor(`document.getElementById("recent")?.open`);
     };
 
     /** A tab comes to nothing with a drawing that it does not show; another one opens it then. @param {(one: Editor) => Promise<void>} fail */

@@ -349,14 +349,14 @@ for (const browser of /** @type {const} */ (["chromium", "firefox"])) {
       const editor = await traced();
       const isTold = () => editor.tab.evaluate(`document.getElementById("share-tracing").checkVisibility()`);
       await editor.click("Share");
-      await editor.tab.waitFor(`document.getElementById("share").open`);
+      await editor.tab.waitFor(`document.getElementById("share")?.open`);
       assert.equal(await isTold(), true);
       const link = String(await editor.tab.evaluate(`document.getElementById("link").value`));
       await editor.click("Close");
       await editor.until("Opened the link", () => editor.tab.evaluate(`location.hash = ${JSON.stringify(new URL(link).hash)}`));
       assert.equal(await hasControls(editor), false);
       await editor.click("Share");
-      await editor.tab.waitFor(`document.getElementById("share").open`);
+      await editor.tab.waitFor(`document.getElementById("share")?.open`);
       assert.equal(await isTold(), false);
       assert.deepEqual(editor.tab.faults, []);
     });
