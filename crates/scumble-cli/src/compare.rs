@@ -186,6 +186,9 @@ fn print_head(has_referee: bool) {
 
 #[cfg(test)]
 mod tests {
+    use kurbo::{BezPath, Point, Rect, Vec2};
+    use scumble_core::{Curve, Drawing};
+
     use super::*;
 
     /// A made drawing, on fewer pixels than the table's.
@@ -224,5 +227,50 @@ mod tests {
         let [mesh, grid] = row.errors.expect("a referee");
         assert!(row.iteration <= 0.5 && mesh.mean() > 0.0 && grid.mean() > 0.0);
         assert!(mesh.mean() <= 0.1 && grid.mean() <= 0.5, "{mesh} {grid}");
+    }
+
+    /// A box, in which there is a smaller one and what a line that crosses a wall ends with: so long, and at such an angle to it.
+    fn crossed_box(length_du: f64, angle_deg: f64) -> Drawing {
+        let curve = |path: &str| Curve { path: BezPath::from_svg(path).expect("a path"), line: None };
+        let (foot, along) = (Point::new(200.0, 500.0), Vec2::from_angle((90.0 - angle_deg).to_radians()));
+        let (from, tip) = (foot - 90.0 * along, foot + length_du * along);
+        let curves = vec![
+            curve("M 200 200 V 800 H 800 V 200 Z"),
+            curve("M 480 520 H 560 V 600 H 480 Z"),
+            curve(&format!("M {} {} L {} {}", from.x, from.y, tip.x, tip.y)),
+        ];
+        Drawing { curves, ..Drawing::new(Rect::new(0.0, 0.0, 1024.0, 1024.0)) }
+    }
+
+    /// The walls of the larger box give no colour, the smaller one gives another one than the line, on its left side, on its
+    /// right one or on both.
+    fn assert_near_needle(length_du: f64, angle_deg: f64, is_colored: [bool; 2]) {
+        let drawing = crossed_box(length_du, angle_deg);
+        let mut picture = Picture::new(&drawing).expect("a map");
+        let mut boundary = picture.color(&[], &[], &Settings::default()).clone();
+        boundary.sides = vec![None; picture.map().side_count()];
+        for (curve, lightness, is_colored) in [(1, 0.0, [true; 2]), (2, 0.8, is_colored)] {
+            for step in picture.map().steps(curve) {
+                let sides = [step.left, step.left.opposite()].into_iter().zip(is_colored);
+                for (side, _) in sides.filter(|(_, is_colored)| *is_colored) {
+                    boundary.sides[side.index()] = Some([[lightness, 0.0, 0.0, 1.0]; 3]);
+                }
+            }
+        }
+        let options = CompareOptions { referee: true, ..CompareOptions::default() };
+        let row =
+            row(&mut picture, boundary, &stages::page_view(&drawing, 512), options, None).expect("a row");
+        let [_, grid] = row.errors.expect("a referee");
+        let name = format!("{length_du} du, {angle_deg}°, {is_colored:?}: {grid}");
+        assert!(grid.mean() <= 0.25 && grid.percentile(0.99) <= 4.0, "{name}");
+    }
+
+    #[test]
+    fn what_crosses_a_wall_without_colours_by_less_than_a_pixel_is_not_lost() {
+        assert_near_needle(0.3, 90.0, [true, true]);
+        assert_near_needle(0.3, 30.0, [true, false]);
+        // These have pieces in common with the wall.
+        assert_near_needle(0.1, 30.0, [false, true]);
+        assert_near_needle(0.8, 165.0, [true, true]);
     }
 }

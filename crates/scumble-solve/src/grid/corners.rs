@@ -2,6 +2,7 @@
 //!
 //! | noun | file |
 //! |---|---|
+//! | the walls at nodes, and the corners between them | `walls` |
 //! | a corner between two walls, and what the solution is like there | `corner`, `arcosh` |
 //! | its region | `ground` |
 //! | the pixels around it | `patch` |
@@ -19,15 +20,15 @@ mod fit;
 mod ground;
 mod jump;
 mod patch;
+mod walls;
 
-use scumble_core::{Bends, Boundary, PlanarMap, SideId, sort};
+use scumble_core::{Bends, Boundary, PlanarMap};
 
 use super::constraints::Constraints;
-use super::straights::{Straight, straights};
 use super::wall::centers_from_du;
 use crate::scene::View;
-use corner::{Corner, Face, Ray};
 use ground::Ground;
+use walls::Walls;
 
 /// Fits constraints to the corners of a map.
 pub(super) fn fit(
@@ -38,47 +39,10 @@ pub(super) fn fit(
     view: &View,
 ) {
     let ground = Ground { map, closed_gaps: &boundary.closed_gaps, centers_from_du: centers_from_du(view) };
-    let corners = corners(&ground, bends, boundary);
+    let corners = Walls::new(&ground, bends, boundary).corners();
     let fractions: Vec<_> = constraints.cuts.iter().map(|cut| cut.fraction).collect();
     fit::fit(constraints, &corners, &ground);
     jump::supply(constraints, &fractions, &corners, &ground);
-}
-
-fn corners(ground: &Ground<'_>, bends: &Bends, boundary: &Boundary) -> Vec<Corner> {
-    let rays = rays(ground, bends, boundary);
-    let mut corners = Vec::new();
-    for around in rays.chunk_by(|a, b| a.node == b.node) {
-        let tip = ground.place(around[0].node);
-        let nexts = around.iter().cycle().skip(1);
-        corners.extend(around.iter().zip(nexts).map(|(ray, next)| Corner::between(tip, ray, next)));
-    }
-    corners
-}
-
-/// The walls at all nodes: by node, and by their angles there.
-fn rays(ground: &Ground<'_>, bends: &Bends, boundary: &Boundary) -> Vec<Ray> {
-    let face = |side: SideId, end: usize| {
-        let colors = boundary.sides.get(side.index()).copied().flatten();
-        Face { side: Some(side), color: colors.map(|colors| colors[end]) }
-    };
-    let piece = |Straight { piece, parts, ends: [a, b] }: Straight| {
-        let nodes = ground.map.pieces()[piece].nodes;
-        let [left, right] = [false, true].map(|is_right| SideId::of(piece, is_right));
-        let first = Ray { node: nodes[0], along: b - a, faces: [face(left, 0), face(right, 2)] };
-        let last = Ray { node: nodes[1], along: a - b, faces: [face(right, 0), face(left, 2)] };
-        [(parts[0] == 0.0).then_some(first), (parts[1] == 1.0).then_some(last)].into_iter().flatten()
-    };
-    let gap = |nodes: [u32; 2]| {
-        let along = ground.place(nodes[1]) - ground.place(nodes[0]);
-        let ray = |node, along| Ray { node, along, faces: [Face::default(); 2] };
-        [ray(nodes[0], along), ray(nodes[1], -along)]
-    };
-    let closed = ground.map.closed_gaps(ground.closed_gaps);
-    let pieces = straights(ground.map, bends, ground.centers_from_du).flat_map(piece);
-    let mut rays: Vec<_> = pieces.chain(closed.flat_map(|closed| gap(closed.nodes))).collect();
-    sort::sort_copies_by_key(&mut rays, |ray| sort::float(ray.along.atan2()));
-    sort::sort_copies_by_key(&mut rays, |ray| ray.node.into());
-    rays
 }
 
 #[cfg(test)]
@@ -89,6 +53,7 @@ mod tests {
     use scumble_core::{Curve, Drawing, Sampling};
 
     use super::super::cut_links::{LEAST_FRACTION, WAYS};
+    use super::corner::Corner;
     use super::patch::{Patch, Pixel, beside, center};
     use super::*;
 
@@ -137,7 +102,7 @@ mod tests {
         let constraints = Constraints::new(map, boundary, view).expect("constraints");
         let constraints = constraints.fitted(map, &Bends::default(), boundary, view);
         let ground = Ground { map, closed_gaps: &[], centers_from_du: centers_from_du(view) };
-        let corners = corner::with_stretches(&corners(&ground, &Bends::default(), boundary));
+        let corners = corner::with_stretches(&Walls::new(&ground, &Bends::default(), boundary).corners());
         let is_there = |c: &&Corner| c.is_singular() && c.tip.distance(tip_px) < 0.1;
         let corner = corners.iter().find(is_there).expect("a corner");
         let patch = Patch::around(corner, 5.0, &constraints, &ground);

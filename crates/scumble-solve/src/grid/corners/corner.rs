@@ -20,7 +20,7 @@ const REGULAR: f64 = 0.9;
 const NEAR_PX: f64 = 0.5;
 
 /// The corners at the ends of a stretch with a colour that is shorter than this are taken together, in px.
-const SHORT_PX: f64 = 1.0;
+pub(super) const SHORT_PX: f64 = 1.0;
 
 /// Walls go on straight past a stretch if the angle between them differs from π by less than this, in radians.
 const STRAIGHT: f64 = 0.5;
@@ -32,6 +32,8 @@ const BESIDE_PX: f64 = 0.75;
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Ray {
     pub(super) node: u32,
+    /// The node that it leads to.
+    pub(super) end: u32,
     pub(super) along: Vec2,
     /// What is on its left and on its right there.
     pub(super) faces: [Face; 2],
@@ -49,6 +51,8 @@ pub(super) struct Face {
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Corner {
     pub(super) tip: Point,
+    /// Where the node is that it is at. What is around a needle has its tip beside that.
+    node: Point,
     /// Along the first wall, which has a colour if one has any.
     first: Vec2,
     /// From that wall to the other one.
@@ -74,13 +78,12 @@ impl Corner {
     /// What lies between a wall at a node and the next one there.
     pub(super) fn between(tip: Point, ray: &Ray, next: &Ray) -> Self {
         let [left, right] = [ray.faces[0], next.faces[1]];
-        let angle = (next.along.atan2() - ray.along.atan2()).rem_euclid(TAU);
-        let angle = if angle == 0.0 { TAU } else { angle };
+        let angle = turn(ray.along, next.along);
         let is_left_first = left.color.is_some() || right.color.is_none();
         let (along, turn, faces) =
             if is_left_first { (ray.along, 1.0, [left, right]) } else { (next.along, -1.0, [right, left]) };
         let colors = faces.map(|face| face.color);
-        Self { tip, first: along, angle, colors, turn, side: faces[0].side, stretch: None }
+        Self { tip, node: tip, first: along, angle, colors, turn, side: faces[0].side, stretch: None }
     }
 
     /// What lies around a short stretch with a colour, given what lies at its ends, where the walls go on nearly straight.
@@ -91,12 +94,51 @@ impl Corner {
         let is_straight = (angle - PI).abs() < STRAIGHT;
         (is_straight && length_px > 0.0 && length_px < SHORT_PX).then(|| Self {
             tip: one.tip.midpoint(other.tip),
+            node: one.tip,
             first: one.other_wall(),
             angle,
             colors: [None; 2],
             turn: -one.turn,
             side: one.side,
             stretch: Some(Stretch { half_px: 0.5 * length_px, color }),
+        })
+    }
+
+    /// What lies around a needle: a short wall that ends at a tip, and stands at its foot where a wall without colour goes on nearly
+    /// straight, from `before` the needle to `after` it as angles grow.
+    ///
+    /// Of a needle of length ℓ at the angle aπ to what is after it, `z = (w − (1 − a)s)^a (w + as)^(1 − a)` with
+    /// `s = ℓ / (a^a (1 − a)^(1 − a))` takes the half plane of `w` to that of `z` without the needle, and what is far off to
+    /// itself. There its left face is the stretch of the wall from `(1 − 2a)s` to `(1 − a)s`, its right one that from `−as` on.
+    pub(super) fn around_needle(
+        foot: Point,
+        [before, needle, after]: [&Ray; 3],
+        length_px: f64,
+    ) -> Option<Self> {
+        let [left, right] = needle.faces;
+        let is_bare = before.faces[0].color.is_none() && after.faces[1].color.is_none();
+        let [to_left, to_right] = [turn(needle.along, after.along), turn(before.along, needle.along)];
+        let angle = to_left + to_right;
+        let a = to_left / angle;
+        let ends = match [left.color, right.color] {
+            [Some(_), None] => [1.0 - 2.0 * a, 1.0 - a],
+            [None, Some(_)] => [-a, 1.0 - 2.0 * a],
+            [one, other] if one == other => [-a, 1.0 - a],
+            _ => return None,
+        };
+        let side = if left.color.is_some() { left } else { right };
+        let scale_px = length_px / (a.powf(a) * (1.0 - a).powf(1.0 - a));
+        let [from_px, to_px] = ends.map(|end| end * scale_px);
+        let is_short = to_px - from_px < SHORT_PX;
+        (is_bare && is_short && (angle - PI).abs() < STRAIGHT).then_some(Self {
+            tip: foot + 0.5 * (from_px + to_px) * after.along / after.along.hypot(),
+            node: foot,
+            first: before.along,
+            angle,
+            colors: [None; 2],
+            turn: 1.0,
+            side: side.side,
+            stretch: Some(Stretch { half_px: 0.5 * (to_px - from_px), color: side.color? }),
         })
     }
 
@@ -221,17 +263,23 @@ pub(super) fn apart(corners: impl Iterator<Item = Corner>, most_px: f64) -> Vec<
     sort::sort_copies_by_key(&mut list, |(corner, _)| sort::float(corner.tip.x));
     for i in 0..list.len() {
         for j in i + 1..list.len() {
-            let [a, b] = [list[i].0.tip, list[j].0.tip];
-            if b.x - a.x > most_px {
+            let [a, b] = [&list[i].0, &list[j].0];
+            if b.tip.x - a.tip.x > most_px {
                 break;
             }
-            let distance_px = a.distance(b);
-            if distance_px > 0.0 {
+            let distance_px = a.tip.distance(b.tip);
+            if a.node != b.node {
                 [i, j].into_iter().for_each(|k| list[k].1 = list[k].1.min(distance_px));
             }
         }
     }
     list
+}
+
+/// From one direction on to another as angles grow: more than 0, up to 2π.
+fn turn(from: Vec2, to: Vec2) -> f64 {
+    let angle = (to.atan2() - from.atan2()).rem_euclid(TAU);
+    if angle == 0.0 { TAU } else { angle }
 }
 
 fn single(color: BlendColor) -> [f32; 4] {
