@@ -39,9 +39,9 @@ const input = (/** @type {string} */ id) => /** @type {HTMLInputElement} */ (par
 const CONTENT = `
   <div class="body">
     <div class="kinds" role="radiogroup" data-label="format">
-      <label class="kind"><input type="radio" name="format" value="png" data-label="png" checked><span data-text="png"></span></label>
-      <label class="kind"><input type="radio" name="format" value="svg" data-label="svg"><span data-text="svg"></span></label>
-      <label class="kind"><input type="radio" name="format" value="pdf" data-label="pdf"><span data-text="pdf"></span></label>
+      <label class="kind"><input type="radio" name="format" value="png" checked><span>PNG</span></label>
+      <label class="kind"><input type="radio" name="format" value="svg"><span>SVG</span></label>
+      <label class="kind"><input type="radio" name="format" value="pdf"><span>PDF</span></label>
     </div>
     <p class="size"><label for="export-size" data-text="export-size"></label>
       <input type="number" id="export-size" aria-describedby="export-status" min="1" max="16384" value="1024" required>

@@ -16,7 +16,7 @@ const CONTENT = `
     <p class="length"><meter id="length" min="0" low="2000" high="8000" max="32001" optimum="0" data-label="link-length"></meter>
       <span id="length-text"></span></p>
     <div id="as-link">
-      <input type="text" id="link" readonly data-label="link">
+      <input type="text" id="link" readonly data-label="share-link">
       <button type="button" class="main first" data-action="copy-link" data-text="copy-link"></button>
       <button type="button" class="main" data-action="send-link" id="send-link" data-text="send-link"></button>
     </div>

@@ -189,7 +189,7 @@ for (const browser of /** @type {const} */ (["chromium", "firefox"])) {
 
     test("it opens and closes by keys, begins at the first choice, and says which sizes are not made", async () => {
       const editor = await open();
-      assert.equal(await editor.tab.evaluate("document.activeElement.ariaLabel"), "PNG");
+      assert.equal(await editor.tab.evaluate("document.activeElement.labels[0].textContent"), "PNG");
       for (const size of ["16385", "0", "12.5", ""]) {
         const { disabled, invalid, said } = await setSize(editor, size);
         assert.deepEqual([disabled, invalid], [true, "true"], size);

@@ -268,6 +268,7 @@ mod tests {
     #[test]
     fn what_crosses_a_wall_without_colours_by_less_than_a_pixel_is_not_lost() {
         assert_near_needle(0.3, 90.0, [true, true]);
+        assert_near_needle(1.2, 45.0, [true, false]);
         assert_near_needle(0.3, 30.0, [true, false]);
         // These have pieces in common with the wall.
         assert_near_needle(0.1, 30.0, [false, true]);

@@ -22,6 +22,9 @@ const NEAR_PX: f64 = 0.5;
 /// The corners at the ends of a stretch with a colour that is shorter than this are taken together, in px.
 pub(super) const SHORT_PX: f64 = 1.0;
 
+/// Needles are well enough as pixels see them from a stretch s of this length on (see [`Corner::around_needle`]), in px.
+const NEEDLE_PX: f64 = 1.25;
+
 /// Walls go on straight past a stretch if the angle between them differs from π by less than this, in radians.
 const STRAIGHT: f64 = 0.5;
 
@@ -94,7 +97,7 @@ impl Corner {
         let is_straight = (angle - PI).abs() < STRAIGHT;
         (is_straight && length_px > 0.0 && length_px < SHORT_PX).then(|| Self {
             tip: one.tip.midpoint(other.tip),
-            node: one.tip,
+            node: one.tip.midpoint(other.tip),
             first: one.other_wall(),
             angle,
             colors: [None; 2],
@@ -115,30 +118,28 @@ impl Corner {
         [before, needle, after]: [&Ray; 3],
         length_px: f64,
     ) -> Option<Self> {
-        let [left, right] = needle.faces;
         let is_bare = before.faces[0].color.is_none() && after.faces[1].color.is_none();
         let [to_left, to_right] = [turn(needle.along, after.along), turn(before.along, needle.along)];
         let angle = to_left + to_right;
         let a = to_left / angle;
-        let ends = match [left.color, right.color] {
-            [Some(_), None] => [1.0 - 2.0 * a, 1.0 - a],
-            [None, Some(_)] => [-a, 1.0 - 2.0 * a],
-            [one, other] if one == other => [-a, 1.0 - a],
+        let [left, right] = needle.faces;
+        let (Face { side, color }, ends) = match [left.color, right.color] {
+            [Some(_), None] => (left, [1.0 - 2.0 * a, 1.0 - a]),
+            [None, Some(_)] => (right, [-a, 1.0 - 2.0 * a]),
+            [one, other] if one == other => (left, [-a, 1.0 - a]),
             _ => return None,
         };
-        let side = if left.color.is_some() { left } else { right };
-        let scale_px = length_px / (a.powf(a) * (1.0 - a).powf(1.0 - a));
-        let [from_px, to_px] = ends.map(|end| end * scale_px);
-        let is_short = to_px - from_px < SHORT_PX;
-        (is_bare && is_short && (angle - PI).abs() < STRAIGHT).then_some(Self {
-            tip: foot + 0.5 * (from_px + to_px) * after.along / after.along.hypot(),
+        let (color, scale_px) = (color?, length_px / (a.powf(a) * (1.0 - a).powf(1.0 - a)));
+        let [middle_px, half_px] = [ends[1] + ends[0], ends[1] - ends[0]].map(|sum| 0.5 * sum * scale_px);
+        (is_bare && scale_px < NEEDLE_PX && (angle - PI).abs() < STRAIGHT).then_some(Self {
+            tip: foot + middle_px * after.along / after.along.hypot(),
             node: foot,
             first: before.along,
             angle,
             colors: [None; 2],
             turn: 1.0,
-            side: side.side,
-            stretch: Some(Stretch { half_px: 0.5 * (to_px - from_px), color: side.color? }),
+            side,
+            stretch: Some(Stretch { half_px, color }),
         })
     }
 

@@ -1,6 +1,6 @@
 //! The walls at the nodes of a map, and the corners between them.
 
-use std::iter;
+use std::collections::BTreeMap;
 
 use kurbo::Vec2;
 use scumble_core::{Bends, Boundary, SideId, sort};
@@ -9,8 +9,8 @@ use super::super::straights::{Straight, straights};
 use super::corner::{Corner, Face, Ray, SHORT_PX};
 use super::ground::Ground;
 
-/// Pieces of walls at the feet of needles are taken for none if they are shorter than this, in px: where lines cross, they are put
-/// on a lattice and may have such pieces in common.
+/// Pieces of walls at the feet of needles are taken for none where their ends are nearer to each other than this, in px: where
+/// lines cross, they are put on a lattice and may have such pieces in common.
 const NO_PIECE_PX: f64 = 0.01;
 
 /// All walls, by the nodes that they begin at, and by their angles there.
@@ -50,21 +50,21 @@ impl<'a> Walls<'a> {
         sort::sort_copies_by_key(&mut self.rays, |ray| ray.node.into());
     }
 
-    /// Takes nodes for one between which there is next to no piece, at the feet of needles.
+    /// Takes nodes for one between which there is next to no piece, where lines end so close by that they may be needles.
     fn join(&mut self) {
         let feet = self.nodes().filter(|around| around.len() == 1).map(|tip| self.end_of(&tip[0])[1]);
-        let is_none = |ray: &&Ray| ray.along.hypot() < NO_PIECE_PX && self.at(ray.end).len() > 1;
-        let pairs = feet.flat_map(|foot| self.at(foot).iter().filter(is_none));
-        let mut pairs: Vec<_> = pairs.map(|ray| [ray.node.max(ray.end), ray.node.min(ray.end)]).collect();
-        if pairs.is_empty() {
+        let is_none = |ray: &&Ray| {
+            let [start, end] = [ray.node, ray.end].map(|node| self.ground.place(node));
+            start.distance(end) < NO_PIECE_PX && self.at(ray.end).len() > 1
+        };
+        let mut joined = Joined::default();
+        feet.flat_map(|foot| self.at(foot).iter().filter(is_none))
+            .for_each(|ray| joined.join(ray.node, ray.end));
+        if joined.0.is_empty() {
             return;
         }
-        sort::sort_copies_by_key(&mut pairs, |&[from, _]| from.into());
-        let joined = |node: u32| match pairs.binary_search_by_key(&node, |&[from, _]| from) {
-            Ok(i) => pairs[i][1],
-            Err(_) => node,
-        };
-        let rays = self.rays.iter().map(|ray| Ray { node: joined(ray.node), end: joined(ray.end), ..*ray });
+        let rays =
+            self.rays.iter().map(|ray| Ray { node: joined.of(ray.node), end: joined.of(ray.end), ..*ray });
         self.rays = rays.filter(|ray| ray.node != ray.end).collect();
         self.sort();
     }
@@ -115,12 +115,33 @@ impl<'a> Walls<'a> {
     /// The node at which a wall ends, or others meet it, unless it is long, and the one before.
     fn end_of(&self, wall: &Ray) -> [u32; 2] {
         let from = self.ground.place(wall.node);
-        let next = |&[before, node]: &[u32; 2]| match self.at(node) {
-            [one, other] if self.ground.place(node).distance(from) < SHORT_PX => {
-                Some([node, if one.end == before { other.end } else { one.end }])
-            }
-            _ => None,
-        };
-        iter::successors(Some([wall.node, wall.end]), next).last().unwrap_or_default()
+        let [mut before, mut node] = [wall.node, wall.end];
+        while let [one, other] = self.at(node)
+            && self.ground.place(node).distance(from) < SHORT_PX
+        {
+            let next = if one.end == before { other.end } else { one.end };
+            [before, node] = [node, next];
+        }
+        [before, node]
+    }
+}
+
+/// Nodes that are taken for others, of lower numbers.
+#[derive(Default)]
+struct Joined(BTreeMap<u32, u32>);
+
+impl Joined {
+    fn of(&self, mut node: u32) -> u32 {
+        while let Some(&lower) = self.0.get(&node) {
+            node = lower;
+        }
+        node
+    }
+
+    fn join(&mut self, a: u32, b: u32) {
+        let [a, b] = [a, b].map(|node| self.of(node));
+        if a != b {
+            self.0.insert(a.max(b), a.min(b));
+        }
     }
 }
