@@ -11,7 +11,8 @@
 //!
 //! It is steep between two walls more than a right angle apart of which one gives a colour and one gives none, or more than two
 //! where both do or neither; worst at the tip of a curve with one coloured side; and around a stretch with a colour that is far
-//! shorter than a pixel. It jumps where both give one, and not the same.
+//! shorter than a pixel, or a needle: the end of a curve that crosses a wall without colours by as little. It jumps where both
+//! give one, and not the same.
 //! What pixels get wrong at the corner is wrong in the whole region.
 
 mod arcosh;

@@ -81,7 +81,7 @@ impl Corner {
     /// What lies between a wall at a node and the next one there.
     pub(super) fn between(tip: Point, ray: &Ray, next: &Ray) -> Self {
         let [left, right] = [ray.faces[0], next.faces[1]];
-        let angle = turn(ray.along, next.along);
+        let angle = angle_between(ray.along, next.along);
         let is_left_first = left.color.is_some() || right.color.is_none();
         let (along, turn, faces) =
             if is_left_first { (ray.along, 1.0, [left, right]) } else { (next.along, -1.0, [right, left]) };
@@ -119,7 +119,8 @@ impl Corner {
         length_px: f64,
     ) -> Option<Self> {
         let is_bare = before.faces[0].color.is_none() && after.faces[1].color.is_none();
-        let [to_left, to_right] = [turn(needle.along, after.along), turn(before.along, needle.along)];
+        let [to_left, to_right] =
+            [angle_between(needle.along, after.along), angle_between(before.along, needle.along)];
         let angle = to_left + to_right;
         let a = to_left / angle;
         let [left, right] = needle.faces;
@@ -278,7 +279,7 @@ pub(super) fn apart(corners: impl Iterator<Item = Corner>, most_px: f64) -> Vec<
 }
 
 /// From one direction on to another as angles grow: more than 0, up to 2π.
-fn turn(from: Vec2, to: Vec2) -> f64 {
+fn angle_between(from: Vec2, to: Vec2) -> f64 {
     let angle = (to.atan2() - from.atan2()).rem_euclid(TAU);
     if angle == 0.0 { TAU } else { angle }
 }

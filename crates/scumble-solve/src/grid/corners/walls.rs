@@ -1,8 +1,7 @@
 //! The walls at the nodes of a map, and the corners between them.
 
-use std::collections::BTreeMap;
-
 use kurbo::Vec2;
+use scumble_core::sets::Sets;
 use scumble_core::{Bends, Boundary, SideId, sort};
 
 use super::super::straights::{Straight, straights};
@@ -57,15 +56,20 @@ impl<'a> Walls<'a> {
             let [start, end] = [ray.node, ray.end].map(|node| self.ground.place(node));
             start.distance(end) < NO_PIECE_PX && self.at(ray.end).len() > 1
         };
-        let mut joined = Joined::default();
-        feet.flat_map(|foot| self.at(foot).iter().filter(is_none))
-            .for_each(|ray| joined.join(ray.node, ray.end));
-        if joined.0.is_empty() {
+        let pairs = feet.flat_map(|foot| self.at(foot).iter().filter(is_none));
+        let pairs: Vec<_> = pairs.map(|ray| [ray.node, ray.end]).collect();
+        if pairs.is_empty() {
             return;
         }
-        let rays =
-            self.rays.iter().map(|ray| Ray { node: joined.of(ray.node), end: joined.of(ray.end), ..*ray });
-        self.rays = rays.filter(|ray| ray.node != ray.end).collect();
+        let mut joined = Sets::new(self.ground.map.triangulation().points().len());
+        for pair in pairs {
+            let [a, b] = pair.map(|node| joined.find(node));
+            joined.join(a.max(b), a.min(b));
+        }
+        for ray in &mut self.rays {
+            [ray.node, ray.end] = [ray.node, ray.end].map(|node| joined.find(node));
+        }
+        self.rays.retain(|ray| ray.node != ray.end);
         self.sort();
     }
 
@@ -123,25 +127,5 @@ impl<'a> Walls<'a> {
             [before, node] = [node, next];
         }
         [before, node]
-    }
-}
-
-/// Nodes that are taken for others, of lower numbers.
-#[derive(Default)]
-struct Joined(BTreeMap<u32, u32>);
-
-impl Joined {
-    fn of(&self, mut node: u32) -> u32 {
-        while let Some(&lower) = self.0.get(&node) {
-            node = lower;
-        }
-        node
-    }
-
-    fn join(&mut self, a: u32, b: u32) {
-        let [a, b] = [a, b].map(|node| self.of(node));
-        if a != b {
-            self.0.insert(a.max(b), a.min(b));
-        }
     }
 }
