@@ -243,8 +243,8 @@ mod tests {
     }
 
     /// The walls of the larger box give no colour, the smaller one gives another one than the line, on its left side, on its
-    /// right one or on both.
-    fn assert_near_needle(length_du: f64, angle_deg: f64, is_colored: [bool; 2]) {
+    /// right one or on both. 99 % of the mesh solver's picture are off by so many levels at most.
+    fn assert_near_needle(length_du: f64, angle_deg: f64, is_colored: [bool; 2], off_mesh: f64) {
         let drawing = crossed_box(length_du, angle_deg);
         let mut picture = Picture::new(&drawing).expect("a map");
         let mut boundary = picture.color(&[], &[], &Settings::default()).clone();
@@ -260,18 +260,19 @@ mod tests {
         let options = CompareOptions { referee: true, ..CompareOptions::default() };
         let row =
             row(&mut picture, boundary, &stages::page_view(&drawing, 512), options, None).expect("a row");
-        let [_, grid] = row.errors.expect("a referee");
-        let name = format!("{length_du} du, {angle_deg}°, {is_colored:?}: {grid}");
+        let [mesh, grid] = row.errors.expect("a referee");
+        let name = format!("{length_du} du, {angle_deg}°, {is_colored:?}: {mesh} {grid}");
+        assert!(mesh.percentile(0.99) <= off_mesh, "{name}");
         assert!(grid.mean() <= 0.25 && grid.percentile(0.99) <= 4.0, "{name}");
     }
 
     #[test]
     fn what_crosses_a_wall_without_colours_by_less_than_a_pixel_is_not_lost() {
-        assert_near_needle(0.3, 90.0, [true, true]);
-        assert_near_needle(1.2, 45.0, [true, false]);
-        assert_near_needle(0.3, 30.0, [true, false]);
+        assert_near_needle(0.3, 90.0, [true, true], 0.5);
+        assert_near_needle(1.2, 45.0, [true, false], 1.5);
+        assert_near_needle(0.3, 30.0, [true, false], 2.5);
         // These have pieces in common with the wall.
-        assert_near_needle(0.1, 30.0, [false, true]);
-        assert_near_needle(0.8, 165.0, [true, true]);
+        assert_near_needle(0.1, 30.0, [false, true], 4.0);
+        assert_near_needle(0.8, 165.0, [true, true], 3.0);
     }
 }

@@ -105,16 +105,7 @@ impl Places<'_> {
     }
 
     fn add_element(&self, rows: &[u32; 6], element: &Matrix, matrix: &mut Dense) {
-        let places = rows.map(|row| self.of_row.get(row as usize).copied());
-        let mut entries = element.iter();
-        for j in 0..6 {
-            for (k, entry) in (j..6).zip(entries.by_ref()) {
-                if let (Some(a), Some(b)) = (places[j], places[k]) {
-                    let row = a.max(b) as usize;
-                    matrix.columns_mut(row)[a.min(b) as usize][row % TILE] += entry;
-                }
-            }
-        }
+        matrix.add(rows.map(|row| self.of_row.get(row as usize).copied()), element);
     }
 
     /// Adds what the elimination of a child left on its boundary.
@@ -145,12 +136,29 @@ struct Dense {
 impl Dense {
     /// Becomes that of a front, with zeros alone.
     fn clear(&mut self, front: &Front) -> Result<(), SolveError> {
-        (self.size, self.pivot_count) = (front.size(), front.pivots.len());
+        self.clear_to(front.pivots.len(), front.size())
+    }
+
+    fn clear_to(&mut self, pivot_count: usize, size: usize) -> Result<(), SolveError> {
+        (self.size, self.pivot_count) = (size, pivot_count);
         let count = row_start(self.size.div_ceil(TILE));
         self.tiles.clear();
         self.tiles.try_reserve(count).map_err(|_| SolveError::TooLarge)?;
         self.tiles.resize(count, Tile::default());
         Ok(())
+    }
+
+    /// Adds the matrix of an element, of which the unknowns that are in it have these places.
+    fn add(&mut self, places: [Option<u32>; 6], element: &Matrix) {
+        let mut entries = element.iter();
+        for j in 0..6 {
+            for (k, entry) in (j..6).zip(entries.by_ref()) {
+                if let (Some(a), Some(b)) = (places[j], places[k]) {
+                    let row = a.max(b) as usize;
+                    self.columns_mut(row)[a.min(b) as usize][row % TILE] += entry;
+                }
+            }
+        }
     }
 
     /// Its tiles from the first on that has a part of the boundary.
@@ -203,6 +211,20 @@ impl Dense {
             list.extend(columns.iter().map(|column| column.map(|entry| entry as f32)));
         }
     }
+}
+
+/// What the elimination of the first three of nine unknowns leaves of the sum of two elements; `None` where that is no number.
+pub(super) fn joined(halves: [([u32; 6], Matrix); 2]) -> Option<Matrix> {
+    let mut sum = Dense::default();
+    sum.clear_to(3, 9).ok()?;
+    halves.iter().for_each(|(places, half)| sum.add(places.map(Some), half));
+    for j in 0..3 {
+        sum.eliminate(j).ok()?;
+    }
+    let mut left = [0.0; 21];
+    let places = (3..9).flat_map(|j| (j..9).map(move |k| (j, k)));
+    left.iter_mut().zip(places).for_each(|(entry, (j, k))| *entry = sum.columns(k)[j][k % TILE]);
+    Some(left)
 }
 
 /// Where a row of tiles begins.

@@ -7,7 +7,7 @@ use scumble_core::Triangulation;
 use super::SolveError;
 use super::dofs::Dofs;
 use super::element::{self, Matrix};
-use super::singular::{self, Powers};
+use super::singular::Powers;
 use super::substitution::TileColumn;
 use super::system::System;
 
@@ -98,7 +98,7 @@ fn matrices(mesh: &Triangulation, dofs: &Dofs, powers: &Powers) -> impl Fn(usize
     |i| {
         let corners = mesh.corners(dofs.triangles[i] as usize);
         match powers.of(&dofs.unknowns.of_element[i]) {
-            Some((k, power)) => singular::stiffness(corners, k, power),
+            Some(singular) => singular.stiffness(corners),
             None => element::stiffness(corners),
         }
     }

@@ -8,6 +8,10 @@
 //! fields*, 1978). With ρ from 0 at the corner to 1 at the edge opposite, and t along that edge, they are 1,
 //! ρ^α (1, t), and ρ (1, t, t²): one for each of the six unknowns that any element has. Linear functions are among them, and
 //! along the edges nothing depends on what lies inside, so neighbours fit.
+//!
+//! Where a line crosses another by little, the elements beside its tip are flat: the edge opposite is a side of the other line,
+//! many times as long as the tip is far from it. If that side has no colour, the solution follows a logarithm along it as along
+//! the edge beside it, and a quadratic there would hold back both. No neighbour asks for one, so such an edge is bisected.
 
 use std::array;
 use std::f64::consts::LN_2;
@@ -15,7 +19,8 @@ use std::f64::consts::LN_2;
 use kurbo::{Point, Vec2};
 use scumble_core::angle_part;
 
-use super::dofs::{Corner, Dofs, NONE};
+use super::cholesky::joined;
+use super::dofs::{Corner, Dofs, NONE, Side};
 use super::element::{LEAST_FLATNESS, Matrix, entry};
 
 /// Powers from this on are well enough followed by quadratics: those of sides that turn a little.
@@ -25,17 +30,30 @@ const REGULAR: f64 = 0.9;
 #[derive(Debug)]
 pub(super) struct Powers {
     of_unknown: Vec<f32>,
+    /// By the unknown in the middle of an edge whether that is a side without a colour.
+    is_bare: Vec<bool>,
+}
+
+/// The corner of an element where the solution is singular.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Singular {
+    k: usize,
+    power: f64,
+    /// Whether the edge opposite is a side without a colour.
+    is_bare: bool,
 }
 
 impl Powers {
     /// Those of a region of which some sides are coloured.
     pub(super) fn new(dofs: &Dofs, is_colored: &[bool]) -> Self {
-        let mut powers = Self { of_unknown: vec![1.0; dofs.unknowns.count] };
-        let mut colored = vec![0_u8; dofs.unknowns.count];
-        for (side, _) in dofs.sides.iter().zip(is_colored).filter(|(_, is_colored)| **is_colored) {
-            [side.dofs[0], side.dofs[2]].into_iter().for_each(|dof| colored[dof as usize] += 1);
+        let count = dofs.unknowns.count;
+        let mut powers = Self { of_unknown: vec![1.0; count], is_bare: vec![false; count] };
+        let mut colored = vec![0_u8; count];
+        for (Side { dofs: [start, middle, end], .. }, &is_colored) in dofs.sides.iter().zip(is_colored) {
+            [start, end].into_iter().for_each(|&dof| colored[dof as usize] += u8::from(is_colored));
+            powers.is_bare[*middle as usize] = !is_colored;
         }
-        let mut ranks = vec![NONE; dofs.unknowns.count];
+        let mut ranks = vec![NONE; count];
         for (rank, corner) in (0..).zip(&dofs.corners) {
             let power = corner.power(colored[corner.dof as usize] == 1);
             if power < REGULAR {
@@ -62,11 +80,12 @@ impl Powers {
         dropped.into_iter().for_each(|dof: u32| self.of_unknown[dof as usize] = 1.0);
     }
 
-    /// The corner of an element where the solution is singular, and the power there.
-    pub(super) fn of(&self, [a, b, c, ..]: &[u32; 6]) -> Option<(usize, f64)> {
-        let powers = [a, b, c].map(|&dof| self.of_unknown[dof as usize]);
+    /// Where an element is singular, if it is.
+    pub(super) fn of(&self, dofs: &[u32; 6]) -> Option<Singular> {
+        let powers = [0, 1, 2].map(|i| self.of_unknown[dofs[i] as usize]);
         let k = powers.iter().position(|&power| power < 1.0)?;
-        Some((k, powers[k].into()))
+        let opposite = dofs[3 + (k + 1) % 3];
+        Some(Singular { k, power: powers[k].into(), is_bare: self.is_bare[opposite as usize] })
     }
 }
 
@@ -87,8 +106,36 @@ type Function = (f64, [[f64; 2]; PLACES]);
 /// Number of places of the rule along the edge: exact up to the fifth degree.
 const PLACES: usize = 3;
 
-/// The matrix of Laplace's equation where the solution goes as a power of the distance from a corner.
-pub(super) fn stiffness(corners: [Point; 3], k: usize, power: f64) -> Matrix {
+/// Shorter edges are not bisected, in du: a corner may lie right on one.
+const LEAST_EDGE_DU: f64 = 1e-3;
+
+impl Singular {
+    /// The matrix of Laplace's equation where the solution goes as a power of the distance from a corner. An edge opposite that
+    /// has no colour is bisected as long as it is longer than the corner is far from its ends.
+    pub(super) fn stiffness(self, corners: [Point; 3]) -> Matrix {
+        let [tip, a, b] = [0, 1, 2].map(|i| corners[(self.k + i) % 3]);
+        let nearest2 = (a - tip).hypot2().min((b - tip).hypot2());
+        let is_long = self.is_bare && (b - a).hypot2() > nearest2.max(LEAST_EDGE_DU * LEAST_EDGE_DU);
+        let bisected = is_long.then(|| self.bisected(corners)).flatten();
+        bisected.unwrap_or_else(|| stiffness(corners, self.k, self.power))
+    }
+
+    /// The same of two halves: where they meet on the edge opposite is the unknown in its middle. Those in the middle of its parts
+    /// and between the halves are eliminated; `None` where that leaves what is no number.
+    fn bisected(self, corners: [Point; 3]) -> Option<Matrix> {
+        let [a, b] = [1, 2].map(|i| (self.k + i) % 3);
+        let half = |beyond: usize, own: usize, part: u32| {
+            let (mut half, mut places) = (corners, [3, 4, 5, 6, 7, 8]);
+            half[beyond] = corners[a].midpoint(corners[b]);
+            (places[beyond], places[3 + a], places[3 + own]) = (places[3 + a], part, 2);
+            (places, self.stiffness(half))
+        };
+        joined([half(b, b, 0), half(a, self.k, 1)])
+    }
+}
+
+/// That of an element which is not bisected.
+fn stiffness(corners: [Point; 3], k: usize, power: f64) -> Matrix {
     let turned = [0, 1, 2].map(|i| (k + i) % 3);
     let [tip, a, b] = turned.map(|i| corners[i]);
     let energies = energies([a - tip, b - a], power);
@@ -168,7 +215,7 @@ mod tests {
     fn linear_functions_have_the_energy_that_they_have_anywhere() {
         let corners = [(3.0, 1.0), (5.0, 2.0), (2.5, 4.0)].map(Point::from);
         for (k, power) in [(0, 0.25), (1, 0.5), (2, 0.7)] {
-            let matrix = stiffness(corners, k, power);
+            let matrix = Singular { k, power, is_bare: false }.stiffness(corners);
             for f in [(|_| 7.0) as fn(Point) -> f64, |p| p.x, |p| p.x - 2.0 * p.y] {
                 let values = values(corners, f);
                 let found = energy(&matrix, values);
@@ -184,8 +231,8 @@ mod tests {
             for k in 0..3 {
                 let mut corners = [(0.0, 0.0), (1.0, 0.0), (0.0, 1.0)].map(Point::from);
                 corners.rotate_right(k);
-                let found =
-                    energy(&stiffness(corners, k, power), values(corners, |p| (p.x + p.y).powf(power)));
+                let matrix = Singular { k, power, is_bare: false }.stiffness(corners);
+                let found = energy(&matrix, values(corners, |p| (p.x + p.y).powf(power)));
                 assert!((found - power).abs() < 1e-12, "{k}: {found} for a power of {power}");
             }
         }
@@ -195,12 +242,29 @@ mod tests {
     fn flat_triangles_have_finite_energies_that_are_not_negative() {
         for y in [0.0, -1e-12, 1e-12, 1e-300] {
             let corners = [Point::new(0.0, 0.0), Point::new(2.0, 0.0), Point::new(1.3, y)];
-            for k in 0..3 {
+            for (k, is_bare) in (0..3).flat_map(|k| [(k, false), (k, true)]) {
+                let matrix = Singular { k, power: 0.25, is_bare }.stiffness(corners);
                 for f in [(|p| p.x) as fn(Point) -> f64, |p| p.x * p.x, |_| 1.0] {
-                    assert!(energy(&stiffness(corners, k, 0.25), values(corners, f)) >= -1e-6);
+                    assert!(energy(&matrix, values(corners, f)) >= -1e-6);
                 }
             }
         }
+    }
+
+    #[test]
+    fn behind_a_tip_a_bare_edge_follows_what_is_no_quadratic() {
+        let corners = [(0.0, 0.05), (0.0, 0.0), (4.0, 0.0)].map(Point::from);
+        let [whole, parts] =
+            [false, true].map(|is_bare| Singular { k: 0, power: 0.5, is_bare }.stiffness(corners));
+        let along = values(corners, |p| 3.0 * p.x);
+        assert!(
+            (energy(&parts, along) - 0.9).abs() < 1e-9,
+            "nothing flows out of it: it has the least energy"
+        );
+        // About what a needle has beside it.
+        let potential = values(corners, |p| (p.x / 0.05).asinh());
+        let energies = [whole, parts].map(|matrix| energy(&matrix, potential));
+        assert!(energies[1] < 0.05 * energies[0], "{energies:?}");
     }
 
     #[test]
@@ -227,7 +291,7 @@ mod tests {
     fn of_neighbours_the_worse_is_singular_and_of_equals_the_first() {
         let elements = [[0, 1, 2, 9, 9, 9], [1, 3, 4, 9, 9, 9], [5, 4, 3, 9, 9, 9]];
         let kept = |of_unknown: [f32; 6], ranks: [u32; 6]| {
-            let mut powers = Powers { of_unknown: of_unknown.to_vec() };
+            let mut powers = Powers { of_unknown: of_unknown.to_vec(), is_bare: Vec::new() };
             powers.keep_apart(&elements, &ranks);
             powers.of_unknown
         };
