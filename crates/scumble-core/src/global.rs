@@ -13,8 +13,8 @@
 //! however narrow its place, so that a dab near a line colours that line.
 //!
 //! Colours stop at the [gaps](PlanarMap::gaps) of the map, but for those that lead into `pockets`, through `halls` that they have
-//! enough of, and into the corners of closed `shapes`. With `spread`, they go on from there: through all gaps, and then across
-//! lines, into each region from the neighbour that shares the longest border with it.
+//! enough of, and into the corners of closed `shapes`; and at lines, but for those around `slivers`. With `spread`, they go on from
+//! there: through all gaps, and then across lines, into each region from the neighbour that shares the longest border with it.
 //!
 //! A minimum cut on the places in doubt was not needed: on the quality set, this flood alone is ahead of cuts on
 //! pixels, and of the best of three methods picked for each drawing.
@@ -28,6 +28,7 @@ mod pockets;
 mod route;
 mod shapes;
 mod shown;
+mod slivers;
 
 use std::cmp::Ordering;
 
@@ -144,7 +145,7 @@ impl Global {
         self.let_in(&ranks);
         let Self { flood, at_hand, nearest, .. } = self;
         for (flood, costs) in [(flood, &ways.costs), (at_hand, &ways.lengths), (nearest, &ways.lengths)] {
-            flood.run(map, costs, &ranks).await;
+            flood.run(map, costs, &ranks, &ways.passages).await;
         }
         self.ranks = ranks;
     }
@@ -335,8 +336,8 @@ mod tests {
         engine.flood.withdraw(&map, &[0, NONE], Cost::MAX);
         let is_gone = |label: u32| if label == 1 { NONE } else { label };
         assert_eq!(engine.flood.labels, before.into_iter().map(is_gone).collect::<Vec<_>>());
-        let costs = &engine.ground.as_ref().expect("ways").ways.costs;
-        now(Slices::new(engine.flood.run(&map, costs, &[0])));
+        let ways = &engine.ground.as_ref().expect("ways").ways;
+        now(Slices::new(engine.flood.run(&map, &ways.costs, &[0], &ways.passages)));
         assert!(!engine.flood.labels.contains(&NONE));
         assert_eq!((engine.flood.labels, engine.flood.costs), (alone.flood.labels, alone.flood.costs));
     }

@@ -1,6 +1,7 @@
 //! What the `Global` engine promises, on random drawings with random scribbles: the order of scribbles and all that
 //! was there before leave no trace, a stroke that grows within a room only takes, and nothing is too odd.
 
+use std::collections::BTreeSet;
 use std::ops::Range;
 
 use kurbo::{Affine, Arc, BezPath, Circle, ParamCurveNearest, Point, Rect, Shape, Stroke, Vec2};
@@ -44,8 +45,8 @@ fn place() -> impl Strategy<Value = Point> {
     (0.0..1024.0_f64, 0.0..768.0_f64).prop_map(Point::from)
 }
 
-/// Lines, angles, circles and circles with an opening, of all widths, with gaps closed or not.
-fn maps() -> impl Strategy<Value = PlanarMap> {
+/// Lines, angles, circles and circles with an opening, of all widths.
+fn curves() -> impl Strategy<Value = Vec<(BezPath, f64)>> {
     let angle = vec(place(), 2..5).prop_map(|points| polyline(&points));
     let circle = (place(), 30.0..300.0_f64).prop_map(|(center, r)| Circle::new(center, r).to_path(0.01));
     let open =
@@ -53,8 +54,33 @@ fn maps() -> impl Strategy<Value = PlanarMap> {
             Arc::new(center, (r, r), start, std::f64::consts::TAU - opening, 0.0).to_path(0.01)
         });
     let curve = (prop_oneof![angle, circle, open], prop_oneof![Just(0.0), 0.5..14.0_f64]);
-    let gap_closing = prop_oneof![Just(0.0), Just(0.3), Just(0.5), Just(1.0)];
-    (vec(curve, 1..7), gap_closing).prop_map(|(curves, closing)| build(curves, closing))
+    vec(curve, 1..7)
+}
+
+/// The same, some of them drawn twice, as in a sketch.
+fn sketches() -> impl Strategy<Value = Vec<(BezPath, f64)>> {
+    let again = vec((-6.0..6.0_f64, -6.0..6.0_f64).prop_map(Affine::translate), 0..4);
+    (curves(), again).prop_map(|(mut curves, again)| {
+        let twins =
+            curves.iter().zip(again).map(|((path, width_du), shift)| (shift * path.clone(), *width_du));
+        let twins: Vec<_> = twins.collect();
+        curves.extend(twins);
+        curves
+    })
+}
+
+fn gap_closings() -> impl Strategy<Value = f64> {
+    prop_oneof![Just(0.0), Just(0.3), Just(0.5), Just(1.0)]
+}
+
+/// With gaps closed or not.
+fn maps() -> impl Strategy<Value = PlanarMap> {
+    (sketches(), gap_closings()).prop_map(|(curves, closing)| build(curves, closing))
+}
+
+/// The same where each line is drawn once.
+fn neat_maps() -> impl Strategy<Value = PlanarMap> {
+    (curves(), gap_closings()).prop_map(|(curves, closing)| build(curves, closing))
 }
 
 /// A pen's way in small steps, sometimes a dab, sometimes leaving the page.
@@ -309,7 +335,7 @@ proptest! {
 
     /// By the same scribble but in pockets, where another may come by a gap that is closed without spreading.
     #[test]
-    fn what_is_coloured_is_so_with_spreading(map in maps(), scribbles in vec(scribble(), 1..5)) {
+    fn what_is_coloured_is_so_with_spreading(map in neat_maps(), scribbles in vec(scribble(), 1..5)) {
         let [narrow, wide] = [false, true].map(|spread| fresh(&map, spread, &scribbles));
         let has_pockets = has_pockets(&map);
         for (narrow, wide) in narrow.sides.iter().zip(&wide.sides) {
@@ -606,6 +632,40 @@ fn goes_on_through_a_slight_gap(left: f64) -> bool {
 fn what_lies_behind_a_slight_gap_is_filled_where_there_is_more_before_it() {
     assert!(!goes_on_through_a_slight_gap(0.52));
     assert!(goes_on_through_a_slight_gap(0.6));
+}
+
+/// What the sides between the two outer of some rectangles, drawn one into the other, have of strokes at these places.
+fn between(rects: &[Rect], stroke_xs: &[f64]) -> BTreeSet<Option<u32>> {
+    let map = sampled(rects.iter().map(|rect| (rect.to_path(0.1), 8.0)).collect(), 0.5, &Sampling::default());
+    let stroke = |&x: &f64| Scribble {
+        color: Paint::Clear,
+        kind: ScribbleKind::Fill,
+        width_du: 8.0,
+        points: vec![Point::new(x, 350.0), Point::new(x, 450.0)],
+    };
+    let labels = fresh(&map, false, &stroke_xs.iter().map(stroke).collect::<Vec<_>>());
+    let mesh = map.triangulation();
+    let is_between = |h: &HalfEdge| {
+        let [a, b, c] = mesh.corners(h.triangle()).map(Point::to_vec2);
+        let center = ((a + b + c) / 3.0).to_point();
+        rects[0].contains(center) && !rects[1].contains(center)
+    };
+    let within = mesh.half_edges().filter(is_between).filter_map(|h| mesh.side(h));
+    within.map(|side| labels.sides[side.index()]).collect()
+}
+
+#[test]
+fn a_sliver_between_lines_of_a_sketch_has_the_colour_of_the_largest_room_beside_it() {
+    let outer = Rect::new(290.0, 190.0, 710.0, 610.0);
+    let sketch = [outer, outer.inset(-9.0)];
+    assert_eq!(between(&sketch, &[500.0, 900.0]), BTreeSet::from([Some(1)]));
+    assert_eq!(between(&sketch, &[900.0]), BTreeSet::from([Some(0)]));
+    assert_eq!(between(&sketch, &[500.0]), BTreeSet::from([None]), "what is around it may come later");
+    assert_eq!(between(&sketch, &[900.0, 294.5]), BTreeSet::from([Some(1)]), "it has a scribble of its own");
+    assert_eq!(between(&[outer, outer.inset(-11.0)], &[500.0, 900.0]), BTreeSet::from([None]), "a frame");
+    assert_eq!(between(&[outer, Rect::ZERO], &[900.0]), BTreeSet::from([None]), "it is large");
+    let thing = [Rect::new(300.0, 200.0, 308.0, 600.0), Rect::ZERO];
+    assert_eq!(between(&thing, &[900.0]), BTreeSet::from([None]), "a thin thing");
 }
 
 /// The scribbles around the inside of a shape, one after the other.

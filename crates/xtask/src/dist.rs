@@ -11,7 +11,7 @@
 //! | `samples/` | the drawings that the page offers, bare and coloured, with thumbnails, `index.json` and licences |
 
 use crate::package::{self, FILES, FLAVOURS};
-use crate::process::{minifier, root, run};
+use crate::process::{minifier, root, run, squeeze};
 use crate::{icons, samples, tools, version};
 use anyhow::{Context, Result};
 use std::fs;
@@ -54,7 +54,8 @@ fn write_web(from: &Path, to: &Path) -> Result<()> {
     copy_files([from.join("icon.svg"), from.join("manifest.webmanifest")], to)?;
     icons::write(&from.join("icon.svg"), to)?;
     let files = ["main.js", "formats_worker.js", "style.css", "later.css"].map(|name| from.join(name));
-    run(minifier().args(["--bundle", "--splitting"]).arg(format!("--outdir={}", to.display())).args(files))
+    run(minifier().args(["--bundle", "--splitting"]).arg(format!("--outdir={}", to.display())).args(files))?;
+    squeeze(&to.join("main.js"))
 }
 
 fn copy_files(files: impl IntoIterator<Item = PathBuf>, to: &Path) -> Result<()> {

@@ -3,7 +3,7 @@
 //! The two know each other's functions by names that end in a hash, some hundreds, which do not compress: they get short ones.
 
 use crate::order::named_by_likeness;
-use crate::process::{cargo, command, minifier, node, output_of, root, run};
+use crate::process::{cargo, command, minifier, node, output_of, root, run, squeeze};
 use crate::tools;
 use anyhow::{Context, Result};
 use std::collections::BTreeMap;
@@ -136,7 +136,8 @@ fn wasm_opt(wasm: &Path, passes: &[&str]) -> Result<String> {
 /// Has a script use the short names, and minifies it in its place.
 fn shorten(script: &Path, names: &ShortNames) -> Result<()> {
     fs::write(script, names.written_in(&fs::read_to_string(script)?))?;
-    run(minifier().arg("--allow-overwrite").arg(format!("--outfile={}", script.display())).arg(script))
+    run(minifier().arg("--allow-overwrite").arg(format!("--outfile={}", script.display())).arg(script))?;
+    squeeze(script)
 }
 
 /// Short names by those that `wasm-bindgen` gave.

@@ -6,6 +6,7 @@ use std::collections::BinaryHeap;
 use kurbo::Point;
 
 use super::pockets::{self, Rooms};
+use super::slivers;
 use crate::clearance::OPEN_DU;
 use crate::pace;
 use crate::planar_map::PlanarMap;
@@ -58,6 +59,16 @@ pub(super) fn length(length_du: f64) -> Cost {
     (PARTS_PER_DU * length_du) as Cost
 }
 
+/// What a half-edge is to colours.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Passage {
+    /// Neither in a gap nor a piece of line.
+    Plain,
+    /// What has stopped at gaps and lines may go on here.
+    Open,
+    Closed,
+}
+
 /// The ways from triangle to triangle of the refined mesh.
 #[derive(Clone, Debug)]
 pub(super) struct Ways {
@@ -72,21 +83,27 @@ pub(super) struct Ways {
     pub(super) are_clear: Vec<bool>,
     /// Per side of a piece of curve; [`NONE`] for those that face no triangle.
     pub(super) triangle_of_side: Vec<u32>,
-    /// The half-edges that lead through a gap.
+    /// The half-edges that lead through a gap, or across a line into a sliver.
     pub(super) gaps: Vec<HalfEdge>,
-    /// The key of the door that each of them is in, with the index of that half-edge; by keys, in ascending order.
+    /// The key of the door that each of them is in, if it leads from room to room, with the index of that half-edge; by keys, in
+    /// ascending order.
     doors: Vec<(u64, u32)>,
-    /// Per half-edge whether what has stopped at a gap may go on there.
-    pub(super) is_open: Vec<bool>,
+    /// Per half-edge.
+    pub(super) passages: Vec<Passage>,
 }
 
 impl Ways {
-    /// With `spread`, all gaps are open, else none until [`Ways::open_to`].
+    /// With `spread`, all gaps are open, else none until [`Ways::open_to`], and slivers are.
     pub(super) async fn new(map: &PlanarMap, spread: bool) -> Self {
         let mesh = map.refined();
-        let (room_of, room_count) = mesh.finding_rooms().await;
+        let (mut room_of, room_count) = mesh.finding_rooms().await;
         pace::pause().await;
-        let gaps: Vec<_> = mesh.half_edges().filter(|&h| mesh.gap(h).is_some()).collect();
+        let mut gaps: Vec<_> = mesh.half_edges().filter(|&h| mesh.gap(h).is_some()).collect();
+        let mut passages: Vec<_> = mesh.half_edges().map(|h| passage(mesh, h, spread)).collect();
+        pace::pause().await;
+        if !spread {
+            slivers::join(map, &mut gaps, &mut passages, &mut room_of, room_count);
+        }
         pace::pause().await;
         let bases = bases(map).await;
         let mut are_clear = vec![false; room_count];
@@ -96,18 +113,19 @@ impl Ways {
         pace::pause().await;
         let rooms = Rooms::new(map, &gaps, &room_of, &are_clear).await;
         pace::pause().await;
-        let key = |&h: &HalfEdge| Some((sort::pair(pockets::door(map, &room_of, h)?), h.index() as u32));
+        let key = |&h: &HalfEdge| {
+            let door = pockets::door(map, &room_of, h).filter(|door| door[0] != door[1])?;
+            Some((sort::pair(door), h.index() as u32))
+        };
         let mut doors = Vec::with_capacity(gaps.len());
         pace::for_each(&gaps, |h| doors.extend(key(h))).await;
         sort::sort(&mut doors);
-        pace::pause().await;
-        let is_open = mesh.half_edges().map(|h| spread || mesh.gap(h).is_none()).collect();
         pace::pause().await;
         let triangle_of_side = vec![NONE; map.side_count()];
         let costs = vec![0; 3 * mesh.triangle_count()];
         let lengths = costs.clone();
         let mut ways =
-            Self { costs, lengths, room_of, rooms, are_clear, triangle_of_side, gaps, doors, is_open };
+            Self { costs, lengths, room_of, rooms, are_clear, triangle_of_side, gaps, doors, passages };
         pace::pause().await;
         let gap_costs = gap_costs(map);
         pace::pause().await;
@@ -127,7 +145,8 @@ impl Ways {
         for &(door, h) in &self.doors {
             while open.next_if(|&open| open < door).is_some() {}
             let is_open = open.peek() == Some(&door);
-            let was_open = std::mem::replace(&mut self.is_open[h as usize], is_open);
+            let passage = if is_open { Passage::Open } else { Passage::Closed };
+            let was_open = std::mem::replace(&mut self.passages[h as usize], passage) == Passage::Open;
             opens |= is_open && !was_open;
             closes |= was_open && !is_open;
         }
@@ -151,6 +170,15 @@ impl Ways {
         for h in [h, twin] {
             (self.costs[h.index()], self.lengths[h.index()]) = (cost, length(length_du));
         }
+    }
+}
+
+/// What a half-edge is as long as no gap has been opened but with `spread`.
+fn passage(mesh: &Triangulation, h: HalfEdge, spread: bool) -> Passage {
+    match (mesh.side(h), mesh.gap(h)) {
+        (None, None) => Passage::Plain,
+        (None, Some(_)) if spread => Passage::Open,
+        _ => Passage::Closed,
     }
 }
 
@@ -237,12 +265,12 @@ impl Flood {
         }
     }
 
-    /// Floods on from wherever scribbles have come to, not through gaps.
-    pub(super) async fn run(&mut self, map: &PlanarMap, costs: &[Cost], ranks: &[u32]) {
-        pace::repeat(|| self.go_on(map, costs, ranks, |_, h| map.refined().gap(h).is_none())).await;
+    /// Floods on from wherever scribbles have come to, through all that is plain.
+    pub(super) async fn run(&mut self, map: &PlanarMap, costs: &[Cost], ranks: &[u32], passages: &[Passage]) {
+        pace::repeat(|| self.go_on(map, costs, ranks, |_, h| passages[h.index()] == Passage::Plain)).await;
     }
 
-    /// Floods on from the triangle that is reached next, through the passages that are open to `may_go(next triangle,
+    /// Floods on from the triangle that is reached next, through the half-edges that are open to `may_go(next triangle,
     /// half-edge)`, each at its cost; tells whether there was one.
     pub(super) fn go_on(
         &mut self,
@@ -255,7 +283,7 @@ impl Flood {
         let triangle = triangle as usize;
         if (cost, label) == (self.costs[triangle], self.labels[triangle]) {
             for h in (0..3).map(|i| HalfEdge::of(triangle, i)) {
-                if let Some(twin) = map.refined().passage(h).filter(|twin| may_go(twin.triangle(), h)) {
+                if let Some(twin) = map.refined().twin(h).filter(|twin| may_go(twin.triangle(), h)) {
                     self.reach(twin.triangle(), cost + costs[h.index()], label, ranks);
                 }
             }

@@ -194,7 +194,8 @@ fn doors_of(doors: &[Door], room: u32) -> Range<usize> {
     start..start + count
 }
 
-fn areas_du2(map: &PlanarMap, room_of: &[u32], room_count: usize) -> Vec<f64> {
+/// Per room its area, in du²; without bound at the border of the page.
+pub(super) fn areas_du2(map: &PlanarMap, room_of: &[u32], room_count: usize) -> Vec<f64> {
     let mesh = map.refined();
     let mut areas_du2 = vec![0.0; room_count];
     for (triangle, &room) in room_of.iter().enumerate() {

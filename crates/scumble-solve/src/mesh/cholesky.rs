@@ -12,7 +12,7 @@ use scumble_core::pace::Pace;
 
 use super::SolveError;
 use super::dofs::NONE;
-use super::element::Matrix;
+use super::element::{Matrix, entry};
 use super::fronts::{Front, Fronts};
 use super::substitution::{self, TILE, TileColumn, Value};
 
@@ -136,11 +136,7 @@ struct Dense {
 impl Dense {
     /// Becomes that of a front, with zeros alone.
     fn clear(&mut self, front: &Front) -> Result<(), SolveError> {
-        self.clear_to(front.pivots.len(), front.size())
-    }
-
-    fn clear_to(&mut self, pivot_count: usize, size: usize) -> Result<(), SolveError> {
-        (self.size, self.pivot_count) = (size, pivot_count);
+        (self.size, self.pivot_count) = (front.size(), front.pivots.len());
         let count = row_start(self.size.div_ceil(TILE));
         self.tiles.clear();
         self.tiles.try_reserve(count).map_err(|_| SolveError::TooLarge)?;
@@ -213,18 +209,19 @@ impl Dense {
     }
 }
 
-/// What the elimination of the first three of nine unknowns leaves of the sum of two elements; `None` where that is no number.
-pub(super) fn joined(halves: [([u32; 6], Matrix); 2]) -> Option<Matrix> {
-    let mut sum = Dense::default();
-    sum.clear_to(3, 9).ok()?;
+/// What the elimination of the first three of nine unknowns leaves of the sum of two elements: what is no number, of such.
+pub(super) fn joined(halves: [([u32; 6], Matrix); 2]) -> Matrix {
+    let mut sum = Dense { size: 9, pivot_count: 3, tiles: vec![Tile::default(); row_start(3)] };
     halves.iter().for_each(|(places, half)| sum.add(places.map(Some), half));
     for j in 0..3 {
-        sum.eliminate(j).ok()?;
+        // Whoever takes it in finds what is no number, too.
+        let _ = sum.eliminate(j);
     }
     let mut left = [0.0; 21];
-    let places = (3..9).flat_map(|j| (j..9).map(move |k| (j, k)));
-    left.iter_mut().zip(places).for_each(|(entry, (j, k))| *entry = sum.columns(k)[j][k % TILE]);
-    Some(left)
+    for j in 0..6 {
+        (j..6).for_each(|k| left[entry(k, j)] = sum.columns(3 + k)[3 + j][(3 + k) % TILE]);
+    }
+    left
 }
 
 /// Where a row of tiles begins.
@@ -281,7 +278,6 @@ fn factor(tile: &mut Tile, pivots: usize) -> Result<(), SolveError> {
 
 #[cfg(test)]
 mod tests {
-    use super::super::element::entry;
     use super::super::fronts::tests::fronts;
     use super::*;
     use scumble_core::pace::{Slices, now};

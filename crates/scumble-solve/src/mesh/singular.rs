@@ -115,14 +115,15 @@ impl Singular {
     pub(super) fn stiffness(self, corners: [Point; 3]) -> Matrix {
         let [tip, a, b] = [0, 1, 2].map(|i| corners[(self.k + i) % 3]);
         let nearest2 = (a - tip).hypot2().min((b - tip).hypot2());
-        let is_long = self.is_bare && (b - a).hypot2() > nearest2.max(LEAST_EDGE_DU * LEAST_EDGE_DU);
-        let bisected = is_long.then(|| self.bisected(corners)).flatten();
-        bisected.unwrap_or_else(|| stiffness(corners, self.k, self.power))
+        if self.is_bare && (b - a).hypot2() > nearest2.max(LEAST_EDGE_DU * LEAST_EDGE_DU) {
+            return self.bisected(corners);
+        }
+        stiffness(corners, self.k, self.power)
     }
 
     /// The same of two halves: where they meet on the edge opposite is the unknown in its middle. Those in the middle of its parts
-    /// and between the halves are eliminated; `None` where that leaves what is no number.
-    fn bisected(self, corners: [Point; 3]) -> Option<Matrix> {
+    /// and between the halves are eliminated.
+    fn bisected(self, corners: [Point; 3]) -> Matrix {
         let [a, b] = [1, 2].map(|i| (self.k + i) % 3);
         let half = |beyond: usize, own: usize, part: u32| {
             let (mut half, mut places) = (corners, [3, 4, 5, 6, 7, 8]);
@@ -153,7 +154,8 @@ fn stiffness(corners: [Point; 3], k: usize, power: f64) -> Matrix {
 }
 
 /// How much of each of the five functions there is where the six unknowns have some values: at the corner, at the ends of the edge
-/// opposite, and in the middle of the edges, from the corner on.
+/// opposite, and in the middle of the edges, from the corner on. (Six times in line it would be more for every visitor to load.)
+#[inline(never)]
 fn parts([tip, a, b, to_a, across, to_b]: [f64; 6], bend: f64) -> [f64; 5] {
     let [of_a, of_b] = [(a, to_a), (b, to_b)].map(|(end, middle)| bend * (middle - 0.5 * (end + tip)));
     [of_a, of_b, a - tip - of_a, across - tip - 0.5 * (of_a + of_b), b - tip - of_b]
