@@ -13,8 +13,9 @@
 //! however narrow its place, so that a dab near a line colours that line.
 //!
 //! Colours stop at the [gaps](PlanarMap::gaps) of the map, but for those that lead into `pockets`, through `halls` that they have
-//! enough of, and into the corners of closed `shapes`; and at lines, but for those around `slivers`. With `spread`, they go on from
-//! there: through all gaps, and then across lines, into each region from the neighbour that shares the longest border with it.
+//! enough of, and into the corners of closed `shapes`; and at lines, but for those around `slivers`. With `spread`, they go on:
+//! through all gaps, and then across lines, into each region, slivers or not, from the neighbour that shares the longest border
+//! with it.
 //!
 //! A minimum cut on the places in doubt was not needed: on the quality set, this flood alone is ahead of cuts on
 //! pixels, and of the best of three methods picked for each drawing.

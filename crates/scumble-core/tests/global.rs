@@ -333,7 +333,14 @@ proptest! {
         }
     }
 
-    /// By the same scribble but in pockets, where another may come by a gap that is closed without spreading.
+    #[test]
+    fn what_is_coloured_has_a_colour_with_spreading(map in maps(), scribbles in vec(scribble(), 1..5)) {
+        let [narrow, wide] = [false, true].map(|spread| fresh(&map, spread, &scribbles));
+        prop_assert!(narrow.sides.iter().zip(&wide.sides).all(|(narrow, wide)| narrow.is_none() || wide.is_some()));
+    }
+
+    /// By the same scribble but in pockets, where another may come by a gap that is closed without spreading; and in slivers,
+    /// which spreading takes for regions like others: lines that are drawn once leave none.
     #[test]
     fn what_is_coloured_is_so_with_spreading(map in neat_maps(), scribbles in vec(scribble(), 1..5)) {
         let [narrow, wide] = [false, true].map(|spread| fresh(&map, spread, &scribbles));
@@ -655,7 +662,7 @@ fn between(rects: &[Rect], stroke_xs: &[f64]) -> BTreeSet<Option<u32>> {
 }
 
 #[test]
-fn a_sliver_between_lines_of_a_sketch_has_the_colour_of_the_largest_room_beside_it() {
+fn a_sliver_between_lines_of_a_sketch_has_the_colour_that_it_borders_on_for_longest() {
     let outer = Rect::new(290.0, 190.0, 710.0, 610.0);
     let sketch = [outer, outer.inset(-9.0)];
     assert_eq!(between(&sketch, &[500.0, 900.0]), BTreeSet::from([Some(1)]));

@@ -53,7 +53,8 @@ pub(crate) fn build(name: &str) -> Result<PathBuf> {
     let (seen, package) = (work.join("seen"), work.join("package"));
     // The tools and how they are used are part of it, so that a change of them runs the steps again.
     let tools = fs::read(root().join("package-lock.json"))?;
-    let steps = [&include_bytes!("package.rs")[..], include_bytes!("order.rs")].concat();
+    let steps = [&include_bytes!("package.rs")[..], include_bytes!("order.rs"), include_bytes!("process.rs")]
+        .concat();
     let input = [fs::read(&wasm)?, tools, steps].concat();
     if fs::read(&seen).is_ok_and(|seen| seen == input) {
         return Ok(package);

@@ -62,7 +62,7 @@ pub(super) fn length(length_du: f64) -> Cost {
 /// What a half-edge is to colours.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Passage {
-    /// Neither in a gap nor a piece of line.
+    /// Colours go on here from the first: neither a piece of line nor in a gap, but for those within a sliver.
     Plain,
     /// What has stopped at gaps and lines may go on here.
     Open,
@@ -85,7 +85,7 @@ pub(super) struct Ways {
     pub(super) triangle_of_side: Vec<u32>,
     /// The half-edges that lead through a gap, or across a line into a sliver.
     pub(super) gaps: Vec<HalfEdge>,
-    /// The key of the door that each of them is in, if it leads from room to room, with the index of that half-edge; by keys, in
+    /// The key of the door that each of them is in, but for those within slivers, with the index of that half-edge; by keys, in
     /// ascending order.
     doors: Vec<(u64, u32)>,
     /// Per half-edge.
@@ -93,17 +93,14 @@ pub(super) struct Ways {
 }
 
 impl Ways {
-    /// With `spread`, all gaps are open, else none until [`Ways::open_to`], and slivers are.
+    /// With `spread`, all gaps are open; else only the ways into slivers, until [`Ways::open_to`].
     pub(super) async fn new(map: &PlanarMap, spread: bool) -> Self {
         let mesh = map.refined();
         let (mut room_of, room_count) = mesh.finding_rooms().await;
         pace::pause().await;
         let mut gaps: Vec<_> = mesh.half_edges().filter(|&h| mesh.gap(h).is_some()).collect();
-        let mut passages: Vec<_> = mesh.half_edges().map(|h| passage(mesh, h, spread)).collect();
         pace::pause().await;
-        if !spread {
-            slivers::join(map, &mut gaps, &mut passages, &mut room_of, room_count);
-        }
+        let mut passages: Vec<_> = mesh.half_edges().map(|h| passage(mesh, h, spread)).collect();
         pace::pause().await;
         let bases = bases(map).await;
         let mut are_clear = vec![false; room_count];
@@ -111,10 +108,14 @@ impl Ways {
             are_clear[room as usize] |= map.clearance().place_widths_du[base as usize] > 0.0;
         }
         pace::pause().await;
+        if !spread {
+            slivers::join(map, &mut gaps, &mut passages, &mut room_of, &mut are_clear).await;
+            pace::pause().await;
+        }
         let rooms = Rooms::new(map, &gaps, &room_of, &are_clear).await;
         pace::pause().await;
         let key = |&h: &HalfEdge| {
-            let door = pockets::door(map, &room_of, h).filter(|door| door[0] != door[1])?;
+            let door = pockets::door(map, &room_of, h).filter(|_| passages[h.index()] != Passage::Plain)?;
             Some((sort::pair(door), h.index() as u32))
         };
         let mut doors = Vec::with_capacity(gaps.len());
@@ -173,7 +174,7 @@ impl Ways {
     }
 }
 
-/// What a half-edge is as long as no gap has been opened but with `spread`.
+/// What a half-edge is at first: with `spread`, all gaps are open.
 fn passage(mesh: &Triangulation, h: HalfEdge, spread: bool) -> Passage {
     match (mesh.side(h), mesh.gap(h)) {
         (None, None) => Passage::Plain,

@@ -27,7 +27,7 @@ pub(super) struct Groups {
     /// Per room its group, by one of the rooms in it.
     pub(super) of_rooms: Vec<u32>,
     /// Per room that stands for a group how large that is, in du²; without bound where it reaches the border of the page.
-    pub(super) areas_du2: Vec<f64>,
+    areas_du2: Vec<f64>,
 }
 
 impl Groups {

@@ -209,12 +209,12 @@ impl Dense {
     }
 }
 
-/// What the elimination of the first three of nine unknowns leaves of the sum of two elements: what is no number, of such.
+/// What the elimination of the first three of nine unknowns leaves of the sum of two elements. Where their entries are no numbers,
+/// neither are its own, as whoever factors it finds.
 pub(super) fn joined(halves: [([u32; 6], Matrix); 2]) -> Matrix {
     let mut sum = Dense { size: 9, pivot_count: 3, tiles: vec![Tile::default(); row_start(3)] };
     halves.iter().for_each(|(places, half)| sum.add(places.map(Some), half));
     for j in 0..3 {
-        // Whoever takes it in finds what is no number, too.
         let _ = sum.eliminate(j);
     }
     let mut left = [0.0; 21];

@@ -111,7 +111,7 @@ const LEAST_EDGE_DU: f64 = 1e-3;
 
 impl Singular {
     /// The matrix of Laplace's equation where the solution goes as a power of the distance from a corner. An edge opposite that
-    /// has no colour is bisected as long as it is longer than the corner is far from its ends.
+    /// has no colour is bisected as long as it is longer than the corner is far from the nearer of its ends.
     pub(super) fn stiffness(self, corners: [Point; 3]) -> Matrix {
         let [tip, a, b] = [0, 1, 2].map(|i| corners[(self.k + i) % 3]);
         let nearest2 = (a - tip).hypot2().min((b - tip).hypot2());
@@ -255,18 +255,19 @@ mod tests {
 
     #[test]
     fn behind_a_tip_a_bare_edge_follows_what_is_no_quadratic() {
-        let corners = [(0.0, 0.05), (0.0, 0.0), (4.0, 0.0)].map(Point::from);
-        let [whole, parts] =
-            [false, true].map(|is_bare| Singular { k: 0, power: 0.5, is_bare }.stiffness(corners));
-        let along = values(corners, |p| 3.0 * p.x);
-        assert!(
-            (energy(&parts, along) - 0.9).abs() < 1e-9,
-            "nothing flows out of it: it has the least energy"
-        );
-        // About what a needle has beside it.
-        let potential = values(corners, |p| (p.x / 0.05).asinh());
-        let energies = [whole, parts].map(|matrix| energy(&matrix, potential));
-        assert!(energies[1] < 0.05 * energies[0], "{energies:?}");
+        for k in 0..3 {
+            let mut corners = [(0.0, 0.05), (0.0, 0.0), (4.0, 0.0)].map(Point::from);
+            corners.rotate_right(k);
+            let [whole, parts] =
+                [false, true].map(|is_bare| Singular { k, power: 0.5, is_bare }.stiffness(corners));
+            let along = values(corners, |p| 3.0 * p.x);
+            // Nothing flows out of it: nothing has less energy.
+            assert!((energy(&parts, along) - 0.9).abs() < 1e-9);
+            // About what a needle has beside it.
+            let potential = values(corners, |p| (p.x / 0.05).asinh());
+            let energies = [whole, parts].map(|matrix| energy(&matrix, potential));
+            assert!(energies[1] < 0.05 * energies[0], "{k}: {energies:?}");
+        }
     }
 
     #[test]
