@@ -2,9 +2,9 @@
 //! take the colour beside them, across a line.
 //!
 //! Each is one room, however narrow it is at places, and is entered from one other room alone, the one that it borders on for
-//! longest: else a scribble that is drawn on its other side could give it to one that was there before. A strip among others, such
-//! as between the lines of a hatching, so leads to another strip at most. The inside of a single line, such as the ear of a hare,
-//! is thin by itself, and what leads out by a gap is part of what lies there: neither is a sliver.
+//! longest: else a scribble that is drawn on its other side could give it to one that was there before. So most strips between the
+//! lines of a hatching are entered from another strip, if at all. The inside of a single line, such as the ear of a hare, is thin
+//! by itself, and what leads out by a gap is part of what lies there: neither is a sliver.
 
 use super::flood::Passage;
 use super::halls::Groups;
