@@ -340,7 +340,7 @@ proptest! {
     }
 
     /// By the same scribble but in pockets, where another may come by a gap that is closed without spreading; and in slivers,
-    /// which spreading takes for regions like others: lines that are drawn once leave none.
+    /// which spreading takes for regions like others: lines that are drawn once leave hardly any.
     #[test]
     fn what_is_coloured_is_so_with_spreading(map in neat_maps(), scribbles in vec(scribble(), 1..5)) {
         let [narrow, wide] = [false, true].map(|spread| fresh(&map, spread, &scribbles));
@@ -643,7 +643,17 @@ fn what_lies_behind_a_slight_gap_is_filled_where_there_is_more_before_it() {
 
 /// What the sides between the two outer of some rectangles, drawn one into the other, have of strokes at these places.
 fn between(rects: &[Rect], stroke_xs: &[f64]) -> BTreeSet<Option<u32>> {
-    let map = sampled(rects.iter().map(|rect| (rect.to_path(0.1), 8.0)).collect(), 0.5, &Sampling::default());
+    let lines = rects.iter().map(|rect| (rect.to_path(0.1), 8.0)).collect();
+    within(lines, stroke_xs, |p| rects[0].contains(p) && !rects[1].contains(p))
+}
+
+/// What the sides that face some place within lines have of strokes at these places.
+fn within(
+    lines: Vec<(BezPath, f64)>,
+    stroke_xs: &[f64],
+    is_within: impl Fn(Point) -> bool,
+) -> BTreeSet<Option<u32>> {
+    let map = sampled(lines, 0.5, &Sampling::default());
     let stroke = |&x: &f64| Scribble {
         color: Paint::Clear,
         kind: ScribbleKind::Fill,
@@ -652,13 +662,23 @@ fn between(rects: &[Rect], stroke_xs: &[f64]) -> BTreeSet<Option<u32>> {
     };
     let labels = fresh(&map, false, &stroke_xs.iter().map(stroke).collect::<Vec<_>>());
     let mesh = map.triangulation();
-    let is_between = |h: &HalfEdge| {
+    let faces = |h: &HalfEdge| {
         let [a, b, c] = mesh.corners(h.triangle()).map(Point::to_vec2);
-        let center = ((a + b + c) / 3.0).to_point();
-        rects[0].contains(center) && !rects[1].contains(center)
+        is_within(((a + b + c) / 3.0).to_point())
     };
-    let within = mesh.half_edges().filter(is_between).filter_map(|h| mesh.side(h));
-    within.map(|side| labels.sides[side.index()]).collect()
+    let sides = mesh.half_edges().filter(faces).filter_map(|h| mesh.side(h));
+    sides.map(|side| labels.sides[side.index()]).collect()
+}
+
+#[test]
+fn what_lies_around_a_hatching_does_not_run_through_the_ends_of_its_strips() {
+    let hatched = Rect::new(300.0, 200.0, 500.0, 600.0);
+    let strokes = (1..40).map(|i| 300.0 + 5.0 * f64::from(i));
+    let hatching = strokes.map(|x| polyline(&[Point::new(x, hatched.y0), Point::new(x, hatched.y1)]));
+    let lines = hatching.chain([hatched.to_path(0.1)]).map(|path| (path, 4.0)).collect();
+    // Those at an edge border on what is around it for longest, and strips of equal length on either of their neighbours.
+    let is_within = |p| hatched.inset(-25.0).contains(p);
+    assert_eq!(within(lines, &[900.0], is_within), BTreeSet::from([None]));
 }
 
 #[test]
