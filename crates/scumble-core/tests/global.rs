@@ -671,14 +671,31 @@ fn within(
 }
 
 #[test]
-fn what_lies_around_a_hatching_does_not_run_through_the_ends_of_its_strips() {
-    let hatched = Rect::new(300.0, 200.0, 500.0, 600.0);
-    let strokes = (1..40).map(|i| 300.0 + 5.0 * f64::from(i));
-    let hatching = strokes.map(|x| polyline(&[Point::new(x, hatched.y0), Point::new(x, hatched.y1)]));
-    let lines = hatching.chain([hatched.to_path(0.1)]).map(|path| (path, 4.0)).collect();
-    // Those at an edge border on what is around it for longest, and strips of equal length on either of their neighbours.
-    let is_within = |p| hatched.inset(-25.0).contains(p);
-    assert_eq!(within(lines, &[900.0], is_within), BTreeSet::from([None]));
+fn what_lies_around_a_hatching_does_not_run_through_it() {
+    let circle = Circle::new((500.0, 400.0), 200.0);
+    let square = circle.bounding_box();
+    let half_chord_du = |x: f64| (circle.radius.powi(2) - x.powi(2)).sqrt();
+    for spacing_du in [4.0, 5.0] {
+        let xs = (1..).map(|i| spacing_du * f64::from(i) - circle.radius).take_while(|&x| x < circle.radius);
+        // What is around them may have those at the edge.
+        let through_square = xs.clone().map(|x| (x, circle.radius));
+        assert_eq!(hatched(square.to_path(0.1), through_square, square.inset(-6.0)), BTreeSet::from([None]));
+        let through_circle = xs.map(|x| (x, half_chord_du(x)));
+        assert_eq!(hatched(circle.to_path(0.1), through_circle, square.inset(-60.0)), BTreeSet::from([None]));
+    }
+}
+
+/// What there is within a shape at (500, 400) of a stroke beside it. Each line of its hatching has a place from there, and half of
+/// its length.
+fn hatched(
+    shape: BezPath,
+    hatching: impl Iterator<Item = (f64, f64)>,
+    within_du: Rect,
+) -> BTreeSet<Option<u32>> {
+    let end = |x, y| Point::new(500.0 + x, 400.0 + y);
+    let hatching = hatching.map(|(x, half_du)| polyline(&[end(x, -half_du), end(x, half_du)]));
+    let lines = hatching.chain([shape]).map(|path| (path, 4.0)).collect();
+    within(lines, &[900.0], |p| within_du.contains(p))
 }
 
 #[test]

@@ -2,9 +2,10 @@
 //! take the colour beside them, across a line.
 //!
 //! Each is one room, however narrow it is at places, and is entered from one other room alone, the one that it borders on for
-//! longest: else a scribble that is drawn on its other side could give it to one that was there before. So most strips between the
-//! lines of a hatching are entered from another strip, if at all. The inside of a single line, such as the ear of a hare, is thin
-//! by itself, and what leads out by a gap is part of what lies there: neither is a sliver.
+//! longest: else a scribble that is drawn on its other side could give it to one that was there before. That is no sliver itself,
+//! and not beside its ends alone: else what is around a hatching would run on from strip to strip, or into the ends of all. The
+//! inside of a single line, such as the ear of a hare, is thin by itself, and what leads out by a gap is part of what lies there:
+//! neither is a sliver.
 
 use super::flood::Passage;
 use super::halls::Groups;
@@ -16,6 +17,9 @@ use crate::triangulation::HalfEdge;
 
 /// Beside their ink, slivers are less wide than that of a line, and than this, in du.
 const WIDEST_DU: f64 = 2.0;
+
+/// A sliver is entered from a room that it borders on along this part of its border at least.
+const ENTRANCE: f64 = 0.25;
 
 /// A side of a piece of line: the key of the region that it faces, by one of its rooms, and the room beyond; and its half-edge.
 type Border = (u64, u32);
@@ -35,14 +39,15 @@ pub(super) async fn join(
     pace::pause().await;
     let borders = borders(map, &regions, room_of);
     pace::pause().await;
+    let mut slivers: Vec<_> = borders.chunk_by(|a, b| region(a) == region(b)).collect();
+    slivers.retain(|borders| is_sliver(map, &regions, borders));
     let mut are_slivers = vec![false; are_clear.len()];
-    for borders in borders.chunk_by(|a, b| region(a) == region(b)) {
-        if is_sliver(map, &regions, borders) {
-            are_slivers[region(&borders[0])] = true;
-            for h in longest(map, borders).iter().filter_map(|&(_, h)| mesh.twin(HalfEdge(h))) {
-                passages[h.index()] = Passage::Open;
-                gaps.push(h);
-            }
+    slivers.iter().for_each(|borders| are_slivers[region(&borders[0])] = true);
+    for borders in slivers {
+        let is_sliver = |room: u32| are_slivers[regions.of_rooms[room as usize] as usize];
+        for h in entrance(map, borders, is_sliver).iter().filter_map(|&(_, h)| mesh.twin(HalfEdge(h))) {
+            passages[h.index()] = Passage::Open;
+            gaps.push(h);
         }
     }
     pace::pause().await;
@@ -94,11 +99,12 @@ fn ink_du2(map: &PlanarMap, border: &Border) -> f64 {
     length_du(map, border) * (a.min(b) + a.min(b).min(0.5 * WIDEST_DU))
 }
 
-/// Of all borders of a region those with the room that it borders on for longest.
-fn longest<'a>(map: &PlanarMap, borders: &'a [Border]) -> &'a [Border] {
-    let (mut longest, mut longest_du) = (&borders[..0], 0.0);
-    for with_one in borders.chunk_by(|a, b| a.0 == b.0) {
-        let with_one_du = with_one.iter().map(|border| length_du(map, border)).sum();
+/// Of the borders of a sliver those with the room that it is entered from.
+fn entrance<'a>(map: &PlanarMap, borders: &'a [Border], is_sliver: impl Fn(u32) -> bool) -> &'a [Border] {
+    let all_du = |borders: &[Border]| borders.iter().map(|border| length_du(map, border)).sum::<f64>();
+    let (mut longest, mut longest_du) = (&borders[..0], ENTRANCE * all_du(borders));
+    for with_one in borders.chunk_by(|a, b| a.0 == b.0).filter(|with_one| !is_sliver(with_one[0].0 as u32)) {
+        let with_one_du = all_du(with_one);
         if longest_du < with_one_du {
             (longest, longest_du) = (with_one, with_one_du);
         }
