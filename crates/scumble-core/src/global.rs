@@ -13,7 +13,7 @@
 //! however narrow its place, so that a dab near a line colours that line.
 //!
 //! Colours stop at the [gaps](PlanarMap::gaps) of the map, but for those that lead into `pockets`, through `halls` that they have
-//! enough of, and into the corners of closed `shapes`; and at lines, but for those around `slivers`. With `spread`, they go on:
+//! enough of, and into the corners of closed `shapes`; and at lines, but for some around `slivers`. With `spread`, they go on:
 //! through all gaps, and then across lines, into each region, slivers or not, from the neighbour that shares the longest border
 //! with it.
 //!

@@ -681,21 +681,26 @@ fn what_lies_around_a_hatching_does_not_run_through_it() {
         let through_square = xs.clone().map(|x| (x, circle.radius));
         assert_eq!(hatched(square.to_path(0.1), through_square, square.inset(-6.0)), BTreeSet::from([None]));
         let through_circle = xs.map(|x| (x, half_chord_du(x)));
-        assert_eq!(hatched(circle.to_path(0.1), through_circle, square.inset(-60.0)), BTreeSet::from([None]));
+        let inner = Circle::new(circle.center, 190.0);
+        assert_eq!(hatched(circle.to_path(0.1), through_circle, inner), BTreeSet::from([None]));
     }
+    let [lid, open] = [(250.0, 300.0), (300.0, 500.0)].map(|(top, end)| Rect::new(489.0, top, 511.0, end));
+    let boxes = lid.to_path(0.1).into_iter().chain(open.to_path(0.1)).collect();
+    let loose = [-5.5, 0.0, 5.5].map(|x| (x, 96.0));
+    assert_eq!(hatched(boxes, loose.into_iter(), open), BTreeSet::from([None]), "lines that part nothing");
 }
 
-/// What there is within a shape at (500, 400) of a stroke beside it. Each line of its hatching has a place from there, and half of
-/// its length.
+/// What there is within some place of a stroke beside a shape at (500, 400). Each line of its hatching has a place from there, and
+/// half of its length.
 fn hatched(
     shape: BezPath,
     hatching: impl Iterator<Item = (f64, f64)>,
-    within_du: Rect,
+    place: impl Shape,
 ) -> BTreeSet<Option<u32>> {
     let end = |x, y| Point::new(500.0 + x, 400.0 + y);
     let hatching = hatching.map(|(x, half_du)| polyline(&[end(x, -half_du), end(x, half_du)]));
     let lines = hatching.chain([shape]).map(|path| (path, 4.0)).collect();
-    within(lines, &[900.0], |p| within_du.contains(p))
+    within(lines, &[900.0], |p| place.contains(p))
 }
 
 #[test]

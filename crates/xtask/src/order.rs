@@ -9,8 +9,8 @@ use wasmparser::{Parser, Payload, TypeRef};
 /// tried, which differ by half a percent.
 const RUN_BYTES: usize = 6;
 
-/// Bytes of functions that the next one is compared with: less than `gzip` remembers, as what is near takes fewer bits.
-const WINDOW_BYTES: usize = 30_000;
+/// Bytes of functions that the next one is compared with: about as many as `gzip` remembers.
+const WINDOW_BYTES: usize = 33_000;
 
 /// Runs that more functions have say nothing: `gzip` has seen them wherever it is.
 const MOST_HOLDERS: usize = 400;

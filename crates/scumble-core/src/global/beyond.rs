@@ -4,7 +4,7 @@
 //! The flood behind the gaps goes on with the flood before them. Where a place gets wet by a scribble of its own, no
 //! way leads through it any more: what had come that way is dried, and flooded anew from around it.
 
-use super::flood::{Cost, Flood, NONE, Passage, Ways};
+use super::flood::{Cost, Flood, NONE, Ways};
 use crate::pace;
 use crate::planar_map::PlanarMap;
 use crate::triangulation::HalfEdge;
@@ -40,8 +40,7 @@ impl Beyond {
         }
         ways.gaps.iter().for_each(|&h| self.reach_through(map, ways, ranks, before, h));
         let is_before = &self.is_before;
-        let may_go =
-            |next: usize, h: HalfEdge| ways.passages[h.index()] != Passage::Closed && !is_before[next];
+        let may_go = |next: usize, h: HalfEdge| ways.lead_through(h) && !is_before[next];
         pace::repeat(|| self.flood.go_on(map, &ways.costs, ranks, may_go)).await;
         for (label, &beyond) in labels.iter_mut().zip(&self.flood.labels).filter(|(label, _)| **label == NONE)
         {
@@ -55,7 +54,7 @@ impl Beyond {
         let from = h.triangle();
         let flood = if self.is_before[from] { before } else { &self.flood };
         let (cost, label) = (flood.costs[from], flood.labels[from]);
-        if label != NONE && ways.passages[h.index()] != Passage::Closed && !self.is_before[to] {
+        if label != NONE && ways.lead_through(h) && !self.is_before[to] {
             self.flood.reach(to, cost + ways.costs[h.index()], label, ranks);
         }
     }
@@ -70,10 +69,8 @@ impl Beyond {
         let mut dried = Vec::new();
         while let Some((triangle, cost, label)) = stack.pop() {
             for h in (0..3).map(|i| HalfEdge::of(triangle, i)) {
-                let is_open = ways.passages[h.index()] != Passage::Closed;
-                let Some(next) = map.refined().twin(h).filter(|_| is_open).map(HalfEdge::triangle) else {
-                    continue;
-                };
+                let next = map.refined().twin(h).filter(|_| ways.lead_through(h)).map(HalfEdge::triangle);
+                let Some(next) = next else { continue };
                 if (self.flood.costs[next], self.flood.labels[next])
                     == (cost.saturating_add(ways.costs[h.index()]), label)
                 {

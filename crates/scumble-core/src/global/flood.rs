@@ -79,14 +79,14 @@ pub(super) struct Ways {
     /// Per triangle its room.
     pub(super) room_of: Vec<u32>,
     pub(super) rooms: Rooms,
-    /// Per room whether not all of it lies under the ink of lines.
+    /// Per room whether not all of it lies under the ink of lines, and it is no sliver.
     pub(super) are_clear: Vec<bool>,
     /// Per side of a piece of curve; [`NONE`] for those that face no triangle.
     pub(super) triangle_of_side: Vec<u32>,
     /// The half-edges that lead through a gap, or across a line into a sliver.
     pub(super) gaps: Vec<HalfEdge>,
-    /// The key of the door that each of them is in, but for those within slivers, with the index of that half-edge; by keys, in
-    /// ascending order.
+    /// The key of the door that each of those in gaps is in, but for those within slivers, with the index of that half-edge; by
+    /// keys, in ascending order.
     doors: Vec<(u64, u32)>,
     /// Per half-edge.
     pub(super) passages: Vec<Passage>,
@@ -152,6 +152,11 @@ impl Ways {
             closes |= was_open && !is_open;
         }
         [opens, closes]
+    }
+
+    /// Whether what has stopped at gaps and lines may go on through a half-edge.
+    pub(super) fn lead_through(&self, h: HalfEdge) -> bool {
+        self.passages[h.index()] != Passage::Closed
     }
 
     /// Sets what lies at a half-edge of the refined mesh, or what it takes to go through it, either way, from a triangle

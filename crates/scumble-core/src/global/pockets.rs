@@ -73,7 +73,7 @@ struct Grown {
 
 impl Rooms {
     /// The rooms that the triangles of the refined mesh belong to, and the half-edges in gaps between them; per room whether not
-    /// all of it lies under the ink of lines.
+    /// all of it lies under the ink of lines, and it is no sliver.
     pub(super) async fn new(map: &PlanarMap, gaps: &[HalfEdge], room_of: &[u32], are_clear: &[bool]) -> Self {
         let areas_du2 = areas_du2(map, room_of, are_clear.len());
         pace::pause().await;
