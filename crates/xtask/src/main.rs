@@ -8,6 +8,7 @@ mod icons;
 mod order;
 mod package;
 mod process;
+mod reorder;
 mod samples;
 mod tools;
 mod version;

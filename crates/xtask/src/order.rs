@@ -2,15 +2,11 @@
 
 use anyhow::{Context, Result};
 use std::collections::{BTreeMap, BTreeSet, VecDeque};
-use wasm_encoder::{NameMap, NameSection, Section};
 use wasmparser::{Parser, Payload, TypeRef};
 
 /// Bytes in a row that two functions are alike by. This, and what follows, is what made the page smallest of some hundred settings
 /// tried, which differ by half a percent.
 const RUN_BYTES: usize = 6;
-
-/// Bytes of functions that the next one is compared with: about as many as `gzip` remembers.
-const WINDOW_BYTES: usize = 33_000;
 
 /// Runs that more functions have say nothing: `gzip` has seen them wherever it is.
 const MOST_HOLDERS: usize = 400;
@@ -22,26 +18,11 @@ const WEIGHT: f64 = 1000.0;
 /// So much more a function weighs, lest the smallest come first.
 const HEADWAY: u64 = 10_000;
 
-/// A module without names, with names for its functions that sort them by likeness.
+/// How many functions a module imports, and the bodies of its own, whose numbers follow.
 ///
 /// # Errors
 /// For what is no wasm module.
-pub(crate) fn named_by_likeness(module: &[u8]) -> Result<Vec<u8>> {
-    let (imported, bodies) = functions(module)?;
-    let mut places: Vec<_> = order(&bodies).into_iter().zip(0..).collect();
-    places.sort_unstable();
-    let mut names = NameMap::new();
-    for (function, place) in places {
-        names.append(imported + function as u32, &format!("{place:06}"));
-    }
-    let (mut section, mut named) = (NameSection::new(), module.to_vec());
-    section.functions(&names);
-    section.append_to(&mut named);
-    Ok(named)
-}
-
-/// How many functions a module imports, and the bodies of its own, whose numbers follow.
-fn functions(module: &[u8]) -> Result<(u32, Vec<&[u8]>)> {
+pub(crate) fn functions(module: &[u8]) -> Result<(u32, Vec<&[u8]>)> {
     let (mut imported, mut bodies) = (0, Vec::new());
     for payload in Parser::new(0).parse_all(module) {
         match payload.context("the functions of a wasm module")? {
@@ -57,9 +38,10 @@ fn functions(module: &[u8]) -> Result<(u32, Vec<&[u8]>)> {
     Ok((imported, bodies))
 }
 
-/// Each next is the one of which the largest part is found in those before it.
-fn order(bodies: &[&[u8]]) -> Vec<usize> {
-    let mut window = Window::new(bodies);
+/// Functions, given by their bodies, in such an order that each next one is the one of which the largest part is found in the
+/// last bytes before it, of which a window takes so many.
+pub(crate) fn order(bodies: &[&[u8]], window_bytes: usize) -> Vec<usize> {
+    let mut window = Window::new(bodies, window_bytes);
     let mut left: BTreeSet<usize> = (0..bodies.len()).collect();
     let mut order = Vec::with_capacity(bodies.len());
     while let Some(next) =
@@ -85,10 +67,11 @@ struct Window<'a> {
     counts: Vec<usize>,
     last: VecDeque<usize>,
     bytes: usize,
+    most_bytes: usize,
 }
 
 impl<'a> Window<'a> {
-    fn new(bodies: &'a [&'a [u8]]) -> Self {
+    fn new(bodies: &'a [&'a [u8]], most_bytes: usize) -> Self {
         let mut by_run = BTreeMap::<&[u8], Vec<usize>>::new();
         for (i, body) in bodies.iter().enumerate() {
             let runs: BTreeSet<_> = body.windows(RUN_BYTES).collect();
@@ -103,7 +86,7 @@ impl<'a> Window<'a> {
             }
         }
         let (found, counts) = (vec![0; bodies.len()], vec![0; holders.len()]);
-        Self { bodies, runs, weights, found, holders, counts, last: VecDeque::new(), bytes: 0 }
+        Self { bodies, runs, weights, found, holders, counts, last: VecDeque::new(), bytes: 0, most_bytes }
     }
 
     /// Whether a larger part of one function is found here than of another.
@@ -122,7 +105,7 @@ impl<'a> Window<'a> {
             }
             self.counts[run] += 1;
         }
-        while self.bytes > WINDOW_BYTES && self.last.len() > 1 {
+        while self.bytes > self.most_bytes && self.last.len() > 1 {
             self.let_go();
         }
     }
@@ -153,7 +136,8 @@ fn telling(holders: &[usize]) -> &[usize] {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use wasm_encoder::{CodeSection, Function, FunctionSection, ImportSection, Module, TypeSection};
+
+    const WINDOW_BYTES: usize = 1000;
 
     /// A body of its own kind: the same seven bytes over and over.
     fn body(kind: u8, length: usize) -> Vec<u8> {
@@ -165,8 +149,8 @@ mod tests {
         let bodies =
             [(1, 90), (2, 80), (3, 70), (1, 60), (3, 50), (2, 40)].map(|(kind, length)| body(kind, length));
         let bodies: Vec<&[u8]> = bodies.iter().map(Vec::as_slice).collect();
-        assert_eq!(order(&bodies), [0, 3, 1, 5, 2, 4]);
-        assert!(order(&[]).is_empty());
+        assert_eq!(order(&bodies, WINDOW_BYTES), [0, 3, 1, 5, 2, 4]);
+        assert!(order(&[], WINDOW_BYTES).is_empty());
     }
 
     #[test]
@@ -174,7 +158,7 @@ mod tests {
         let mut bodies = vec![body(1, 90), body(1, 80)];
         bodies.extend((0..2).map(|_| body(2, WINDOW_BYTES)));
         let bodies: Vec<&[u8]> = bodies.iter().map(Vec::as_slice).collect();
-        let mut window = Window::new(&bodies);
+        let mut window = Window::new(&bodies, WINDOW_BYTES);
         window.push(0);
         assert!(window.found[1] > 0);
         window.push(2);
@@ -185,7 +169,7 @@ mod tests {
     fn of_two_that_are_as_alike_the_larger_comes_first() {
         let bodies = [body(1, 90), body(1, 13), body(1, 9)];
         let bodies: Vec<&[u8]> = bodies.iter().map(Vec::as_slice).collect();
-        let mut window = Window::new(&bodies);
+        let mut window = Window::new(&bodies, WINDOW_BYTES);
         window.push(0);
         assert!(window.is_more_like(1, 2) && !window.is_more_like(2, 1));
     }
@@ -194,53 +178,8 @@ mod tests {
     fn what_nearly_all_have_makes_nothing_alike() {
         let bodies = vec![body(1, 90); MOST_HOLDERS + 1];
         let bodies: Vec<&[u8]> = bodies.iter().map(Vec::as_slice).collect();
-        let mut window = Window::new(&bodies);
+        let mut window = Window::new(&bodies, WINDOW_BYTES);
         window.push(0);
         assert_eq!(window.found[1], 0);
-    }
-
-    #[test]
-    fn functions_are_named_by_their_places() {
-        let mut types = TypeSection::new();
-        types.ty().function([], []);
-        let mut imports = ImportSection::new();
-        imports.import("m", "f", wasm_encoder::EntityType::Function(0));
-        let (mut functions, mut code) = (FunctionSection::new(), CodeSection::new());
-        for drops in [0_usize, 9, 0, 9] {
-            functions.function(0);
-            let mut function = Function::new([]);
-            (0..drops).for_each(|i| {
-                function.instructions().i32_const(i as i32).drop();
-            });
-            function.instructions().end();
-            code.function(&function);
-        }
-        let mut module = Module::new();
-        module.section(&types).section(&imports).section(&functions).section(&code);
-        let named = named_by_likeness(&module.finish()).expect("a module");
-        assert_eq!(
-            names(&named),
-            [(1, "000000"), (2, "000001"), (3, "000003"), (4, "000002")]
-                .map(|(i, name)| (i, name.to_owned()))
-        );
-        assert!(named_by_likeness(b"no module").is_err());
-    }
-
-    fn names(module: &[u8]) -> Vec<(u32, String)> {
-        let mut names = Vec::new();
-        for payload in Parser::new(0).parse_all(module) {
-            let Payload::CustomSection(section) = payload.expect("a module") else { continue };
-            let wasmparser::KnownCustom::Name(reader) = section.as_known() else { continue };
-            for part in reader {
-                if let wasmparser::Name::Function(map) = part.expect("names") {
-                    names.extend(
-                        map.into_iter()
-                            .map(|naming| naming.expect("a name"))
-                            .map(|n| (n.index, n.name.to_owned())),
-                    );
-                }
-            }
-        }
-        names
     }
 }

@@ -2,8 +2,8 @@
 //!
 //! The two know each other's functions by names that end in a hash, some hundreds, which do not compress: they get short ones.
 
-use crate::order::named_by_likeness;
 use crate::process::{cargo, command, minifier, node, output_of, root, run, squeeze};
+use crate::reorder::smallest;
 use crate::tools;
 use anyhow::{Context, Result};
 use std::collections::BTreeMap;
@@ -16,10 +16,8 @@ pub(crate) const FLAVOURS: [&str; 2] = ["webgpu", "webgl"];
 /// The build of `scumble-files`.
 pub(crate) const FILES: &str = "files";
 
-/// How a module is optimised first, and then once more, for what the first time left, with nothing that costs bytes. Between
-/// the two its functions get names that sort them by likeness, as neighbours that are alike compress better.
-const WASM_OPT: [&[&str]; 2] =
-    [&["-O2", "--minify-imports-and-exports-and-modules"], &["-Os", "--reorder-functions-by-name"]];
+/// How a module is optimised first, and then once more, for what the first time left, with nothing that costs bytes.
+const WASM_OPT: [&[&str]; 2] = [&["-O2", "--minify-imports-and-exports-and-modules"], &["-Os"]];
 
 /// What is asked of it both times. The features of wasm are those that every browser with WebGPU or WebGL 2 has;
 /// `--all-features` would use others.
@@ -53,8 +51,13 @@ pub(crate) fn build(name: &str) -> Result<PathBuf> {
     let (seen, package) = (work.join("seen"), work.join("package"));
     // The tools and how they are used are part of it, so that a change of them runs the steps again.
     let tools = fs::read(root().join("package-lock.json"))?;
-    let steps = [&include_bytes!("package.rs")[..], include_bytes!("order.rs"), include_bytes!("process.rs")]
-        .concat();
+    let steps = [
+        &include_bytes!("package.rs")[..],
+        include_bytes!("order.rs"),
+        include_bytes!("process.rs"),
+        include_bytes!("reorder.rs"),
+    ]
+    .concat();
     let input = [fs::read(&wasm)?, tools, steps].concat();
     if fs::read(&seen).is_ok_and(|seen| seen == input) {
         return Ok(package);
@@ -119,8 +122,8 @@ fn bind(wasm: &Path, package: &Path) -> Result<()> {
 fn optimise(wasm: &Path) -> Result<ShortNames> {
     let [first, again] = WASM_OPT;
     let list = wasm_opt(wasm, first)?;
-    fs::write(wasm, named_by_likeness(&fs::read(wasm)?)?)?;
     wasm_opt(wasm, again)?;
+    fs::write(wasm, smallest(&fs::read(wasm)?)?)?;
     ShortNames::read(&list)
 }
 
