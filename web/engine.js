@@ -178,7 +178,7 @@ export class Engine {
     while (this.isMaking && this.isRunning) await new Promise((wake) => setTimeout(wake, SLICE_MS));
   }
 
-  /** What was done to the drawing, as keys of messages, and how many of these steps are not taken back. */
+  /** What was done to the drawing, as keys of messages, and in which colours, in turn; and how many of these steps are not taken back. */
   history() {
     return this.#call((app) => app.history());
   }

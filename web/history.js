@@ -7,8 +7,9 @@ import { panel } from "./panel.js";
 /**
  * @typedef {object} Shell what the panel has of the page
  * @property {(key: string, values?: Record<string, unknown>) => string} say
+ * @property {(color: string) => string} nameOf a colour, #rrggbb or none
  * @property {(text: string) => void} done says what was done
- * @property {() => {steps: string[], place: number} | undefined} history what was done, as keys of messages, and how many of these steps are not taken back
+ * @property {() => {steps: string[], place: number} | undefined} history what was done, as keys of messages, and in which colours, in turn; and how many of these steps are not taken back
  * @property {(place: number) => void} go to where so many of them are not
  */
 
@@ -19,7 +20,7 @@ export class History {
   #shell;
   #panel;
   #list = make("ul", { className: "steps", role: "listbox" });
-  /** @type {string[]} What is in the list after its beginning. */
+  /** @type {string[]} What is in the list after its beginning: keys and colours. */
   #steps = [];
   /** How many of them are not taken back. */
   #place = 0;
@@ -53,8 +54,8 @@ export class History {
     const hadFocus = this.#list.contains(document.activeElement);
     if (!isSame) this.#fill(steps);
     // Others are marked already.
-    const [from, to] = isSame ? [Math.min(place, this.#place), Math.max(place, this.#place)] : [0, steps.length];
     const options = this.#options();
+    const [from, to] = isSame ? [Math.min(place, this.#place), Math.max(place, this.#place)] : [0, options.length - 1];
     for (let i = from; i <= to; i++) this.#mark(options[i], i - place);
     this.#place = place;
     options[place].scrollIntoView({ block: "nearest" });
@@ -64,7 +65,23 @@ export class History {
   /** @param {string[]} steps */
   #fill(steps) {
     this.#steps = steps;
-    this.#list.replaceChildren(...["history-start", ...steps].map((key) => make("li", { role: "option" }, this.#shell.say(key))));
+    const options = ["history-start", "", ...steps].flatMap((key, i, all) => (i % 2 === 0 ? [this.#option(key, all[i + 1])] : []));
+    this.#list.replaceChildren(...options);
+  }
+
+  /**
+   * @param {string} key
+   * @param {string} color with which it was done, if there is one
+   */
+  #option(key, color) {
+    const { say, nameOf } = this.#shell;
+    const option = make("li", { role: "option" }, say(key));
+    if (color) {
+      const chip = make("i", { className: color === "none" ? "swatch none" : "swatch", title: nameOf(color) });
+      chip.style.setProperty("--swatch", color);
+      option.append(chip);
+    }
+    return option;
   }
 
   /**
@@ -75,7 +92,8 @@ export class History {
     option.ariaSelected = String(after === 0);
     option.tabIndex = after === 0 ? 0 : -1;
     option.classList.toggle("later", after > 0);
-    const text = option.textContent ?? "";
+    const chip = option.querySelector("i");
+    const text = chip ? `${option.textContent}, ${chip.title}` : option.textContent;
     option.ariaLabel = after > 0 ? this.#shell.say("step-undone", { text }) : text;
   }
 
@@ -89,7 +107,7 @@ export class History {
     const { say, done, go } = this.#shell;
     const place = this.#options().indexOf(option);
     go(place);
-    done(say("went-to", { text: say(["history-start", ...this.#steps][place]) }));
+    done(say("went-to", { text: option.textContent }));
     this.#options()[place]?.focus();
   }
 

@@ -2,6 +2,7 @@
 
 import { lazily } from "./lazy.js";
 import { say } from "./messages.js";
+import { nameOfColor as nameOf } from "./swatches.js";
 import { done } from "./toolbar.js";
 
 const button = /** @type {HTMLButtonElement} */ (document.getElementById("history"));
@@ -10,7 +11,7 @@ export class Steps {
   #engine;
   #panel = lazily(
     () => import("./history.js"),
-    ({ History }) => new History({ say, done, history: () => this.#engine.history(), go: (place) => this.#engine.command("go-to", place) }),
+    ({ History }) => new History({ say, nameOf, done, history: () => this.#engine.history(), go: (place) => this.#engine.command("go-to", place) }),
   );
 
   /** @param {import("./engine.js").Engine} engine */

@@ -42,7 +42,7 @@ const MOST_RECENT = 8;
 const RECENT = "scumble-recent-colors";
 
 /** Keys in the message table by colour. */
-const NAMES = new Map(USUAL.map(([key, color]) => [color, key]));
+const NAMES = new Map([...USUAL, ["no-colour", NO_COLOR]].map(([key, color]) => [color, key]));
 
 /** The palette that is shown: the drawing's own, or the usual one. @type {Swatch[]} */
 let palette = usual();
@@ -97,6 +97,11 @@ export function nameOf({ color, name }) {
   return name || say(NAMES.get(color) ?? color);
 }
 
+/** What people call a colour, #rrggbb or none: as the palette does, if it has it. @param {string} color */
+export function nameOfColor(color) {
+  return nameOf(palette.find((swatch) => swatch.color === color) ?? { color, name: "" });
+}
+
 /** Notes that the colour of the moment was scribbled with. */
 export function used() {
   if (!current.startsWith("#") || recent[0] === current) return;
@@ -134,7 +139,7 @@ function fillPalette() {
 
 function fillRecent() {
   part("recent-colors").hidden = recent.length === 0;
-  fill("recent-colors", recent.map((color) => ({ color, label: say("recent-colour", { color: nameOf({ color, name: "" }) }) })));
+  fill("recent-colors", recent.map((color) => ({ color, label: say("recent-colour", { color: nameOfColor(color) }) })));
 }
 
 /**

@@ -52,14 +52,14 @@ for (const browser of /** @type {const} */ (["chromium", "firefox"])) {
       const editor = await open();
       await editor.until("selected", () => editor.tab.hold("Control", () => editor.tab.press("a")));
       await show(editor);
-      assert.deepEqual(await steps(editor), ["As opened", "Scribble added", "Scribble added", "* Recoloured"]);
+      assert.deepEqual(await steps(editor), ["As opened", "Scribble added, Red", "Scribble added, Red", "* Recoloured, Blue"]);
       await editor.tab.press("Home");
       await editor.until("At: As opened", () => editor.tab.press("Enter"));
-      assert.deepEqual(await steps(editor), ["* As opened", "Scribble added, undone", "Scribble added, undone", "Recoloured, undone"]);
+      assert.deepEqual(await steps(editor), ["* As opened", "Scribble added, Red, undone", "Scribble added, Red, undone", "Recoloured, Blue, undone"]);
       await editor.tab.press("ArrowDown");
       await editor.until("At: Scribble added", () => editor.tab.press(" "));
       await editor.until("Redone", () => editor.tab.hold("Control", () => editor.tab.press("y")));
-      assert.deepEqual(await steps(editor), ["As opened", "Scribble added", "* Scribble added", "Recoloured, undone"]);
+      assert.deepEqual(await steps(editor), ["As opened", "Scribble added, Red", "* Scribble added, Red", "Recoloured, Blue, undone"]);
       await editor.tab.press("Escape");
       assert.equal(await editor.tab.evaluate("document.activeElement.id"), "canvas");
       assert.equal(await color(editor), RED);
@@ -78,12 +78,12 @@ for (const browser of /** @type {const} */ (["chromium", "firefox"])) {
       const count = (/** @type {number} */ steps) => editor.tab.waitFor(`document.querySelectorAll("#history-panel [role=option]").length === ${steps}`);
       await nudge(["ArrowRight", "ArrowRight", "ArrowDown"]);
       await editor.until("selected", () => editor.tab.press("n"));
-      assert.deepEqual((await steps(editor)).slice(3), ["Recoloured", "* Moved"]);
+      assert.deepEqual((await steps(editor)).slice(3), ["Recoloured, Blue", "* Moved"]);
       await nudge(["ArrowLeft", "ArrowLeft"]);
       await count(6);
       await nudge(["ArrowUp", "ArrowUp"]);
       await count(7);
-      assert.deepEqual((await steps(editor)).slice(3), ["Recoloured", "Moved", "Moved", "* Moved"]);
+      assert.deepEqual((await steps(editor)).slice(3), ["Recoloured, Blue", "Moved", "Moved", "* Moved"]);
       // Those who speak their commands click without a pointer.
       const undo = `document.querySelector("[data-action=undo]").click()`;
       await editor.until("Undone", () => editor.tab.evaluate(pressed(["ArrowRight"]) + undo));
@@ -102,7 +102,7 @@ for (const browser of /** @type {const} */ (["chromium", "firefox"])) {
       await editor.tab.click("radio", "Scribble");
       await editor.scribble(IN_PILLAR, SIDE);
       await show(editor);
-      assert.deepEqual(await steps(editor), ["As opened", "* Scribble added"]);
+      assert.deepEqual(await steps(editor), ["As opened", "* Scribble added, Blue"]);
     });
 
     test("a thousand steps are a list like any other", async () => {

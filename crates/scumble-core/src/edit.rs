@@ -18,7 +18,7 @@ use change::{Back, Change, Ids, apply};
 mod change;
 mod deed;
 
-pub use deed::Deed;
+pub use deed::{Deed, Entry};
 
 /// The source of a picture, from which everything else is derived, and what is at hand: the palette, a picture to trace.
 #[derive(Clone, Debug)]
@@ -88,7 +88,7 @@ struct Revisions {
 #[derive(Clone, Debug)]
 struct Step {
     /// What was done, whether this does it again or takes it back.
-    deed: Deed,
+    entry: Entry,
     changes: Vec<Change>,
     to: Revisions,
 }
@@ -370,17 +370,17 @@ impl Editor {
         true
     }
 
-    /// What the gestures did that were kept, the first one first, also those that were taken back and can be done again.
-    pub fn deeds(&self) -> impl Iterator<Item = Deed> {
-        self.undo.iter().chain(self.redo.iter().rev()).map(|step| step.deed)
+    /// The gestures that were kept, the first one first, also those that were taken back and can be done again.
+    pub fn history(&self) -> impl Iterator<Item = Entry> {
+        self.undo.iter().chain(self.redo.iter().rev()).map(|step| step.entry)
     }
 
-    /// How many of [`Editor::deeds`] are not taken back.
+    /// How many of [`Editor::history`] are not taken back.
     pub fn place(&self) -> usize {
         self.undo.len()
     }
 
-    /// Takes back and does again, until so many of [`Editor::deeds`] are not taken back; as many as there are, if they are
+    /// Takes back and does again, until so many of [`Editor::history`] are not taken back; as many as there are, if they are
     /// fewer. A gesture in hand is committed first. Returns whether it has come to another place.
     pub fn go_to(&mut self, place: usize) -> bool {
         self.commit();
@@ -434,7 +434,8 @@ impl Editor {
     /// Ends a gesture that can be taken back; one that did nothing leaves no trace.
     fn keep(&mut self, deed: Deed, back: Vec<Change>) {
         if !back.is_empty() {
-            self.undo.push(Step { deed, changes: back, to: self.revisions });
+            let entry = Entry { deed, paint: change::paint(&back, &self.document) };
+            self.undo.push(Step { entry, changes: back, to: self.revisions });
             self.redo.clear();
             self.last.document += 1;
             self.revisions = Revisions { document: self.last.document, lines: self.lines_revision };
@@ -448,10 +449,10 @@ impl Editor {
     }
 
     /// Takes a step; returns the one back.
-    fn step(&mut self, Step { deed, changes, to }: Step) -> Step {
+    fn step(&mut self, Step { entry, changes, to }: Step) -> Step {
         let changes = self.apply_all(changes);
         self.lines_revision = to.lines;
-        Step { deed, changes, to: std::mem::replace(&mut self.revisions, to) }
+        Step { entry, changes, to: std::mem::replace(&mut self.revisions, to) }
     }
 
     /// Applies changes from the last to the first; returns those that take them back, to be applied likewise.

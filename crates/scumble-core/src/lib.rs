@@ -89,7 +89,7 @@ pub use color::{Blend, BlendColor, ColorError, Paint, Rgba8, Srgb8};
 pub use color_model::ColorModel;
 pub use color_points::ColorPoint;
 pub use drawing::{Curve, Drawing, Fill, Line};
-pub use edit::{Deed, Document, Editor};
+pub use edit::{Deed, Document, Editor, Entry};
 pub use engine::{Engine, Labels};
 pub use global::Global;
 pub use palette::Swatch;

@@ -41,6 +41,10 @@ fn editor_with_lines() -> Editor {
     Editor::new(document)
 }
 
+fn deeds_of(editor: &Editor) -> Vec<Deed> {
+    editor.history().map(|entry| entry.deed).collect()
+}
+
 fn shades(editor: &Editor) -> Vec<u8> {
     editor
         .document()
@@ -495,7 +499,7 @@ fn the_history_tells_what_was_done_to_the_palette() {
         Deed::SwatchRemoved,
         Deed::Palette,
     ];
-    assert_eq!(editor.deeds().collect::<Vec<_>>(), deeds);
+    assert_eq!(deeds_of(&editor), deeds);
 }
 
 #[test]
@@ -632,13 +636,36 @@ fn each_gesture_has_a_name_whichever_way_it_was_gone() {
         Deed::Untraced,
     ];
     for _ in 0..=deeds.len() {
-        assert_eq!(editor.deeds().collect::<Vec<_>>(), deeds);
+        assert_eq!(deeds_of(&editor), deeds);
         editor.undo();
     }
     assert_eq!(editor.place(), 0);
     for place in 1..=deeds.len() {
         editor.redo();
-        assert_eq!((editor.deeds().collect::<Vec<_>>(), editor.place()), (deeds.to_vec(), place));
+        assert_eq!((deeds_of(&editor), editor.place()), (deeds.to_vec(), place));
+    }
+}
+
+#[test]
+fn the_history_has_the_colour_of_what_came_and_went() {
+    let mut editor = editor_with(3);
+    let [red, blue] = [Srgb8([200, 0, 0]), Srgb8([0, 0, 200])].map(Paint::from);
+    let shade = |shade| Some(Srgb8([shade; 3]).into());
+    editor.erase_scribbles(&[1]);
+    editor.begin(Deed::Recolored);
+    (0..2).for_each(|i| editor.recolor_scribble(i, red));
+    editor.begin(Deed::Repainted);
+    editor.set_palette(vec![Swatch { color: Paint::Clear, name: String::new() }]);
+    editor.repaint(red, Paint::Clear);
+    editor.commit();
+    editor.move_scribble(0, 1);
+    editor.recolor_scribble(1, blue);
+    editor.erase_scribbles(&[0, 1]);
+    let paints =
+        [shade(0), shade(1), shade(2), shade(1), Some(red), Some(Paint::Clear), None, Some(blue), None];
+    for place in [9, 0, 4, 9] {
+        editor.go_to(place);
+        assert_eq!(editor.history().map(|entry| entry.paint).collect::<Vec<_>>(), paints);
     }
 }
 
@@ -652,7 +679,7 @@ fn one_goes_to_any_place_of_a_long_way_at_once() {
     for place in [0, 1999, 3, 1200] {
         assert!(editor.go_to(place));
         assert_eq!((editor.place(), shades(&editor).len()), (place, place));
-        assert_eq!(editor.deeds().count(), 2000);
+        assert_eq!(editor.history().count(), 2000);
     }
     assert!(!editor.go_to(1200));
     assert!(editor.go_to(usize::MAX));
@@ -660,5 +687,5 @@ fn one_goes_to_any_place_of_a_long_way_at_once() {
     editor.go_to(10);
     begin(&mut editor, 7);
     assert!(!editor.go_to(2000), "what is in hand is kept, and ends what could be done again");
-    assert_eq!((editor.place(), editor.deeds().count()), (11, 11));
+    assert_eq!((editor.place(), editor.history().count()), (11, 11));
 }

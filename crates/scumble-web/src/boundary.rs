@@ -4,7 +4,7 @@
 
 use js_sys::{Array, Float64Array, Object, Reflect, Uint8Array};
 use kurbo::{Point, Rect, Vec2};
-use scumble_core::{Deed, Paint, Settings, Srgb8, Swatch};
+use scumble_core::{Entry, Paint, Settings, Srgb8, Swatch};
 use wasm_bindgen::{JsCast, JsValue};
 
 use crate::brush::{Ink, Mode, ModeChange};
@@ -240,9 +240,13 @@ fn js_from_turn(turn: Turn) -> JsValue {
     object(&[("degrees", turn.degrees.into()), ("mirrored", turn.is_mirrored.into())])
 }
 
-/// What gestures did, as keys of the page's messages, and how many are not taken back.
-pub(crate) fn js_from_history((deeds, place): (Vec<Deed>, usize)) -> JsValue {
-    let steps: Array = deeds.into_iter().map(|deed| JsValue::from(deed_key(deed))).collect();
+/// What gestures did, as keys of the page's messages, and their colours, in turn, and how many gestures are not taken back.
+pub(crate) fn js_from_history((entries, place): (Vec<Entry>, usize)) -> JsValue {
+    let steps = Array::new();
+    for Entry { deed, paint } in entries {
+        steps.push(&deed_key(deed).into());
+        steps.push(&paint.map_or_else(String::new, |paint| paint.to_string()).into());
+    }
     object(&[("steps", steps.into()), ("place", (place as f64).into())])
 }
 

@@ -8,7 +8,7 @@ use std::sync::Arc;
 
 use kurbo::{Affine, Rect};
 use scumble_core::drawing::LONGER_SIDE_DU;
-use scumble_core::{Deed, Document, Drawing, MapError, Paint, Srgb8, Swatch, Tracing, Work, exact};
+use scumble_core::{Deed, Document, Drawing, Entry, MapError, Paint, Srgb8, Swatch, Tracing, Work, exact};
 use scumble_solve::grid::GridProblem;
 use scumble_solve::{Field, Picture, View};
 
@@ -181,9 +181,9 @@ impl Session {
         self.sheet.editor.document()
     }
 
-    /// What the gestures did that can be undone or done again in this drawing, and how many of them are not taken back.
-    pub fn history(&self) -> (Vec<Deed>, usize) {
-        (self.sheet.editor.deeds().collect(), self.sheet.editor.place())
+    /// The gestures that can be undone or done again in this drawing, and how many of them are not taken back.
+    pub fn history(&self) -> (Vec<Entry>, usize) {
+        (self.sheet.editor.history().collect(), self.sheet.editor.place())
     }
 
     /// The exact bytes of the work: the document, and what was opened with it.

@@ -10,16 +10,18 @@ use wasmparser::{CodeSectionReader, FunctionSectionReader, Parser};
 
 /// Bytes of functions that the next one is compared with: about as many as `gzip` remembers. Which of these packs a module
 /// smallest is chance, and makes three parts in a thousand.
-const WINDOWS_BYTES: [usize; 8] = [24_000, 26_000, 28_000, 30_000, 32_000, 34_000, 36_000, 38_000];
+fn windows_bytes() -> impl Iterator<Item = usize> {
+    (24_000..40_000).step_by(1000)
+}
 
-/// A module in the smallest of the orders that [`WINDOWS_BYTES`] give.
+/// A module in the smallest of the orders that [`windows_bytes`] give.
 ///
 /// # Errors
 /// For what is no wasm module.
 pub(crate) fn smallest(module: &[u8]) -> Result<Vec<u8>> {
     let (imported, bodies) = functions(module)?;
     let mut smallest: Option<(usize, Vec<u8>)> = None;
-    for window_bytes in WINDOWS_BYTES {
+    for window_bytes in windows_bytes() {
         let reordered = reordered(module, imported, &order(&bodies, window_bytes))?;
         let bytes = packed_bytes(&reordered);
         if smallest.as_ref().is_none_or(|&(least, _)| bytes < least) {

@@ -98,6 +98,19 @@ impl Back {
     }
 }
 
+/// The colour of the only scribble that came or went, or of all that took one, given what takes that back and the document as it is
+/// now.
+pub(super) fn paint(back: &[Change], document: &Document) -> Option<Paint> {
+    match *back {
+        [Change::InsertScribble(_, _, ref gone)] => Some(gone.color),
+        [Change::RemoveScribble(i)] | [.., Change::RecolorScribble(i, _)] => {
+            document.scribbles.get(i).map(|scribble| scribble.color)
+        }
+        [.., Change::RecolorPoint(i, _)] => document.color_points.get(i).map(|point| point.color),
+        _ => None,
+    }
+}
+
 /// The numbers by which scribbles and curves are known, in the order of the document: whatever is done to them, and
 /// wherever they come to lie, it stays theirs.
 #[derive(Clone, Debug, Default)]

@@ -2,10 +2,20 @@
 
 use std::cmp::Ordering;
 
+use crate::color::Paint;
 use crate::palette::Swatch;
 use crate::scribble::Scribble;
 use crate::settings::Settings;
 use crate::tracing::Tracing;
+
+/// A gesture as the list has it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Entry {
+    /// What it did.
+    pub deed: Deed,
+    /// The colour of the only scribble that came or went, or of all that took one.
+    pub paint: Option<Paint>,
+}
 
 /// What a gesture did.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
