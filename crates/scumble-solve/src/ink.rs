@@ -284,6 +284,21 @@ mod tests {
     }
 
     #[test]
+    fn a_fill_does_not_run_out_where_the_line_that_closes_it_is_hidden() {
+        let open = "M 300 100 V 300 H 100 V 100";
+        let fill =
+            |path: &str| Fill { path: BezPath::from_svg(path).expect("sound"), even_odd: false, color: INK };
+        for closing in [&["M 100 100 L 300 100"][..], &["M 100 100 L 180 100", "M 220 100 L 300 100"], &[]] {
+            for path in [open, "M 300 100 V 300 H 100 V 100 Z"] {
+                let curves = [&[open][..], closing].concat();
+                let curves = curves.into_iter().map(|path| curve(path, Stroke::new(2.0))).collect();
+                let shapes = shapes(curves, vec![fill(path)]);
+                assert!((area(&shapes[0].triangles) - 40_000.0).abs() < 1.0, "{closing:?}, {path}");
+            }
+        }
+    }
+
+    #[test]
     fn a_scribble_is_round_and_a_single_point_a_disc() {
         let scribble = |points| Scribble {
             color: Srgb8([9, 8, 7]).into(),

@@ -33,9 +33,21 @@ pub(super) fn shapes(drawing: &Drawing, map: &PlanarMap) -> Vec<Shape> {
     shapes
 }
 
-/// Whether all outlines of a fill are among curves; whether they are closed matters to neither.
+/// Whether all outlines of a fill are among curves, with the line that closes each: where another area hides a part of that, a
+/// region would run out of it.
 fn are_drawn(fill: &Fill, curves: &Starts<'_>) -> bool {
-    subpaths(&fill.path).all(|subpath| curves.like(subpath).any(|curve| open(curve) == open(subpath)))
+    let is_drawn = |outline: &[PathEl]| curves.like(outline).any(|curve| curve == outline);
+    subpaths(&fill.path).map(open).all(|outline| {
+        let mut alike = curves.like(outline).filter(|curve| open(curve) == outline);
+        alike.any(|curve| curve.len() > outline.len() || gap(outline).is_none_or(|gap| is_drawn(&gap)))
+    })
+}
+
+/// The straight line that closes an outline, if it has to be.
+fn gap(outline: &[PathEl]) -> Option<[PathEl; 2]> {
+    let [start, end] = [outline.first()?, outline.last()?].map(PathEl::end_point);
+    let gap = [PathEl::MoveTo(end?), PathEl::LineTo(start?)];
+    (start != end).then_some(gap)
 }
 
 fn open(path: &[PathEl]) -> &[PathEl] {
