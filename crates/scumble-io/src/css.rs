@@ -51,6 +51,9 @@ const MOST_GROWTH: usize = 16;
 /// and nothing else is made of this one.
 pub(crate) const UNSCALED: &str = "shape-rendering:optimizeSpeed";
 
+/// What has a filter or a mask does not hide what is painted before it.
+const SEEN_THROUGH: &str = "mix-blend-mode:multiply";
+
 /// Looks through all elements.
 pub(crate) fn of(xml: &Document) -> Mends {
     let mut mender = Mender {
@@ -200,11 +203,16 @@ impl Mender<'_> {
 
     /// A declaration of something else than a colour.
     fn other<'c>(&mut self, declaration: &'c str, name: &str, value: &str) -> Option<Cow<'c, str>> {
-        if name == "vector-effect" && value == "non-scaling-stroke" {
-            return Some(Cow::Owned(UNSCALED.to_owned()));
-        }
-        if name == "transform" {
-            return self.transform(declaration, value);
+        match (name, split_important(value).0) {
+            ("vector-effect", "non-scaling-stroke") => return Some(Cow::Owned(UNSCALED.to_owned())),
+            // It would be taken for that.
+            ("shape-rendering", _) => return None,
+            // Of the outermost element; only that much of it is read.
+            ("background", _) => return Some(Cow::Owned(["background-color:", value].concat())),
+            ("transform", _) => return self.transform(declaration, value),
+            ("filter" | "mask", "" | "none") => {}
+            ("filter" | "mask", _) => return Some(Cow::Owned([declaration, ";", SEEN_THROUGH].concat())),
+            _ => {}
         }
         if is_plain(name, value) && !value.contains("var(") {
             return Some(Cow::Borrowed(declaration));

@@ -27,11 +27,12 @@ pub(crate) fn line(stroke: &usvg::Stroke, opacity: f32, du_from_line: Affine) ->
     Some(Line { stroke, color })
 }
 
-/// A line upon white paper that was drawn upon dark paper.
-pub(crate) fn darkened(mut line: Line) -> Line {
-    let Rgba8([.., alpha]) = line.color;
-    if !paint::is_dark(line.color) {
-        line.color = Rgba8([0, 0, 0, alpha]);
+/// A line upon white paper that was drawn upon another: black where it showed upon that alone. Upon dark paper lines are light.
+pub(crate) fn upon_white(mut line: Line, paper: Rgba8) -> Line {
+    let is_light =
+        if paint::is_ink(paper) { !paint::is_dark(line.color) } else { paint::is_pale(line.color) };
+    if is_light && !paint::is_light(paper) {
+        line.color = Rgba8([0, 0, 0, line.color.0[3]]);
     }
     line
 }

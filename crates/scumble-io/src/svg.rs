@@ -23,7 +23,7 @@ use crate::error::ImportError;
 use crate::notes::ImportNotes;
 use crate::page_size::PageSize;
 use crate::survey::{self, Survey};
-use crate::{limits, masks, page, style_sheet};
+use crate::{limits, masks, page};
 use importer::Importer;
 
 /// A drawing, and what was left out of its file.
@@ -51,6 +51,9 @@ const UNCLIPPED: &str = "* { clip-path: none !important }";
 
 /// Keeps it from masks.
 const UNMASKED: &str = "* { mask: none !important } [mask] { mix-blend-mode: multiply !important }";
+
+/// Keeps what a file has of [`css::UNSCALED`] from being taken for that.
+const UNSCALED_BY_FILE: &str = "[shape-rendering] { shape-rendering: auto }";
 
 /// Reads an SVG drawing.
 ///
@@ -82,7 +85,7 @@ fn import_tree(xml: &Document, mut notes: ImportNotes) -> Result<Import, ImportE
         // What is wrong with others is known when they are met.
         notes.masks = masks::replaced(xml);
     }
-    let unscaled = ["[vector-effect=non-scaling-stroke] {", css::UNSCALED, "}"].concat();
+    let unscaled = [UNSCALED_BY_FILE, "[vector-effect=non-scaling-stroke] {", css::UNSCALED, "}"].concat();
     let clip_paths = if followed.clip_paths { "" } else { UNCLIPPED };
     let masks = if followed.masks { "" } else { UNMASKED };
     let style_sheet = [IGNORED, clip_paths, masks, &unscaled].concat();
@@ -92,14 +95,8 @@ fn import_tree(xml: &Document, mut notes: ImportNotes) -> Result<Import, ImportE
     let page = page::of(xml, size_px)?;
     let size = PageSize::of_svg(xml, page.rect);
     let mut importer = Importer::new(page, notes, followed.clip_paths);
-    importer.walk(tree.root(), has_masking_style(xml));
+    importer.walk(tree.root());
     importer.finish().map(|(drawing, notes)| Import { drawing, size, notes })
-}
-
-/// Whether anything may be masked or filtered by its style.
-fn has_masking_style(xml: &Document) -> bool {
-    let styles = xml.descendants().filter_map(|node| node.attribute("style"));
-    styles.chain(style_sheet::texts(xml)).any(|css| css.contains("mask:") || css.contains("filter:"))
 }
 
 fn import_error(error: usvg::Error) -> ImportError {

@@ -143,6 +143,8 @@ fn a_line_that_does_not_scale_is_as_wide_as_in_the_picture() {
         r#"vector-effect="non-scaling-stroke""#,
         r#"style="vector-effect:non-scaling-stroke;fill:none""#,
         "",
+        r#"shape-rendering="optimizeSpeed""#,
+        r#"style="shape-rendering:optimizeSpeed""#,
     ];
     let widths_du = look.map(|look| {
         let path = format!(r#"<path transform="scale(4)" d="M2 2h9" stroke="black" stroke-width="2" {look}/>"#);
@@ -150,7 +152,7 @@ fn a_line_that_does_not_scale_is_as_wide_as_in_the_picture() {
         import(&svg).drawing.curves[0].line.as_ref().unwrap().stroke.width
     });
     // Two of 640 pixels; otherwise four times two of 64 units.
-    assert_eq!(widths_du, [3.2, 3.2, 128.0]);
+    assert_eq!(widths_du, [3.2, 3.2, 128.0, 128.0, 128.0]);
 }
 
 #[test]
@@ -608,6 +610,7 @@ fn lines_under_a_shape_are_hidden_where_it_is_opaque() {
         "opacity=\"0.5\"",
         "mask=\"url(#m)\"",
         "style=\"filter: url(#m)\"",
+        "style=\"Filter: blur(2px)!important\"",
         "class=\"m\"",
     ] {
         let over = over.replace("fill=", &[seen_through, " fill="].concat());
@@ -621,6 +624,25 @@ fn lines_under_a_shape_are_hidden_where_it_is_opaque() {
         2,
         "what is painted later is not hidden"
     );
+    for elsewhere in [
+        "<style>.m:hover, .n { filter: brightness(2) }</style>",
+        r#"<g style="filter:none;mask:none !important"><path d="M0 0"/></g>"#,
+        r#"<path class="n" style="mask:url(#m)" d="M0 8H8" stroke="black"/>"#,
+    ] {
+        let curves = on_page(&[elsewhere, under, over].concat()).drawing.curves;
+        assert!(curves.len() > 2 && curves.iter().any(|curve| curve.path == left.path), "{elsewhere}");
+    }
+}
+
+#[test]
+fn paper_hides_what_is_painted_before_it() {
+    let import = on_page(
+        r##"<rect width="64" height="64"/><circle cx="32" cy="32" r="20" stroke="#f00"/><rect width="64" height="64" fill="white"/>
+            <path d="M8 8h8v8" fill="none" stroke="#ff8"/>"##,
+    );
+    let [line] = &*import.drawing.curves else { panic!("{:?}", import.drawing.curves) };
+    assert_eq!(line.line.as_ref().map(|line| line.color), Some(Rgba8([0xff, 0xff, 0x88, 255])));
+    assert_eq!(import.drawing.fills, []);
 }
 
 #[test]
@@ -647,6 +669,21 @@ fn light_lines_upon_dark_paper_are_dark_upon_white() {
         let lines = import.drawing.curves.iter().flat_map(|curve| &curve.line);
         let colors: Vec<_> = lines.map(|line| line.color).collect();
         assert_eq!(colors, [Rgba8([0, 0, 0, 128]), Rgba8([0x88, 0x22, 0, 255])]);
+    }
+}
+
+#[test]
+fn pale_lines_upon_paper_of_a_colour_are_dark_upon_white() {
+    let lines = r##"<path d="M8 8h8v8" fill="none" stroke="white"/><path d="M8 9h8" stroke="#fc0"/>"##;
+    let first = |svg: String| import(&svg).drawing.curves.swap_remove(0).line.map(|line| line.color);
+    for (paper, expected) in [("#1e6fd9", 0), ("#c8a878", 0), ("#222", 0), ("#f4f4f0", 255)] {
+        for paper in [
+            format!(r#"viewBox="0 0 64 64"><rect width="64" height="64" fill="{paper}"/>"#),
+            format!(r#"viewBox="0 0 64 64" style="background: {paper}">"#),
+        ] {
+            let svg = format!(r#"<svg xmlns="http://www.w3.org/2000/svg" {paper}{lines}</svg>"#);
+            assert_eq!(first(svg), Some(Rgba8([expected, expected, expected, 255])), "{paper}");
+        }
     }
 }
 

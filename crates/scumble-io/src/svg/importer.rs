@@ -2,7 +2,7 @@
 
 use kurbo::{Affine, BezPath, Rect, Shape as _};
 use scumble_core::work::MAX_CURVES;
-use scumble_core::{Curve, Drawing, Fill, Line};
+use scumble_core::{Curve, Drawing, Fill, Line, Rgba8};
 use usvg::{BlendMode, FillRule, Node, PaintOrder, ShapeRendering};
 
 use super::mask;
@@ -15,6 +15,8 @@ use crate::notes::ImportNotes;
 use crate::page::Page;
 use crate::{look, outline, paint};
 
+const WHITE: Rgba8 = Rgba8([255; 4]);
+
 #[derive(Debug)]
 pub(super) struct Importer {
     drawing: Drawing,
@@ -25,8 +27,8 @@ pub(super) struct Importer {
     is_clipped: bool,
     /// How many masks cut as clip paths do.
     masks: usize,
-    /// Whether the paper is dark: here it is white, so light lines are black.
-    is_dark: bool,
+    /// The colour of the paper: here it is white, so what shows on the other one only is black.
+    paper: Rgba8,
     /// Groups within each other that are mixed with what is painted before them.
     blends: usize,
     /// In painting order.
@@ -54,13 +56,12 @@ impl Importer {
         let drawing = Drawing::new(page.rect);
         let du_from_px = drawing.drawing_from_page() * page.page_from_px;
         let clip = Clip::new(drawing.frame());
-        let (covers, is_dark) = (Vec::new(), false);
-        Self { drawing, notes, du_from_px, clip, is_clipped, masks: 0, is_dark, blends: 0, covers }
+        let (covers, paper) = (Vec::new(), WHITE);
+        Self { drawing, notes, du_from_px, clip, is_clipped, masks: 0, paper, blends: 0, covers }
     }
 
-    /// Takes all shapes of a tree. Where masks or filters may be at work that are not known, none of them hides others.
-    pub(super) fn walk(&mut self, root: &usvg::Group, is_masked: bool) {
-        self.blends += usize::from(is_masked);
+    /// Takes all shapes of a tree.
+    pub(super) fn walk(&mut self, root: &usvg::Group) {
         self.group(root, Place { du_from_user: self.du_from_px, opacity: 1.0 });
     }
 
@@ -155,15 +156,16 @@ impl Importer {
         let is_seen = shape.fill.is_some() || shape.line.is_some();
         self.notes.patterns += usize::from(is_seen && paint::has_pattern(path));
         let rest = self.rest(&shape);
-        if rest.is_none() && self.is_paper(&shape) {
-            return;
-        }
+        let is_paper = rest.is_none() && self.is_paper(&shape);
         if let Some(fill) = shape.fill {
             let area = match &rest {
                 Some(rest) => (rest.area.clone(), true),
                 None => (shape.subpaths.clone(), fill.even_odd),
             };
-            self.fill(fill, area);
+            self.fill(Filling { is_ink: fill.is_ink && !is_paper, ..fill }, area);
+        }
+        if is_paper {
+            return;
         }
         self.draw(shape, rest);
     }
@@ -182,8 +184,7 @@ impl Importer {
     fn line(&self, path: &usvg::Path, opacity: f32, du_from_user: Affine) -> Option<Line> {
         let is_scaled = path.rendering_mode() != ShapeRendering::OptimizeSpeed;
         let du_from_line = if is_scaled { du_from_user } else { self.du_from_px };
-        let line = look::line(path.stroke()?, opacity, du_from_line)?;
-        Some(if self.is_dark { look::darkened(line) } else { line })
+        Some(look::upon_white(look::line(path.stroke()?, opacity, du_from_line)?, self.paper))
     }
 
     /// What is filled hides what is painted before it, and may belong to the lines.
@@ -223,16 +224,17 @@ impl Importer {
         }
     }
 
-    /// Whether an area is no shape: a rectangle over the whole page, if it is ink the first of all. Lines upon dark paper are
-    /// light.
+    /// Whether an area is no shape: a rectangle over the whole page, if it is ink the first of all.
     fn is_paper(&mut self, Shape { subpaths, line, fill }: &Shape) -> bool {
-        let Some(Filling { color, is_ink, .. }) = fill.filter(|_| line.is_none()) else { return false };
+        let Some(Filling { color, is_ink, hides, .. }) = fill.filter(|_| line.is_none()) else {
+            return false;
+        };
         let is_first = self.drawing.curves.is_empty() && self.drawing.fills.is_empty();
         let frame = self.drawing.frame();
         let is_over_page = matches!(&**subpaths, [path] if outline::is_rectangle_over(path, frame));
         let is_paper = is_over_page && (is_first || !is_ink);
-        if is_paper && is_first {
-            self.is_dark = paint::is_ink(color);
+        if is_paper && (is_first || hides[0]) {
+            self.paper = color;
         }
         is_paper
     }
