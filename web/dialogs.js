@@ -27,6 +27,12 @@ export function makeDialog(id, content, acts, label) {
  */
 export function openDialog(dialog) {
   dialog.showModal();
+  dialog.addEventListener("close", backToCanvas, { once: true });
   const first = dialog.querySelector(":checked") ?? dialog.querySelector("ul button, .body :is(input, button)");
   /** @type {HTMLElement | null} */ (first)?.focus({ preventScroll: true });
+}
+
+/** What had the focus may be gone with the panel that it was in: a dialog closes those that are open. */
+function backToCanvas() {
+  if (document.activeElement === document.body) document.getElementById("canvas")?.focus();
 }

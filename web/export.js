@@ -178,6 +178,7 @@ export class Export {
    */
   async #worked(act) {
     const { signal } = (this.#job = new AbortController());
+    const button = /** @type {HTMLElement} */ (document.activeElement);
     this.#showChoice();
     try {
       return await act(signal);
@@ -191,6 +192,8 @@ export class Export {
       this.#job = undefined;
       part("export-progress").hidden = true;
       this.#showChoice();
+      // It has lost the focus, as it could not be pressed.
+      if (document.activeElement === document.body) button.focus();
     }
   }
 

@@ -626,11 +626,14 @@ fn lines_under_a_shape_are_hidden_where_it_is_opaque() {
     );
     for elsewhere in [
         "<style>.m:hover, .n { filter: brightness(2) }</style>",
-        r#"<g style="filter:none;mask:none !important"><path d="M0 0"/></g>"#,
         r#"<path class="n" style="mask:url(#m)" d="M0 8H8" stroke="black"/>"#,
     ] {
         let curves = on_page(&[elsewhere, under, over].concat()).drawing.curves;
         assert!(curves.len() > 2 && curves.iter().any(|curve| curve.path == left.path), "{elsewhere}");
+    }
+    for nothing in ["filter=\"none\" mask=\"none\"", "style=\"filter:none;mask:none !important\""] {
+        let over = over.replace("fill=", &[nothing, " fill="].concat());
+        assert_eq!(on_page(&[under, &over].concat()).drawing.curves.len(), 3, "{nothing}");
     }
 }
 
