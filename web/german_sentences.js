@@ -222,6 +222,8 @@ export const things = {
   "transforms": "Transformationen",
   "pattern": "Muster",
   "patterns": "Muster",
+  "cover of a line that is shown whole": "Überdeckung einer Linie, die ganz gezeigt wird",
+  "covers of lines that are shown whole": "Überdeckungen von Linien, die ganz gezeigt werden",
   "shape with unusable coordinates": "Form mit unbrauchbaren Koordinaten",
   "shapes with unusable coordinates": "Formen mit unbrauchbaren Koordinaten",
   "colour that cannot be read": "Farbe, die sich nicht lesen lässt",

@@ -35,51 +35,63 @@ impl Covers {
         }
     }
 
-    /// Has what is painted over something cover what is looked at next, and tells whether there is any.
-    fn cover(&self, i: usize, bounds: Rect, clip: &mut Clip) -> Result<bool, TooMuch> {
-        let first = self.under.partition_point(|&under| under <= i);
-        let later = &self.bounds[first..];
-        clip.spend(later.len() as u64 / 2)?;
-        let above =
-            later.iter().zip(&self.areas[first..]).filter(|(area_bounds, _)| area_bounds.overlaps(bounds));
-        let above: Vec<_> = above.map(|(_, area)| Rc::clone(area)).collect();
-        let is_under = !above.is_empty();
+    /// The parts of a line that are seen. One area is looked at after the other, as what the first ones hide is nothing to the others.
+    fn parts(&self, i: usize, path: &BezPath, clip: &mut Clip) -> Result<Vec<BezPath>, TooMuch> {
+        let mut paths = vec![path.clone()];
+        for area in self.above(i, path.control_box(), clip)? {
+            clip.cover(vec![area]);
+            paths = paths.iter().map(|path| clip.line(path)).collect::<Result<Vec<_>, _>>()?.concat();
+        }
+        Ok(paths)
+    }
+
+    /// What is left of ink; `None` where all of it is hidden.
+    fn rest(&self, i: usize, fill: &Fill, clip: &mut Clip) -> Result<Option<Fill>, TooMuch> {
+        let above = self.above(i, fill.path.control_box(), clip)?;
+        if above.is_empty() {
+            return Ok(Some(fill.clone()));
+        }
         clip.cover(above);
-        Ok(is_under)
+        let subpaths = fill.path.subpaths().map(|subpath| BezPath::from_vec(subpath.to_vec())).collect();
+        Ok(match clip.area((subpaths, fill.even_odd))? {
+            None => Some(fill.clone()),
+            Some(Rest { area, .. }) if area.is_empty() => None,
+            Some(Rest { area, .. }) => {
+                Some(Fill { path: area.iter().flatten().collect(), even_odd: true, ..*fill })
+            }
+        })
+    }
+
+    /// The areas that are painted over something.
+    fn above(&self, i: usize, bounds: Rect, clip: &mut Clip) -> Result<Vec<Rc<Area>>, TooMuch> {
+        let first = self.under.partition_point(|&under| under <= i);
+        let later = self.bounds[first..].iter().zip(&self.areas[first..]);
+        clip.spend(later.len() as u64 / 2)?;
+        let above = later.filter(|(area_bounds, _)| area_bounds.overlaps(bounds));
+        Ok(above.map(|(_, area)| Rc::clone(area)).collect())
     }
 }
 
-/// A drawing without what is hidden by areas, which are in painting order.
-///
-/// # Errors
-/// When it takes too long to find that.
-pub(crate) fn without_hidden(drawing: &Drawing, covers: &[Cover]) -> Result<Drawing, TooMuch> {
+/// A drawing without what is hidden by areas, which are in painting order, and how many of its lines and fills may be shown more
+/// than they are seen, as it would take too long to find that.
+pub(crate) fn without_hidden(drawing: &Drawing, covers: &[Cover]) -> (Drawing, usize) {
     let mut clip = Clip::new(drawing.frame());
-    let areas = covers.iter().map(|cover| clip.shape(cover.area.clone())).collect::<Result<Vec<_>, _>>()?;
+    let areas: Result<Vec<_>, _> = covers.iter().map(|cover| clip.shape(cover.area.clone())).collect();
+    let Ok(areas) = areas else { return (drawing.clone(), drawing.curves.len() + drawing.fills.len()) };
     let [of_lines, of_ink] = [0, 1].map(|kind| Covers::new(covers, &areas, kind));
-    let mut seen = Drawing::new(drawing.page);
+    let (mut seen, mut whole) = (Drawing::new(drawing.page), 0);
     for (i, curve) in drawing.curves.iter().enumerate() {
-        let paths = match of_lines.cover(i, curve.path.control_box(), &mut clip)? {
-            true => clip.line(&curve.path)?,
-            false => vec![curve.path.clone()],
-        };
+        let paths = of_lines.parts(i, &curve.path, &mut clip).unwrap_or_else(|TooMuch| {
+            whole += 1;
+            vec![curve.path.clone()]
+        });
         seen.curves.extend(paths.into_iter().map(|path| Curve { path, line: curve.line.clone() }));
     }
     for (i, fill) in drawing.fills.iter().enumerate() {
-        let is_under = of_ink.cover(i, fill.path.control_box(), &mut clip)?;
-        seen.fills.extend(if is_under { rest(fill, &mut clip)? } else { Some(fill.clone()) });
+        seen.fills.extend(of_ink.rest(i, fill, &mut clip).unwrap_or_else(|TooMuch| {
+            whole += 1;
+            Some(fill.clone())
+        }));
     }
-    Ok(seen)
-}
-
-/// What is left of ink; `None` where all of it is hidden.
-fn rest(fill: &Fill, clip: &mut Clip) -> Result<Option<Fill>, TooMuch> {
-    let subpaths = fill.path.subpaths().map(|subpath| BezPath::from_vec(subpath.to_vec())).collect();
-    Ok(match clip.area((subpaths, fill.even_odd))? {
-        None => Some(fill.clone()),
-        Some(Rest { area, .. }) if area.is_empty() => None,
-        Some(Rest { area, .. }) => {
-            Some(Fill { path: area.iter().flatten().collect(), even_odd: true, ..*fill })
-        }
-    })
+    (seen, whole)
 }

@@ -21,6 +21,8 @@ pub struct ImportNotes {
     pub transforms: usize,
     /// Shapes with a pattern for a paint: lines are grey, areas empty.
     pub patterns: usize,
+    /// Lines and areas under others that are shown whole, as it would take too long to find what is hidden of them.
+    pub covers: usize,
     /// Shapes and subpaths with coordinates that are no numbers or far too large.
     pub broken: usize,
     /// Colours that cannot be read: lines are black, areas have an outline.
@@ -46,6 +48,7 @@ impl fmt::Display for ImportNotes {
             (self.markers, "marker", "markers"),
             (self.transforms, "transform", "transforms"),
             (self.patterns, "pattern", "patterns"),
+            (self.covers, "cover of a line that is shown whole", "covers of lines that are shown whole"),
             (self.broken, "shape with unusable coordinates", "shapes with unusable coordinates"),
             (self.bad_colors, "colour that cannot be read", "colours that cannot be read"),
         ];

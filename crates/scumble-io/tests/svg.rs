@@ -637,6 +637,45 @@ fn lines_under_a_shape_are_hidden_where_it_is_opaque() {
     }
 }
 
+/// Circles on a page of 64 × 64, whose places and radii look random: x, y and radius.
+fn bubbles(count: u32, radius: f64) -> Vec<[f64; 3]> {
+    let part = |i: u32, step: f64| (f64::from(i) * step).fract();
+    (0..count)
+        .map(|i| [64.0 * part(i, 0.618_034), 64.0 * part(i, 0.414_214), radius * (0.4 + part(i, 0.732_051))])
+        .collect()
+}
+
+fn painted(bubbles: &[[f64; 3]]) -> Import {
+    let circle =
+        |[x, y, r]: &[f64; 3]| format!(r#"<circle cx="{x}" cy="{y}" r="{r}" fill="white" stroke="black"/>"#);
+    on_page(&bubbles.iter().map(circle).collect::<String>())
+}
+
+#[test]
+fn of_thousands_of_shapes_upon_each_other_only_what_is_seen_is_left() {
+    let bubbles = bubbles(2000, 6.0);
+    let import = painted(&bubbles);
+    assert!(import.notes.is_empty() && (100..1000).contains(&import.drawing.curves.len()));
+    for curve in &import.drawing.curves {
+        for segment in curve.path.segments() {
+            let place = segment.eval(0.5);
+            let inside = |&[x, y, r]: &[f64; 3]| r * 16.0 - place.distance(Point::new(x * 16.0, y * 16.0));
+            let own = bubbles.iter().rposition(|bubble| inside(bubble).abs() < 0.1).expect("a circle");
+            assert!(bubbles[own..].iter().all(|bubble| inside(bubble) < 0.2), "{place}");
+        }
+    }
+}
+
+#[test]
+fn what_would_take_too_long_to_hide_is_told() {
+    let import = painted(&bubbles(30_000, 3.0));
+    assert!((1..30_000).contains(&import.notes.covers), "{}", import.notes);
+    assert_eq!(
+        import.notes.to_string(),
+        format!("left out: {} covers of lines that are shown whole", import.notes.covers)
+    );
+}
+
 #[test]
 fn paper_hides_what_is_painted_before_it() {
     let import = on_page(

@@ -22,10 +22,12 @@ pub(super) fn parts(
     work: &mut Work,
     mut is_kept: impl FnMut([Point; 2]) -> bool,
 ) -> Result<Vec<BezPath>, TooMuch> {
-    let size: u64 = areas.iter().map(|area| area.size()).sum();
     let mut parts = Parts::default();
     for segment in path.segments() {
         let cuts = cuts(&segment, bounds, areas, work)?;
+        work.spend(areas.len() as u64)?;
+        let own = segment.bounding_box();
+        let size: u64 = areas.iter().filter(|area| area.bounds.overlaps(own)).map(|area| area.size()).sum();
         work.spend(2 * size * cuts.len() as u64)?;
         let part = |from: f64, to: f64| segment.subsegment(from..to);
         let asked: Vec<_> =

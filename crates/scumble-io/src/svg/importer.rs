@@ -285,8 +285,10 @@ impl Importer {
         let Self { drawing, mut notes, is_clipped, covers, .. } = self;
         notes.clip_paths *= usize::from(!is_clipped);
         // Of what is not clipped it is not known what it covers.
-        let seen = if is_clipped { without_hidden(&drawing, &covers).ok() } else { None };
-        let drawing = seen.filter(|seen| !seen.curves.is_empty()).unwrap_or(drawing);
+        let covers = if is_clipped { covers } else { Vec::new() };
+        let (seen, whole) = without_hidden(&drawing, &covers);
+        notes.covers = whole;
+        let drawing = if seen.curves.is_empty() { drawing } else { seen };
         let mut drawing = without_doubles(&drawing).unwrap_or(drawing);
         // What the drawing has no line for is not drawn over its lines.
         let thin = Some(look::thin());
