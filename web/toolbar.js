@@ -227,8 +227,12 @@ export function tell(text) {
 /** @param {string} text what went wrong; empty to put it away. Counts in it get marks between their thousands, places as 1:4712 do not */
 export function warn(text) {
   const figure = (/** @type {string} */ digits) => Number(digits).toLocaleString(document.documentElement.lang);
-  control("alert").hidden = text === "";
-  /** @type {HTMLElement} */ (control("alert").querySelector("p")).textContent = text.replace(/(?<=\s)\d{4,}(?=\s)/g, figure);
+  const alert = control("alert");
+  alert.hidden = text === "";
+  // Above all panels, also those that were opened after the last one.
+  alert.togglePopover(false);
+  alert.togglePopover(!alert.hidden);
+  /** @type {HTMLElement} */ (alert.querySelector("p")).textContent = text.replace(/(?<=\s)\d{4,}(?=\s)/g, figure);
 }
 
 /** Says what was done; a warning about something before it has had its time. @param {string} text */

@@ -13,7 +13,8 @@ pub(crate) struct Cover {
     pub(crate) area: Outlines,
     /// Whether it hides lines, and ink.
     pub(crate) hides: [bool; 2],
-    /// How many curves and fills are painted before it.
+    /// Those that it hides: the first, and how many curves and fills are painted before it.
+    pub(crate) since: [usize; 2],
     pub(crate) under: [usize; 2],
 }
 
@@ -21,7 +22,8 @@ pub(crate) struct Cover {
 struct Covers {
     areas: Vec<Rc<Area>>,
     bounds: Vec<Rect>,
-    /// How many of those that they hide are painted before each.
+    /// The first of those that each hides, and how many are painted before it.
+    since: Vec<usize>,
     under: Vec<usize>,
 }
 
@@ -31,6 +33,7 @@ impl Covers {
         Self {
             areas: hiding().map(|(_, area)| Rc::clone(area)).collect(),
             bounds: hiding().map(|(_, area)| area.bounds).collect(),
+            since: hiding().map(|(cover, _)| cover.since[kind]).collect(),
             under: hiding().map(|(cover, _)| cover.under[kind]).collect(),
         }
     }
@@ -67,8 +70,10 @@ impl Covers {
         let first = self.under.partition_point(|&under| under <= i);
         let later = self.bounds[first..].iter().zip(&self.areas[first..]);
         clip.spend(later.len() as u64 / 2)?;
-        let above = later.filter(|(area_bounds, _)| area_bounds.overlaps(bounds));
-        Ok(above.map(|(_, area)| Rc::clone(area)).collect())
+        let above = later
+            .zip(&self.since[first..])
+            .filter(|((area_bounds, _), since)| **since <= i && area_bounds.overlaps(bounds));
+        Ok(above.map(|((_, area), _)| Rc::clone(area)).collect())
     }
 }
 

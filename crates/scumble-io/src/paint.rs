@@ -78,6 +78,12 @@ pub(crate) fn is_pale(color: Rgba8) -> bool {
     lightness(color) > PALE_LIGHTNESS && !has_hue(color)
 }
 
+/// How a colour looks upon white.
+pub(crate) fn over_white(Rgba8([r, g, b, alpha]): Rgba8) -> Rgba8 {
+    let over = |c: u8| 255 - ((255 - u32::from(c)) * u32::from(alpha) / 255) as u8;
+    Rgba8([over(r), over(g), over(b), 255])
+}
+
 fn lightness(Rgba8([r, g, b, _]): Rgba8) -> f64 {
     Blend::Oklab.from_srgb8(Srgb8([r, g, b]))[0]
 }

@@ -631,6 +631,13 @@ fn lines_under_a_shape_are_hidden_where_it_is_opaque() {
         let curves = on_page(&[elsewhere, under, over].concat()).drawing.curves;
         assert!(curves.len() > 2 && curves.iter().any(|curve| curve.path == left.path), "{elsewhere}");
     }
+    for group in ["opacity=\".5\"", "style=\"mix-blend-mode:multiply\"", "style=\"filter:blur(1px)\""] {
+        let before = r#"<path d="M0 30H64" stroke="black"/>"#;
+        let curves = on_page(&[before, "<g ", group, ">", under, over, "</g>"].concat()).drawing.curves;
+        let within =
+            curves.iter().filter(|curve| curve.path == left.path || curve.path == right.path).count();
+        assert_eq!((curves.len(), within), (4, 2), "a group with {group}");
+    }
     for nothing in ["filter=\"none\" mask=\"none\"", "style=\"filter:none;mask:none !important\""] {
         let over = over.replace("fill=", &[nothing, " fill="].concat());
         assert_eq!(on_page(&[under, &over].concat()).drawing.curves.len(), 3, "{nothing}");

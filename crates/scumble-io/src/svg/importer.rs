@@ -29,8 +29,6 @@ pub(super) struct Importer {
     masks: usize,
     /// The colour of the paper: here it is white, so what shows on the other one only is black.
     paper: Rgba8,
-    /// Groups within each other that are mixed with what is painted before them.
-    blends: usize,
     /// In painting order.
     covers: Vec<Cover>,
 }
@@ -41,13 +39,16 @@ pub(super) struct Importer {
 struct Place {
     du_from_user: Affine,
     opacity: f32,
+    /// The first curve and fill of the innermost groups that are painted as a whole over what is before them: of that, nothing
+    /// hides lines where they are translucent, nor ink where they are mixed with it.
+    since: [usize; 2],
 }
 
 impl Place {
     /// That of what is in a group.
     fn within(self, group: &usvg::Group) -> Self {
         let du_from_user = self.du_from_user * affine(group.transform());
-        Self { du_from_user, opacity: self.opacity * group.opacity().get() }
+        Self { du_from_user, opacity: self.opacity * group.opacity().get(), ..self }
     }
 }
 
@@ -57,23 +58,26 @@ impl Importer {
         let du_from_px = drawing.drawing_from_page() * page.page_from_px;
         let clip = Clip::new(drawing.frame());
         let (covers, paper) = (Vec::new(), WHITE);
-        Self { drawing, notes, du_from_px, clip, is_clipped, masks: 0, paper, blends: 0, covers }
+        Self { drawing, notes, du_from_px, clip, is_clipped, masks: 0, paper, covers }
     }
 
     /// Takes all shapes of a tree.
     pub(super) fn walk(&mut self, root: &usvg::Group) {
-        self.group(root, Place { du_from_user: self.du_from_px, opacity: 1.0 });
+        self.group(root, Place { du_from_user: self.du_from_px, opacity: 1.0, since: [0; 2] });
     }
 
     fn group(&mut self, group: &usvg::Group, around: Place) {
-        let place = around.within(group);
+        let mut place = around.within(group);
         let outer = self.clip.depth();
         self.clip_by_path(group, place);
         let is_followed = self.clip_by_mask(group, place);
-        let blends = usize::from(group.blend_mode() != BlendMode::Normal || !is_followed);
-        self.blends += blends;
+        let [curves, fills] = self.counts();
+        if group.blend_mode() != BlendMode::Normal || !is_followed {
+            place.since = [curves, fills];
+        } else if group.opacity().get() < 1.0 {
+            place.since[0] = curves;
+        }
         self.children(group, place);
-        self.blends -= blends;
         self.clip.leave(outer);
     }
 
@@ -162,7 +166,7 @@ impl Importer {
                 Some(rest) => (rest.area.clone(), true),
                 None => (shape.subpaths.clone(), fill.even_odd),
             };
-            self.fill(Filling { is_ink: fill.is_ink && !is_paper, ..fill }, area);
+            self.fill(Filling { is_ink: fill.is_ink && !is_paper, ..fill }, area, place.since);
         }
         if is_paper {
             return;
@@ -170,10 +174,10 @@ impl Importer {
         self.draw(shape, rest);
     }
 
-    fn shape(&mut self, path: &usvg::Path, Place { du_from_user, opacity }: Place) -> Shape {
+    fn shape(&mut self, path: &usvg::Path, Place { du_from_user, opacity, .. }: Place) -> Shape {
         let subpaths = self.usable(outline::subpaths(path.data(), du_from_user));
         let fill = path.fill().filter(|_| subpaths.iter().any(outline::has_area));
-        let fill = fill.and_then(|fill| Filling::of(fill, opacity, &subpaths, self.blends > 0));
+        let fill = fill.and_then(|fill| Filling::of(fill, opacity, &subpaths));
         let is_under = path.paint_order() == PaintOrder::StrokeAndFill;
         let is_half_hidden = is_under && fill.is_some_and(|fill| fill.hides[0] && !fill.is_ink);
         let line = self.line(path, opacity, du_from_user);
@@ -188,18 +192,22 @@ impl Importer {
     }
 
     /// What is filled hides what is painted before it, and may belong to the lines.
-    fn fill(&mut self, Filling { color, is_ink, hides, .. }: Filling, area: Outlines) {
-        let Drawing { curves, fills, .. } = &mut self.drawing;
+    fn fill(&mut self, Filling { color, is_ink, hides, .. }: Filling, area: Outlines, since: [usize; 2]) {
         if area.0.is_empty() {
             // Clip paths hide all of it.
             return;
         }
         if hides != [false; 2] {
-            self.covers.push(Cover { area: area.clone(), hides, under: [curves.len(), fills.len()] });
+            self.covers.push(Cover { area: area.clone(), hides, since, under: self.counts() });
         }
         if is_ink {
-            fills.push(Fill { path: joined(&area.0), even_odd: area.1, color });
+            self.drawing.fills.push(Fill { path: joined(&area.0), even_odd: area.1, color });
         }
+    }
+
+    /// How many curves and fills there are so far.
+    fn counts(&self) -> [usize; 2] {
+        [self.drawing.curves.len(), self.drawing.fills.len()]
     }
 
     /// The curves of a shape of which clip paths leave a part or, without that, all.
@@ -234,7 +242,7 @@ impl Importer {
         let is_over_page = matches!(&**subpaths, [path] if outline::is_rectangle_over(path, frame));
         let is_paper = is_over_page && (is_first || !is_ink);
         if is_paper && (is_first || hides[0]) {
-            self.paper = color;
+            self.paper = paint::over_white(color);
         }
         is_paper
     }

@@ -36,17 +36,18 @@ pub(super) struct Filling {
 }
 
 impl Filling {
-    /// `None` where nothing of it shows. What is mixed with what is painted before it hides nothing.
-    pub(super) fn of(fill: &usvg::Fill, opacity: f32, subpaths: &[BezPath], is_mixed: bool) -> Option<Self> {
-        let opacity = opacity * fill.opacity().get();
-        let color = paint::color(fill.paint(), opacity)?;
+    /// `None` where nothing of it shows, given what the groups around it leave of its opacity. For the lines that it hides within
+    /// them that does not matter.
+    pub(super) fn of(fill: &usvg::Fill, opacity: f32, subpaths: &[BezPath]) -> Option<Self> {
+        let own = fill.opacity().get();
+        let color = paint::color(fill.paint(), opacity * own)?;
         let even_odd = fill.rule() == FillRule::EvenOdd;
         let is_ink = is_ink(color, outline::mean_size_du(subpaths, even_odd));
-        let is_opaque = paint::is_opaque(fill.paint(), opacity);
+        let [hides_lines, is_opaque] =
+            [own, opacity * own].map(|opacity| paint::is_opaque(fill.paint(), opacity));
         // A light in an eye may be glassy.
         let hides_ink = !is_ink && (is_opaque || paint::is_light(color));
-        let hides = [is_opaque, hides_ink].map(|hides| hides && !is_mixed);
-        Some(Self { color, even_odd, is_ink, hides })
+        Some(Self { color, even_odd, is_ink, hides: [hides_lines, hides_ink] })
     }
 }
 
