@@ -18,6 +18,7 @@ import { lazily } from "./lazy.js";
 import { haveWords, label, name, say } from "./messages.js";
 import { Opening } from "./opening.js";
 import { Pointers } from "./pointer.js";
+import { connectPrinter } from "./print.js";
 import { FOLDER, sampleList, sampleName } from "./samples.js";
 import { labelSelection, selectsMore, showSelection, toggleMore } from "./selection.js";
 import { Steps } from "./steps.js";
@@ -135,6 +136,7 @@ function both(first, second) {
 const STRIPS_MS = 8;
 
 const engine = new Engine(handlers);
+connectPrinter(engine);
 const drawings = new Drawings(nameShown);
 const tracing = new Tracing(engine);
 const keeper = new Keeper({

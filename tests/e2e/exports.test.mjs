@@ -8,6 +8,8 @@ import { Picture, assertSame } from "./picture.mjs";
 
 /** The longer side of the viewBox of `drawings/shading.svg`, and its size in pixels at 1×. */
 const SHADING = 200;
+/** The same of `drawings/rooms.svg`. */
+const ROOMS = 200;
 const SIZE = { width: 1024, height: 512 };
 const SCRIBBLES = /** @type {[string, [number, number][]][]} */ ([
   ["Yellow", [[35, 45], [60, 30], [90, 28]]],
@@ -131,6 +133,22 @@ for (const browser of /** @type {const} */ (["chromium", "firefox"])) {
       assert.deepEqual(editor.tab.faults, []);
     });
 
+    test("a print is the picture alone, as large as paper asks for", async () => {
+      const editor = await session.open("cpu");
+      await editor.openDrawing("rooms");
+      await editor.click("Red");
+      await editor.scribble([[30, 30], [50, 60], [70, 40]], ROOMS);
+      const printed = () => editor.tab.evaluate(`{
+        const sheet = document.getElementById("print");
+        sheet && [sheet.width, sheet.height, ...sheet.getContext("2d").getImageData(${(20 / ROOMS) * 2400}, ${(80 / ROOMS) * 2400}, 1, 1).data];
+      }`);
+      await editor.tab.evaluate(`void window.dispatchEvent(new Event("beforeprint"))`);
+      assert.deepEqual(await printed(), [2400, 1200, 0xe5, 0x48, 0x4d, 255]);
+      await editor.tab.evaluate(`void window.dispatchEvent(new Event("afterprint"))`);
+      assert.equal(await printed(), null);
+      assert.deepEqual(editor.tab.faults, []);
+    });
+
     test("a damaged SVG opens as its lines, and says so", async () => {
       const editor = await shaded();
       const svg = (await exported(editor, "SVG")).toString().replace('"points"', '"pints"');
@@ -246,8 +264,10 @@ for (const browser of /** @type {const} */ (["chromium", "firefox"])) {
       const editor = await open();
       await editor.tab.evaluate(`
         navigator.clipboard.write = async ([item]) => void (window.copied = await item.getType("image/png"))`);
-      await editor.click("Copy picture");
+      await editor.tab.evaluate(`document.getElementById("copy-picture").focus()`);
+      await editor.tab.press("Enter");
       await editor.tab.waitFor(`document.getElementById("export-status").textContent === "Copied"`);
+      await editor.tab.waitFor(`document.activeElement.id === "copy-picture"`);
       const picture = Picture.decode(await bytes(editor, "window.copied"));
       assert.equal(picture.width, 1024);
       await editor.tab.click("radio", "SVG");
