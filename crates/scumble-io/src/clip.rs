@@ -35,6 +35,9 @@ const AT_PAGE_DU: f64 = 0.5;
 /// Parts that are as near to each other meet, in du: where curves run along each other, crossings are told less well.
 const MEET_DU: f64 = 0.5;
 
+/// Outlines whose corners are as near to each other as this, in du, are the same.
+const ALIKE_DU: f64 = 0.1;
+
 /// Parts with their middles in the same square of such a side, or in the next one, are the same, in du.
 const SAME_DU: f64 = 0.04;
 
@@ -130,6 +133,17 @@ impl Clip {
         parts(path, bounds, &areas, work, |sides| sides.into_iter().any(|side| is_seen(levels, side)))
     }
 
+    /// Whether a closed line is an outline of a clip path, so that half of it is hidden.
+    ///
+    /// # Errors
+    /// When it takes too long to find that.
+    pub(crate) fn has_outline(&mut self, path: &BezPath) -> Result<bool, TooMuch> {
+        let Self { levels, work, .. } = self;
+        let outlines = || areas(levels).flat_map(|area| &area.outlines);
+        work.spend(outlines().count() as u64)?;
+        Ok(is_closed(path) && outlines().any(|outline| are_alike(outline, path)))
+    }
+
     /// What is seen of an area of which a part is hidden.
     ///
     /// # Errors
@@ -194,6 +208,13 @@ fn is_new(known: &mut HashSet<[i64; 2]>, middle: Point) -> bool {
     let [column, row] = [middle.x, middle.y].map(|along| (along / SAME_DU).floor() as i64);
     let mut beside = (-1..=1).flat_map(|x| (-1..=1).map(move |y| [column + x, row + y]));
     !beside.any(|square| known.contains(&square)) && known.insert([column, row])
+}
+
+/// Whether the same elements end at the same places.
+fn are_alike(one: &BezPath, other: &BezPath) -> bool {
+    let ends = |path: &BezPath| path.iter().filter_map(|element| element.end_point()).collect::<Vec<_>>();
+    one.elements().len() == other.elements().len()
+        && ends(one).iter().zip(ends(other)).all(|(a, b)| a.distance(b) < ALIKE_DU)
 }
 
 fn areas(levels: &[Level]) -> impl Iterator<Item = &Area> {

@@ -38,11 +38,14 @@ impl Covers {
         }
     }
 
-    /// The parts of a line that are seen. One area is looked at after the other, as what the first ones hide is nothing to the others.
+    /// The parts of a line that are seen. One area is looked at after the other first, as what one of them hides is nothing to the
+    /// others; but a line between two areas is hidden by both together.
     fn parts(&self, i: usize, path: &BezPath, clip: &mut Clip) -> Result<Vec<BezPath>, TooMuch> {
+        let above = self.above(i, path.control_box(), clip)?;
         let mut paths = vec![path.clone()];
-        for area in self.above(i, path.control_box(), clip)? {
-            clip.cover(vec![area]);
+        let one_by_one = above.iter().map(|area| vec![Rc::clone(area)]);
+        for areas in one_by_one.chain([above.clone()]) {
+            clip.cover(areas);
             paths = paths.iter().map(|path| clip.line(path)).collect::<Result<Vec<_>, _>>()?.concat();
         }
         Ok(paths)

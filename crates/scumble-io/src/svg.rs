@@ -38,11 +38,12 @@ pub struct Import {
 }
 
 /// Keeps `usvg` from everything that is ignored anyway, from the colours of an exported picture, and from patterns
-/// within patterns. What has a filter, or a mask that is not followed, is taken for what others can be seen through. Of two
-/// important declarations the first one counts.
+/// within patterns; and what a file has of [`css::UNSCALED`] from being taken for that. What has a filter, or a mask that is not
+/// followed, is taken for what others can be seen through. Of two important declarations the first one counts.
 const IGNORED: &str = "* { filter: none !important;
     marker-start: none !important; marker-mid: none !important; marker-end: none !important }
     text, image, .scumble-colors { display: none !important }
+    [shape-rendering] { shape-rendering: auto }
     pattern * { fill: #808080 !important; stroke: none !important }
     [filter=\"none\"] { mix-blend-mode: normal !important }
     [mask=\"url()\"], [filter] { mix-blend-mode: multiply !important }
@@ -54,9 +55,6 @@ const UNCLIPPED: &str = "* { clip-path: none !important }";
 /// Keeps it from masks.
 const UNMASKED: &str = "* { mask: none !important } [mask=\"none\"] { mix-blend-mode: normal !important }
     [mask] { mix-blend-mode: multiply !important }";
-
-/// Keeps what a file has of [`css::UNSCALED`] from being taken for that.
-const UNSCALED_BY_FILE: &str = "[shape-rendering] { shape-rendering: auto }";
 
 /// Reads an SVG drawing.
 ///
@@ -88,7 +86,7 @@ fn import_tree(xml: &Document, mut notes: ImportNotes) -> Result<Import, ImportE
         // What is wrong with others is known when they are met.
         notes.masks = masks::replaced(xml);
     }
-    let unscaled = [UNSCALED_BY_FILE, "[vector-effect=non-scaling-stroke] {", css::UNSCALED, "}"].concat();
+    let unscaled = ["[vector-effect=non-scaling-stroke] {", css::UNSCALED, "}"].concat();
     let clip_paths = if followed.clip_paths { "" } else { UNCLIPPED };
     let masks = if followed.masks { "" } else { UNMASKED };
     let style_sheet = [IGNORED, clip_paths, masks, &unscaled].concat();

@@ -1,7 +1,7 @@
 //! What an SVG drawing becomes.
 
 use kurbo::{Affine, BezPath, Cap, Join, ParamCurve, ParamCurveArclen, PathEl, Point, Rect, Shape};
-use scumble_core::{Curve, Document, Rgba8, Work};
+use scumble_core::{Curve, Document, Drawing, Rgba8, Work};
 use scumble_io::{Import, import_svg, read_file, write_file};
 
 fn import(svg: &str) -> Import {
@@ -555,6 +555,24 @@ fn a_line_along_a_clip_path_stays_whole() {
 }
 
 #[test]
+fn a_line_along_its_own_clip_path_is_half_as_wide() {
+    let square = r#"<path d="M16 16H48V48H16Z""#;
+    let shape = format!(r#"{square} fill="white" stroke="black" stroke-width="4""#);
+    for (within, expected) in [
+        (format!(r#"<mask id="m" fill="white">{square}/></mask>{shape} mask="url(#m)"/>"#), 32.0),
+        (format!(r#"<clipPath id="m">{square}/></clipPath>{shape} clip-path="url(#m)"/>"#), 32.0),
+        (
+            format!(r#"<clipPath id="m"><path d="M8 8H48V48H8Z"/></clipPath>{shape} clip-path="url(#m)"/>"#),
+            64.0,
+        ),
+    ] {
+        let curves = on_page(&within).drawing.curves;
+        let [curve] = &*curves else { panic!("{curves:?}") };
+        assert_eq!(curve.line.as_ref().map(|line| line.stroke.width), Some(expected), "{within}");
+    }
+}
+
+#[test]
 fn clip_paths_within_each_other_hide_what_either_does() {
     let inner = format!(
         r##"<clipPath id="d" transform="translate(8 0)">{SQUARE}<rect x="8" y="40" width="4" height="4"/></clipPath>
@@ -624,6 +642,17 @@ fn lines_under_a_shape_are_hidden_where_it_is_opaque() {
         2,
         "what is painted later is not hidden"
     );
+    let between =
+        r#"<path d="M32 20V44" stroke="black"/><path d="M16 16H32V48H16Z M32 16H48V48H32Z" fill="white"/>"#;
+    let two = r#"<path d="M32 20V44" stroke="black"/><path d="M16 16H32V48H16Z" fill="white"/><path d="M32 16H48V48H32Z" fill="white"/>"#;
+    for shapes in [between, two] {
+        let curves = on_page(shapes).drawing.curves;
+        assert_eq!(
+            curves.iter().filter(|curve| bounds(&curve.path)[0] == bounds(&curve.path)[2]).count(),
+            0,
+            "{shapes}"
+        );
+    }
     for elsewhere in [
         "<style>.m:hover, .n { filter: brightness(2) }</style>",
         r#"<path class="n" style="mask:url(#m)" d="M0 8H8" stroke="black"/>"#,
@@ -675,12 +704,14 @@ fn of_thousands_of_shapes_upon_each_other_only_what_is_seen_is_left() {
 
 #[test]
 fn what_would_take_too_long_to_hide_is_told() {
-    let import = painted(&bubbles(30_000, 3.0));
-    assert!((1..30_000).contains(&import.notes.covers), "{}", import.notes);
-    assert_eq!(
-        import.notes.to_string(),
-        format!("left out: {} covers of lines that are shown whole", import.notes.covers)
-    );
+    let ridge = |y: u32| {
+        let way: String = (0..800).map(|x| format!("L{} {}", 0.08 * f64::from(x), y + x % 2 * 8)).collect();
+        format!(r#"<path d="M0 {y}{way}L64 60H0Z" fill="white" stroke="black"/>"#)
+    };
+    let import = on_page(&(4..44).map(ridge).collect::<String>());
+    assert!((1..40).contains(&import.notes.covers), "{}", import.notes);
+    let expected = format!("left out: {} covers of lines that are shown whole", import.notes.covers);
+    assert_eq!(import.notes.to_string(), expected);
 }
 
 #[test]
@@ -719,6 +750,24 @@ fn light_lines_upon_dark_paper_are_dark_upon_white() {
         let colors: Vec<_> = lines.map(|line| line.color).collect();
         assert_eq!(colors, [Rgba8([0, 0, 0, 128]), Rgba8([0x88, 0x22, 0, 255])]);
     }
+}
+
+#[test]
+fn dark_paper_with_a_light_card_upon_it_is_a_frame() {
+    let card = |size: u32| {
+        format!(
+            r#"<rect width="64" height="64"/><rect x="2" y="2" width="{size}" height="{size}" fill="white"/>
+                <path d="M8 8h8v8" fill="none" stroke="white"/>"#
+        )
+    };
+    let framed = on_page(&card(60)).drawing;
+    let [frame] = &*framed.fills else { panic!("{:?}", framed.fills) };
+    let is_ink = |x: f64, y: f64| frame.path.winding(Point::new(x * 16.0, y * 16.0)) % 2 != 0;
+    assert!(frame.even_odd && is_ink(1.0, 32.0) && is_ink(63.0, 63.0) && !is_ink(32.0, 32.0));
+    let color = |drawing: &Drawing| drawing.curves.last()?.line.as_ref().map(|line| line.color.0);
+    assert_eq!(color(&framed), Some([255; 4]));
+    let night = on_page(&card(20)).drawing;
+    assert_eq!((night.fills.len(), color(&night)), (0, Some([0, 0, 0, 255])));
 }
 
 #[test]

@@ -161,6 +161,11 @@ impl Importer {
         self.notes.patterns += usize::from(is_seen && paint::has_pattern(path));
         let rest = self.rest(&shape);
         let is_paper = rest.is_none() && self.is_paper(&shape);
+        if !is_paper && self.is_framed(&shape) {
+            let path = self.drawing.frame().to_path(0.0);
+            self.drawing.fills.push(Fill { path, even_odd: false, color: self.paper });
+            self.paper = WHITE;
+        }
         if let Some(fill) = shape.fill {
             let area = match &rest {
                 Some(rest) => (rest.area.clone(), true),
@@ -247,6 +252,15 @@ impl Importer {
         is_paper
     }
 
+    /// Whether an area leaves no more than a frame of dark paper, to which it is no paper then.
+    fn is_framed(&self, Shape { subpaths, fill, .. }: &Shape) -> bool {
+        let area_du2 = || subpaths.iter().map(|path| path.area().abs()).sum::<f64>();
+        paint::is_ink(self.paper)
+            && self.counts() == [0; 2]
+            && fill.is_some_and(|fill| fill.hides[1])
+            && area_du2() > 0.5 * self.drawing.frame().area()
+    }
+
     /// What clip paths leave of an area, where they hide any of it.
     fn rest(&mut self, Shape { subpaths, fill, .. }: &Shape) -> Option<Rest> {
         let Filling { even_odd, .. } = fill.filter(|_| !self.clip.is_empty())?;
@@ -277,11 +291,13 @@ impl Importer {
             return self.curves(subpaths, line);
         }
         for path in subpaths {
+            let is_half = self.clip.has_outline(&path).unwrap_or(false);
+            let line = if is_half { line.clone().map(look::halved) } else { line.clone() };
             let seen = self.clip.line(&path).unwrap_or_else(|TooMuch| {
                 self.give_up();
                 vec![path]
             });
-            self.curves(seen, line.clone());
+            self.curves(seen, line);
         }
     }
 
