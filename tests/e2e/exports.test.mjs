@@ -144,6 +144,12 @@ for (const browser of /** @type {const} */ (["chromium", "firefox"])) {
       }`);
       await editor.tab.evaluate(`void window.dispatchEvent(new Event("beforeprint"))`);
       assert.deepEqual(await printed(), [2400, 1200, 0xe5, 0x48, 0x4d, 255]);
+      const hidden = await editor.tab.evaluate(`{
+        const rules = [...document.styleSheets].flatMap((sheet) => [...sheet.cssRules]).filter((rule) => rule.media?.mediaText === "print");
+        const hides = rules.flatMap((rule) => [...rule.cssRules]).filter((rule) => rule.style.display === "none");
+        [...document.body.children].filter((child) => hides.some((rule) => child.matches(rule.selectorText))).length;
+      }`);
+      assert.equal(hidden, (await editor.tab.evaluate(`document.body.children.length`)) - 1, "all but the picture");
       await editor.tab.evaluate(`void window.dispatchEvent(new Event("afterprint"))`);
       assert.equal(await printed(), null);
       assert.deepEqual(editor.tab.faults, []);

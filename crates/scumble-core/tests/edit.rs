@@ -661,8 +661,7 @@ fn the_history_has_the_colour_of_what_came_and_went() {
     editor.move_scribble(0, 1);
     editor.recolor_scribble(1, blue);
     editor.erase_scribbles(&[0, 1]);
-    let paints =
-        [shade(0), shade(1), shade(2), shade(1), Some(red), Some(Paint::Clear), None, Some(blue), None];
+    let paints = [shade(0), shade(1), shade(2), shade(1), None, Some(Paint::Clear), None, Some(blue), None];
     for place in [9, 0, 4, 9] {
         editor.go_to(place);
         assert_eq!(editor.history().map(|entry| entry.paint).collect::<Vec<_>>(), paints);

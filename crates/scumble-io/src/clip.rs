@@ -19,7 +19,7 @@ mod work;
 use std::collections::HashSet;
 use std::rc::Rc;
 
-use kurbo::{BezPath, Point, Rect};
+use kurbo::{BezPath, ParamCurve, PathSeg, Point, Rect};
 
 pub(crate) use area::{Area, Outlines};
 use joining::grown;
@@ -35,7 +35,7 @@ const AT_PAGE_DU: f64 = 0.5;
 /// Parts that are as near to each other meet, in du: where curves run along each other, crossings are told less well.
 const MEET_DU: f64 = 0.5;
 
-/// Outlines whose corners are as near to each other as this, in du, are the same.
+/// Outlines as near to each other as this, in du, are the same.
 const ALIKE_DU: f64 = 0.1;
 
 /// Parts with their middles in the same square of such a side, or in the next one, are the same, in du.
@@ -133,15 +133,15 @@ impl Clip {
         parts(path, bounds, &areas, work, |sides| sides.into_iter().any(|side| is_seen(levels, side)))
     }
 
-    /// Whether a closed line is an outline of a clip path, so that half of it is hidden.
-    ///
-    /// # Errors
-    /// When it takes too long to find that.
-    pub(crate) fn has_outline(&mut self, path: &BezPath) -> Result<bool, TooMuch> {
-        let Self { levels, work, .. } = self;
-        let outlines = || areas(levels).flat_map(|area| &area.outlines);
-        work.spend(outlines().count() as u64)?;
-        Ok(is_closed(path) && outlines().any(|outline| are_alike(outline, path)))
+    /// Whether a closed line is all that a clip path consists of, so that half of it is hidden.
+    pub(crate) fn is_outline(&self, path: &BezPath) -> bool {
+        let outline_of = |level: &Level| match &*level.areas {
+            [area] if !level.covers => {
+                <&[BezPath; 1]>::try_from(&*area.outlines).ok().map(|[outline]| are_alike(outline, path))
+            }
+            _ => None,
+        };
+        is_closed(path) && self.levels.iter().any(|level| outline_of(level).unwrap_or(false))
     }
 
     /// What is seen of an area of which a part is hidden.
@@ -210,11 +210,12 @@ fn is_new(known: &mut HashSet<[i64; 2]>, middle: Point) -> bool {
     !beside.any(|square| known.contains(&square)) && known.insert([column, row])
 }
 
-/// Whether the same elements end at the same places.
+/// Whether two paths run the same way, and at the same places.
 fn are_alike(one: &BezPath, other: &BezPath) -> bool {
-    let ends = |path: &BezPath| path.iter().filter_map(|element| element.end_point()).collect::<Vec<_>>();
-    one.elements().len() == other.elements().len()
-        && ends(one).iter().zip(ends(other)).all(|(a, b)| a.distance(b) < ALIKE_DU)
+    let near = |(a, b): (PathSeg, PathSeg)| {
+        [0.0, 0.25, 0.75, 1.0].into_iter().all(|t| a.eval(t).distance(b.eval(t)) < ALIKE_DU)
+    };
+    one.elements().len() == other.elements().len() && one.segments().zip(other.segments()).all(near)
 }
 
 fn areas(levels: &[Level]) -> impl Iterator<Item = &Area> {

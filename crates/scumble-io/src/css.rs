@@ -51,6 +51,9 @@ const MOST_GROWTH: usize = 16;
 /// and nothing else is made of this one.
 pub(crate) const UNSCALED: &str = "shape-rendering:optimizeSpeed";
 
+/// Filters and masks that are none.
+const NOTHING: [&str; 4] = ["", "none", "initial", "unset"];
+
 /// What has a filter or a mask does not hide what is painted before it.
 const SEEN_THROUGH: &str = "mix-blend-mode:multiply";
 
@@ -208,10 +211,20 @@ impl Mender<'_> {
             // It would be taken for that.
             ("shape-rendering", _) => return None,
             // Of the outermost element; only that much of it is read.
-            ("background", _) => return Some(Cow::Owned(["background-color:", value].concat())),
+            ("background", "") => return None,
+            ("background", _) => {
+                let of_color = ["background-color:", value].concat();
+                return self
+                    .other(&of_color, "background-color", value)
+                    .map(|anew| Cow::Owned(anew.into_owned()));
+            }
             ("transform", _) => return self.transform(declaration, value),
-            ("filter" | "mask", "" | "none") => {}
-            ("filter" | "mask", _) => return Some(Cow::Owned([declaration, ";", SEEN_THROUGH].concat())),
+            ("filter" | "mask", value)
+                if NOTHING.iter().any(|nothing| value.eq_ignore_ascii_case(nothing)) => {}
+            ("mask", _) if is_plain(name, value) => {
+                return Some(Cow::Owned([declaration, ";", SEEN_THROUGH].concat()));
+            }
+            ("filter" | "mask", _) => return Some(Cow::Owned(SEEN_THROUGH.to_owned())),
             _ => {}
         }
         if is_plain(name, value) && !value.contains("var(") {

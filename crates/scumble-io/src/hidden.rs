@@ -18,6 +18,13 @@ pub(crate) struct Cover {
     pub(crate) under: [usize; 2],
 }
 
+/// Lines of no more elements are looked at with one area after the other first, where these are large beside them: mostly the first
+/// few hide all.
+const SHORT: usize = 20;
+
+/// An area is large that reaches over more than this part of a line.
+const LARGE: f64 = 0.25;
+
 /// Areas that hide curves, or fills, in painting order.
 struct Covers {
     areas: Vec<Rc<Area>>,
@@ -38,17 +45,24 @@ impl Covers {
         }
     }
 
-    /// The parts of a line that are seen. One area is looked at after the other first, as what one of them hides is nothing to the
-    /// others; but a line between two areas is hidden by both together.
+    /// The parts of a line that are seen: of what large areas leave, one after the other, what all together leave, as a line between
+    /// two areas is hidden by both.
     fn parts(&self, i: usize, path: &BezPath, clip: &mut Clip) -> Result<Vec<BezPath>, TooMuch> {
-        let above = self.above(i, path.control_box(), clip)?;
+        let bounds = path.control_box();
+        let above = self.above(i, bounds, clip)?;
+        let is_large = |area: &&Rc<Area>| {
+            path.elements().len() <= SHORT && length(area.bounds.intersect(bounds)) > LARGE * length(bounds)
+        };
         let mut paths = vec![path.clone()];
-        let one_by_one = above.iter().map(|area| vec![Rc::clone(area)]);
-        for areas in one_by_one.chain([above.clone()]) {
-            clip.cover(areas);
-            paths = paths.iter().map(|path| clip.line(path)).collect::<Result<Vec<_>, _>>()?.concat();
+        for area in above.iter().filter(is_large) {
+            let (under, beside): (Vec<_>, _) =
+                paths.into_iter().partition(|path| path.control_box().overlaps(area.bounds));
+            paths = beside;
+            clip.cover(vec![Rc::clone(area)]);
+            paths.extend(seen(&under, clip)?);
         }
-        Ok(paths)
+        clip.cover(above);
+        seen(&paths, clip)
     }
 
     /// What is left of ink; `None` where all of it is hidden.
@@ -78,6 +92,14 @@ impl Covers {
             .filter(|((area_bounds, _), since)| **since <= i && area_bounds.overlaps(bounds));
         Ok(above.map(|((_, area), _)| Rc::clone(area)).collect())
     }
+}
+
+fn seen(paths: &[BezPath], clip: &mut Clip) -> Result<Vec<BezPath>, TooMuch> {
+    Ok(paths.iter().map(|path| clip.line(path)).collect::<Result<Vec<_>, _>>()?.concat())
+}
+
+fn length(rect: Rect) -> f64 {
+    rect.width().hypot(rect.height())
 }
 
 /// A drawing without what is hidden by areas, which are in painting order, and how many of its lines and fills may be shown more

@@ -39,13 +39,12 @@ pub struct Import {
 
 /// Keeps `usvg` from everything that is ignored anyway, from the colours of an exported picture, and from patterns
 /// within patterns; and what a file has of [`css::UNSCALED`] from being taken for that. What has a filter, or a mask that is not
-/// followed, is taken for what others can be seen through. Of two important declarations the first one counts.
+/// followed, is taken for what others can be seen through.
 const IGNORED: &str = "* { filter: none !important;
     marker-start: none !important; marker-mid: none !important; marker-end: none !important }
     text, image, .scumble-colors { display: none !important }
     [shape-rendering] { shape-rendering: auto }
     pattern * { fill: #808080 !important; stroke: none !important }
-    [filter=\"none\"] { mix-blend-mode: normal !important }
     [mask=\"url()\"], [filter] { mix-blend-mode: multiply !important }
     clipPath, clipPath * { clip-path: none !important }";
 
@@ -53,8 +52,7 @@ const IGNORED: &str = "* { filter: none !important;
 const UNCLIPPED: &str = "* { clip-path: none !important }";
 
 /// Keeps it from masks.
-const UNMASKED: &str = "* { mask: none !important } [mask=\"none\"] { mix-blend-mode: normal !important }
-    [mask] { mix-blend-mode: multiply !important }";
+const UNMASKED: &str = "* { mask: none !important } [mask] { mix-blend-mode: multiply !important }";
 
 /// Reads an SVG drawing.
 ///

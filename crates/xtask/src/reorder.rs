@@ -9,7 +9,7 @@ use wasm_encoder::{CodeSection, FunctionSection, Module};
 use wasmparser::{CodeSectionReader, FunctionSectionReader, Parser};
 
 /// Bytes of functions that the next one is compared with: about as many as `gzip` remembers. Which of these packs a module
-/// smallest is chance, and makes three parts in a thousand.
+/// smallest is mostly chance, and makes three parts in a thousand.
 fn windows_bytes() -> impl Iterator<Item = usize> {
     (24_000..40_000).step_by(1000)
 }
@@ -31,7 +31,7 @@ pub(crate) fn smallest(module: &[u8]) -> Result<Vec<u8>> {
     Ok(smallest.context("no order of a module's functions")?.1)
 }
 
-/// As many as the web's packers make of it, but for a few in a thousand.
+/// As many as `gzip` makes of it, but for a thousandth or three; what one packs smaller mostly is so with the other.
 fn packed_bytes(module: &[u8]) -> usize {
     compress_to_vec(module, 9).len()
 }

@@ -98,15 +98,15 @@ impl Back {
     }
 }
 
-/// The colour of the only scribble that came or went, or of all that took one, given what takes that back and the document as it is
-/// now.
+/// The colour of the only scribble that came, went or took another one, or of a swatch that did, given what takes that back and the
+/// document as it is now.
 pub(super) fn paint(back: &[Change], document: &Document) -> Option<Paint> {
     match *back {
         [Change::InsertScribble(_, _, ref gone)] => Some(gone.color),
-        [Change::RemoveScribble(i)] | [.., Change::RecolorScribble(i, _)] => {
+        [Change::RemoveScribble(i) | Change::RecolorScribble(i, _)]
+        | [Change::SetPalette(_), .., Change::RecolorScribble(i, _)] => {
             document.scribbles.get(i).map(|scribble| scribble.color)
         }
-        [.., Change::RecolorPoint(i, _)] => document.color_points.get(i).map(|point| point.color),
         _ => None,
     }
 }

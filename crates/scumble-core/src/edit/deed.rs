@@ -13,7 +13,7 @@ use crate::tracing::Tracing;
 pub struct Entry {
     /// What it did.
     pub deed: Deed,
-    /// The colour of the only scribble that came or went, or of all that took one.
+    /// The colour of the only scribble that came, went or took another one, or of a swatch that did.
     pub paint: Option<Paint>,
 }
 

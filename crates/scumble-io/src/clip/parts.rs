@@ -13,6 +13,9 @@ const BESIDE_DU: f64 = 0.05;
 /// Comparisons that a crossing with a chord takes.
 const CROSSING_WORK: u64 = 10;
 
+/// Comparisons that a segment takes that crosses nothing.
+const SEGMENT_WORK: u64 = 500;
+
 /// The parts of a path between its crossings with the outlines of some areas within some bounds that are kept, as is
 /// told by a point at each side; those that go on from each other as one.
 pub(super) fn parts(
@@ -25,7 +28,7 @@ pub(super) fn parts(
     let mut parts = Parts::default();
     for segment in path.segments() {
         let cuts = cuts(&segment, bounds, areas, work)?;
-        work.spend(areas.len() as u64)?;
+        work.spend(SEGMENT_WORK + areas.len() as u64)?;
         let own = segment.bounding_box();
         let size: u64 = areas.iter().filter(|area| area.bounds.overlaps(own)).map(|area| area.size()).sum();
         work.spend(2 * size * cuts.len() as u64)?;

@@ -1,7 +1,7 @@
 //! What it takes to find what is hidden, and its limit.
 
-/// What all shapes of a drawing may take, in comparisons of numbers: some tenths of a second.
-const MOST_WORK: u64 = 400_000_000;
+/// What all shapes of a drawing may take, in comparisons of numbers: a second at most.
+const MOST_WORK: u64 = 200_000_000;
 
 /// It would take too long to find what is hidden.
 #[derive(Debug)]

@@ -160,12 +160,7 @@ impl Importer {
         let is_seen = shape.fill.is_some() || shape.line.is_some();
         self.notes.patterns += usize::from(is_seen && paint::has_pattern(path));
         let rest = self.rest(&shape);
-        let is_paper = rest.is_none() && self.is_paper(&shape);
-        if !is_paper && self.is_framed(&shape) {
-            let path = self.drawing.frame().to_path(0.0);
-            self.drawing.fills.push(Fill { path, even_odd: false, color: self.paper });
-            self.paper = WHITE;
-        }
+        let is_paper = rest.is_none() && self.is_paper(&shape, place);
         if let Some(fill) = shape.fill {
             let area = match &rest {
                 Some(rest) => (rest.area.clone(), true),
@@ -238,7 +233,7 @@ impl Importer {
     }
 
     /// Whether an area is no shape: a rectangle over the whole page, if it is ink the first of all.
-    fn is_paper(&mut self, Shape { subpaths, line, fill }: &Shape) -> bool {
+    fn is_paper(&mut self, Shape { subpaths, line, fill }: &Shape, place: Place) -> bool {
         let Some(Filling { color, is_ink, hides, .. }) = fill.filter(|_| line.is_none()) else {
             return false;
         };
@@ -246,19 +241,11 @@ impl Importer {
         let frame = self.drawing.frame();
         let is_over_page = matches!(&**subpaths, [path] if outline::is_rectangle_over(path, frame));
         let is_paper = is_over_page && (is_first || !is_ink);
-        if is_paper && (is_first || hides[0]) {
+        let hides_all = hides[0] && place.since == [0; 2] && place.opacity == 1.0;
+        if is_paper && (is_first || hides_all) {
             self.paper = paint::over_white(color);
         }
         is_paper
-    }
-
-    /// Whether an area leaves no more than a frame of dark paper, to which it is no paper then.
-    fn is_framed(&self, Shape { subpaths, fill, .. }: &Shape) -> bool {
-        let area_du2 = || subpaths.iter().map(|path| path.area().abs()).sum::<f64>();
-        paint::is_ink(self.paper)
-            && self.counts() == [0; 2]
-            && fill.is_some_and(|fill| fill.hides[1])
-            && area_du2() > 0.5 * self.drawing.frame().area()
     }
 
     /// What clip paths leave of an area, where they hide any of it.
@@ -291,8 +278,8 @@ impl Importer {
             return self.curves(subpaths, line);
         }
         for path in subpaths {
-            let is_half = self.clip.has_outline(&path).unwrap_or(false);
-            let line = if is_half { line.clone().map(look::halved) } else { line.clone() };
+            let line =
+                if self.clip.is_outline(&path) { line.clone().map(look::halved) } else { line.clone() };
             let seen = self.clip.line(&path).unwrap_or_else(|TooMuch| {
                 self.give_up();
                 vec![path]

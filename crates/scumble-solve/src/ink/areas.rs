@@ -36,10 +36,10 @@ pub(super) fn shapes(drawing: &Drawing, map: &PlanarMap) -> Vec<Shape> {
 /// Whether all outlines of a fill are among curves, with the line that closes each: where another area hides a part of that, a
 /// region would run out of it.
 fn are_drawn(fill: &Fill, curves: &Starts<'_>) -> bool {
-    let is_drawn = |outline: &[PathEl]| curves.like(outline).any(|curve| curve == outline);
     subpaths(&fill.path).map(open).all(|outline| {
+        let is_closed = gap(outline).is_none_or(|gap| curves.like(&gap).any(|curve| curve == gap));
         let mut alike = curves.like(outline).filter(|curve| open(curve) == outline);
-        alike.any(|curve| curve.len() > outline.len() || gap(outline).is_none_or(|gap| is_drawn(&gap)))
+        alike.any(|curve| is_closed || curve.len() > outline.len())
     })
 }
 
