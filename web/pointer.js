@@ -107,7 +107,7 @@ export class Pointers {
     this.#stage.querySelector("canvas")?.focus();
     event.preventDefault();
     // A press beside a panel closes that, and no more.
-    if (document.querySelector(":popover-open")) return;
+    if (document.querySelector(":popover-open:not(#alert)")) return;
     const isFinger = event.pointerType === "touch";
     if (event.pointerType === "pen") this.#meetPen();
     // A hand that rests beside the pen.

@@ -190,7 +190,7 @@ export class Editor {
     }`);
     if (opener) await this.tab.click("button", opener);
     await act();
-    if (opener && (await this.tab.evaluate(`document.querySelector(":popover-open") !== null`))) {
+    if (opener && (await this.tab.evaluate(`document.querySelector(":popover-open:not(#alert)") !== null`))) {
       await this.tab.press("Escape");
     }
   }
