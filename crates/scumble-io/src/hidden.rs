@@ -22,7 +22,7 @@ pub(crate) struct Cover {
 /// few hide all.
 const SHORT: usize = 20;
 
-/// An area is large that reaches over more than this part of a line.
+/// An area is large beside a line if what they share of their bounds has more than this part of the line's diagonal.
 const LARGE: f64 = 0.25;
 
 /// Areas that hide curves, or fills, in painting order.
@@ -51,7 +51,8 @@ impl Covers {
         let bounds = path.control_box();
         let above = self.above(i, bounds, clip)?;
         let is_large = |area: &&Rc<Area>| {
-            path.elements().len() <= SHORT && length(area.bounds.intersect(bounds)) > LARGE * length(bounds)
+            path.elements().len() <= SHORT
+                && diagonal_du(area.bounds.intersect(bounds)) > LARGE * diagonal_du(bounds)
         };
         let mut paths = vec![path.clone()];
         for area in above.iter().filter(is_large) {
@@ -98,7 +99,7 @@ fn seen(paths: &[BezPath], clip: &mut Clip) -> Result<Vec<BezPath>, TooMuch> {
     Ok(paths.iter().map(|path| clip.line(path)).collect::<Result<Vec<_>, _>>()?.concat())
 }
 
-fn length(rect: Rect) -> f64 {
+fn diagonal_du(rect: Rect) -> f64 {
     rect.width().hypot(rect.height())
 }
 

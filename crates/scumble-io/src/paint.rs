@@ -3,6 +3,8 @@
 use scumble_core::{Blend, Rgba8, Srgb8};
 use usvg::{Fill, Opacity, Paint, Path, Stop, Stroke};
 
+pub(crate) const WHITE: Rgba8 = Rgba8([255; 4]);
+
 /// Stands for a pattern: neither ink nor paper.
 const PATTERN_COLOR: [u8; 3] = [0x80; 3];
 

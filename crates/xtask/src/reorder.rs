@@ -31,7 +31,7 @@ pub(crate) fn smallest(module: &[u8]) -> Result<Vec<u8>> {
     Ok(smallest.context("no order of a module's functions")?.1)
 }
 
-/// As many as `gzip` makes of it, but for a thousandth or three; what one packs smaller mostly is so with the other.
+/// As many as `gzip` makes of it, but for a thousandth or three; what is smaller in one is mostly so in the other.
 fn packed_bytes(module: &[u8]) -> usize {
     compress_to_vec(module, 9).len()
 }

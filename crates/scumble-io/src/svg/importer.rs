@@ -15,8 +15,6 @@ use crate::notes::ImportNotes;
 use crate::page::Page;
 use crate::{look, outline, paint};
 
-const WHITE: Rgba8 = Rgba8([255; 4]);
-
 #[derive(Debug)]
 pub(super) struct Importer {
     drawing: Drawing,
@@ -57,7 +55,7 @@ impl Importer {
         let drawing = Drawing::new(page.rect);
         let du_from_px = drawing.drawing_from_page() * page.page_from_px;
         let clip = Clip::new(drawing.frame());
-        let (covers, paper) = (Vec::new(), WHITE);
+        let (covers, paper) = (Vec::new(), paint::WHITE);
         Self { drawing, notes, du_from_px, clip, is_clipped, masks: 0, paper, covers }
     }
 

@@ -5,9 +5,8 @@ use scumble_core::Rgba8;
 use usvg::{BlendMode, Group, Mask, MaskType, Node};
 
 use super::shape::{Placed, affine};
-use crate::paint;
+use crate::paint::{self, WHITE};
 
-const WHITE: Rgba8 = Rgba8([255; 4]);
 const BLACK: Rgba8 = Rgba8([0, 0, 0, 255]);
 
 /// The shapes of a mask, as far as they change what is seen.
