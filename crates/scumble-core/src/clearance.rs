@@ -284,11 +284,6 @@ impl Tips {
         self.tips[node as usize].map(|tip| tip.direction)
     }
 
-    /// Whether a line ends at a node, without touching another one.
-    pub(crate) fn is_loose(&self, node: u32) -> bool {
-        self.tips[node as usize].is_some_and(|tip| tip.beside_du > 0.0)
-    }
-
     /// The end of a line at a node, loosely beside a passage of a clear width, and not far from its other side. One that comes much
     /// closer to another line, or to its own beginning, goes on there.
     pub(crate) fn loose(&self, node: u32, width_du: f64) -> Option<Tip> {

@@ -506,16 +506,18 @@ fn a_window_that_is_not_quite_closed_is_no_corner_of_what_is_around_it() {
 }
 
 /// The bay of a room, behind a neck that a short line nearly closes, is a corner of it; a door is none, though its lines do not
-/// quite reach the ground.
+/// quite reach the ground, nor is a box of four strokes that do not quite meet.
 #[test]
-fn what_a_loose_line_only_happens_to_part_is_a_corner() {
-    let bay = ("M100 200H700V300H720V250H880V420H720V360H700V600H100Z", "M710 309V351");
-    let door = ("M100 200H950V420H100Z", "M720 411V260H880V411");
-    for ((outline, loose), is_corner) in [(bay, true), (door, false)] {
-        let curves = [outline, loose].map(|path| (BezPath::from_svg(path).expect("a path"), 4.0));
-        let found = labels_above(curves.into(), 0.5, 420.0, 730.0..870.0);
+fn what_a_short_line_only_happens_to_part_is_a_corner() {
+    let bay = ["M100 200H700V300H720V250H880V420H720V360H700V600H100Z", "M710 309V351"];
+    let wall = "M100 200H950V420H100Z";
+    let door = [wall, "M720 411V260H880V411"];
+    let strokes = [wall, "M724 280H876", "M720 284V376", "M880 284V376", "M724 380H876"];
+    for (paths, y, is_corner) in [(&bay[..], 420.0, true), (&door, 420.0, false), (&strokes, 380.0, false)] {
+        let curves = paths.iter().map(|path| (BezPath::from_svg(path).expect("a path"), 4.0));
+        let found = labels_above(curves.collect(), 0.5, y, 730.0..870.0);
         assert!(found.len() > 10);
-        assert!(found.iter().all(|label| label.is_some() == is_corner), "{loose}");
+        assert!(found.iter().all(|label| label.is_some() == is_corner), "{paths:?}");
     }
 }
 

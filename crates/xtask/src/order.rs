@@ -38,40 +38,18 @@ pub(crate) fn functions(module: &[u8]) -> Result<(u32, Vec<&[u8]>)> {
     Ok((imported, bodies))
 }
 
-/// Functions, given by their bodies, in such an order that each next one is the one of which the largest part is found in the
-/// last bytes before it, of which a window takes so many.
-pub(crate) fn order(bodies: &[&[u8]], window_bytes: usize) -> Vec<usize> {
-    let mut window = Window::new(bodies, window_bytes);
-    let mut left: BTreeSet<usize> = (0..bodies.len()).collect();
-    let mut order = Vec::with_capacity(bodies.len());
-    while let Some(next) =
-        left.iter().copied().reduce(|best, i| if window.is_more_like(i, best) { i } else { best })
-    {
-        left.remove(&next);
-        order.push(next);
-        window.push(next);
-    }
-    order
-}
-
-/// The last functions, and how much of each other one is found there.
-struct Window<'a> {
+/// What functions, given by their bodies, have in common.
+pub(crate) struct Likeness<'a> {
     bodies: &'a [&'a [u8]],
-    /// By function: those of its runs that others have, too, each once, by number; what they weigh; and what those weigh that there
-    /// are in the window.
+    /// By function: those of its runs that others have, too, each once, by number; and what they weigh.
     runs: Vec<Vec<usize>>,
     weights: Vec<u64>,
-    found: Vec<u64>,
-    /// By run: the functions that have it, and how many of the window do.
+    /// By run: the functions that have it.
     holders: Vec<Vec<usize>>,
-    counts: Vec<usize>,
-    last: VecDeque<usize>,
-    bytes: usize,
-    most_bytes: usize,
 }
 
-impl<'a> Window<'a> {
-    fn new(bodies: &'a [&'a [u8]], most_bytes: usize) -> Self {
+impl<'a> Likeness<'a> {
+    pub(crate) fn new(bodies: &'a [&'a [u8]]) -> Self {
         let mut by_run = BTreeMap::<&[u8], Vec<usize>>::new();
         for (i, body) in bodies.iter().enumerate() {
             let runs: BTreeSet<_> = body.windows(RUN_BYTES).collect();
@@ -85,22 +63,56 @@ impl<'a> Window<'a> {
                 weights[i] += weight(functions);
             }
         }
-        let (found, counts) = (vec![0; bodies.len()], vec![0; holders.len()]);
-        Self { bodies, runs, weights, found, holders, counts, last: VecDeque::new(), bytes: 0, most_bytes }
+        Self { bodies, runs, weights, holders }
+    }
+
+    /// The functions in such an order that each next one is the one of which the largest part is found in the last bytes before
+    /// it, of which a window takes so many.
+    pub(crate) fn order(&self, window_bytes: usize) -> Vec<usize> {
+        let mut window = Window::new(self, window_bytes);
+        let mut left: BTreeSet<usize> = (0..self.bodies.len()).collect();
+        let mut order = Vec::with_capacity(self.bodies.len());
+        while let Some(next) =
+            left.iter().copied().reduce(|best, i| if window.is_more_like(i, best) { i } else { best })
+        {
+            left.remove(&next);
+            order.push(next);
+            window.push(next);
+        }
+        order
+    }
+}
+
+/// The last functions, and how much of each other one is found there.
+struct Window<'a> {
+    likeness: &'a Likeness<'a>,
+    /// By function what those of its runs weigh that there are in the window.
+    found: Vec<u64>,
+    /// By run how many functions of the window have it.
+    counts: Vec<usize>,
+    last: VecDeque<usize>,
+    bytes: usize,
+    most_bytes: usize,
+}
+
+impl<'a> Window<'a> {
+    fn new(likeness: &'a Likeness<'a>, most_bytes: usize) -> Self {
+        let (found, counts) = (vec![0; likeness.bodies.len()], vec![0; likeness.holders.len()]);
+        Self { likeness, found, counts, last: VecDeque::new(), bytes: 0, most_bytes }
     }
 
     /// Whether a larger part of one function is found here than of another.
     fn is_more_like(&self, one: usize, other: usize) -> bool {
-        self.found[one] * self.weights[other] > self.found[other] * self.weights[one]
+        self.found[one] * self.likeness.weights[other] > self.found[other] * self.likeness.weights[one]
     }
 
     /// Takes a function in, and lets go of those that have become too far away.
     fn push(&mut self, function: usize) {
-        self.bytes += self.bodies[function].len();
+        self.bytes += self.likeness.bodies[function].len();
         self.last.push_back(function);
-        for &run in &self.runs[function] {
+        for &run in &self.likeness.runs[function] {
             if self.counts[run] == 0 {
-                let functions = &self.holders[run];
+                let functions = &self.likeness.holders[run];
                 telling(functions).iter().for_each(|&i| self.found[i] += weight(functions));
             }
             self.counts[run] += 1;
@@ -112,11 +124,11 @@ impl<'a> Window<'a> {
 
     fn let_go(&mut self) {
         let Some(function) = self.last.pop_front() else { return };
-        self.bytes -= self.bodies[function].len();
-        for &run in &self.runs[function] {
+        self.bytes -= self.likeness.bodies[function].len();
+        for &run in &self.likeness.runs[function] {
             self.counts[run] -= 1;
             if self.counts[run] == 0 {
-                let functions = &self.holders[run];
+                let functions = &self.likeness.holders[run];
                 telling(functions).iter().for_each(|&i| self.found[i] -= weight(functions));
             }
         }
@@ -149,8 +161,8 @@ mod tests {
         let bodies =
             [(1, 90), (2, 80), (3, 70), (1, 60), (3, 50), (2, 40)].map(|(kind, length)| body(kind, length));
         let bodies: Vec<&[u8]> = bodies.iter().map(Vec::as_slice).collect();
-        assert_eq!(order(&bodies, WINDOW_BYTES), [0, 3, 1, 5, 2, 4]);
-        assert!(order(&[], WINDOW_BYTES).is_empty());
+        assert_eq!(Likeness::new(&bodies).order(WINDOW_BYTES), [0, 3, 1, 5, 2, 4]);
+        assert!(Likeness::new(&[]).order(WINDOW_BYTES).is_empty());
     }
 
     #[test]
@@ -158,7 +170,8 @@ mod tests {
         let mut bodies = vec![body(1, 90), body(1, 80)];
         bodies.extend((0..2).map(|_| body(2, WINDOW_BYTES)));
         let bodies: Vec<&[u8]> = bodies.iter().map(Vec::as_slice).collect();
-        let mut window = Window::new(&bodies, WINDOW_BYTES);
+        let likeness = Likeness::new(&bodies);
+        let mut window = Window::new(&likeness, WINDOW_BYTES);
         window.push(0);
         assert!(window.found[1] > 0);
         window.push(2);
@@ -169,7 +182,8 @@ mod tests {
     fn of_two_that_are_as_alike_the_larger_comes_first() {
         let bodies = [body(1, 90), body(1, 13), body(1, 9)];
         let bodies: Vec<&[u8]> = bodies.iter().map(Vec::as_slice).collect();
-        let mut window = Window::new(&bodies, WINDOW_BYTES);
+        let likeness = Likeness::new(&bodies);
+        let mut window = Window::new(&likeness, WINDOW_BYTES);
         window.push(0);
         assert!(window.is_more_like(1, 2) && !window.is_more_like(2, 1));
     }
@@ -178,7 +192,8 @@ mod tests {
     fn what_nearly_all_have_makes_nothing_alike() {
         let bodies = vec![body(1, 90); MOST_HOLDERS + 1];
         let bodies: Vec<&[u8]> = bodies.iter().map(Vec::as_slice).collect();
-        let mut window = Window::new(&bodies, WINDOW_BYTES);
+        let likeness = Likeness::new(&bodies);
+        let mut window = Window::new(&likeness, WINDOW_BYTES);
         window.push(0);
         assert_eq!(window.found[1], 0);
     }

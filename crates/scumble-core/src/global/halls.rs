@@ -102,7 +102,7 @@ impl Halls {
 }
 
 /// How much the lines at a gap leave of it, in du.
-pub(super) fn width_du(map: &PlanarMap, gap: &Gap) -> f64 {
+fn width_du(map: &PlanarMap, gap: &Gap) -> f64 {
     let [a, b] = gap.nodes.map(|node| map.triangulation().points()[node as usize]);
     let lines_du: f64 = gap.nodes.iter().filter_map(|&node| map.half_width_du(node)).sum();
     a.distance(b) - lines_du

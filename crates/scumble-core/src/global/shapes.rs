@@ -1,10 +1,10 @@
 //! Closed shapes: rooms with lines all around, so that nothing runs out of them onto the page. Where a gap is hardly wider than
-//! the lines beside it, people do not see that there is one, unless what is behind it has its outline from other lines.
+//! the lines beside it, people do not see that there is one, unless what ends there is short beside what is behind.
 //!
 //! Once colours have half of one, they have its corners too, behind whatever gap: nobody leaves a hole between a loose
 //! scale and the outline of a fish. A larger room behind a narrow gap may well be a thing of its own.
 
-use super::halls::{Groups, width_du};
+use super::halls::Groups;
 use super::pockets::{Door, doors};
 use crate::planar_map::{Gap, PlanarMap};
 use crate::triangulation::HalfEdge;
@@ -15,9 +15,9 @@ const MOSTLY: f64 = 0.5;
 /// A corner has less than this part of the area of its shape.
 const CORNER: f64 = 1.0 / 6.0;
 
-/// Loose lines only happen to part from a shape what has less than this part of its outline from them. Of a door in a wall, or of a
-/// window, that is most.
-const LOOSELY: f64 = 0.3;
+/// A line that is shorter than so many times the size of what it nearly parts from a shape, that of a square as large, only happens to
+/// end there. Each wall of a house is longer, or one that it meets is.
+const SHORT: f64 = 0.75;
 
 /// The closed shapes of a map.
 #[derive(Clone, Debug)]
@@ -48,11 +48,10 @@ impl Shapes {
         let is_clear = |room: u32| are_clear[room as usize];
         let is_seen = |gap: &Gap, door: Door| !(gap.is_slight && door.into_iter().all(is_clear));
         let parts = Groups::new(&doors(map, gaps, room_of, &is_seen), areas_du2);
-        let are_held = are_held(map, room_of, &parts);
-        let smaller = |[from, to]: Door| if parts.area_du2(from) < parts.area_du2(to) { from } else { to };
         let is_passed = |gap: &Gap, door: Door| {
-            let smaller = smaller(door) as usize;
-            is_seen(gap, door) || width_du(map, gap) > 0.0 && are_closed[smaller] && !are_held[smaller]
+            let [from_du2, to_du2] = door.map(|room| parts.area_du2(room));
+            let happens = || gap.line_du < SHORT * from_du2.min(to_du2).sqrt();
+            is_seen(gap, door) || are_closed[door[0] as usize] && happens()
         };
         let passed = doors(map, gaps, room_of, &is_passed);
         let shapes = Groups::new(&passed, areas_du2);
@@ -77,33 +76,5 @@ impl Shapes {
         let is_corner = |room: u32| !are_colored[room as usize] && self.parts[room as usize] < CORNER;
         let leads = move |[from, to]: Door| is_corner(to) && (are_colored[from as usize] || is_corner(from));
         self.doors.iter().copied().filter(move |&door| is_mostly(door[0]) && leads(door))
-    }
-}
-
-/// Per room whether much of the outline of the part of a shape that it is in is of loose lines.
-fn are_held(map: &PlanarMap, room_of: &[u32], parts: &Groups) -> Vec<bool> {
-    let mesh = map.refined();
-    let are_loose: Vec<_> = (0..map.curve_count()).map(|curve| is_loose(map, curve)).collect();
-    let mut lengths_du = vec![[0.0; 2]; parts.of_rooms.len()];
-    for h in mesh.half_edges() {
-        let Some(side) = mesh.side(h) else { continue };
-        let [a, b] = mesh.segment(h);
-        let is_loose = map.pieces()[side.piece()].curve.is_some_and(|curve| are_loose[curve as usize]);
-        let part = parts.of_rooms[room_of[h.triangle()] as usize];
-        lengths_du[part as usize][usize::from(is_loose)] += a.distance(b);
-    }
-    let is_held = |&part: &u32| {
-        let [fast_du, loose_du] = lengths_du[part as usize];
-        loose_du >= LOOSELY * (fast_du + loose_du)
-    };
-    parts.of_rooms.iter().map(is_held).collect()
-}
-
-/// Whether a curve is loose at both ends.
-fn is_loose(map: &PlanarMap, curve: usize) -> bool {
-    let is_tip = |node| map.clearance().tips.is_loose(node);
-    match map.steps(curve) {
-        [first, .., last] => is_tip(map.ends(first.left)[0]) && is_tip(map.ends(last.left)[1]),
-        _ => false,
     }
 }
