@@ -177,7 +177,7 @@ fn solved(curves: &[BezPath], colors: &[[Option<Paint>; 2]]) -> Field {
         .expect("a map");
     let (first, last) = (map.steps(0).first().expect("a step"), map.steps(0).last().expect("a step"));
     let nodes = [map.ends(first.left)[0], map.ends(last.left)[1]];
-    let map = map.with_gaps(vec![Gap { nodes, ..Gap::default() }]);
+    let map = map.with_gaps(vec![Gap { nodes, is_wide: false, is_plain: false, is_slight: false }]);
     let mut sides = vec![None; map.side_count()];
     for (curve, [left, right]) in colors.iter().enumerate() {
         for step in map.steps(curve) {

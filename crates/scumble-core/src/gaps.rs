@@ -127,19 +127,10 @@ fn gap(map: &PlanarMap, lengths_du: &[f64], h: HalfEdge, [width_du, wide_du]: [f
     let is_wide = if counts { width_du } else { clear_du } > wide_du;
     Gap {
         nodes,
-        line_du: if clear_du > 0.0 { line_du(map, lengths_du, nodes) } else { f64::INFINITY },
         is_wide,
         is_plain: is_wide && width_du > wide_du,
         is_slight: clear_du <= SLIGHT * lines_du(map, h),
     }
-}
-
-/// How long the longest line is that ends at one of two nodes, in du, by the lengths of the lines at each node; without bound where
-/// none does.
-fn line_du(map: &PlanarMap, lengths_du: &[f64], nodes: [u32; 2]) -> f64 {
-    let ends = |node: &u32| map.clearance().tips.direction(*node).is_some();
-    let ending_du = nodes.into_iter().filter(ends).map(|node| lengths_du[node as usize]);
-    ending_du.reduce(f64::max).unwrap_or(f64::INFINITY)
 }
 
 /// Whether a line that ends at an edge of the triangulation, and points along it, is so long beside it that it means to

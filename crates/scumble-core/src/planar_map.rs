@@ -56,13 +56,10 @@ pub struct Step {
 }
 
 /// A narrow passage between two curves, or between two places of one: an edge of the triangulation across it.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Gap {
     /// The nodes on either side of the passage.
     pub nodes: [u32; 2],
-    /// Length of the longest line that ends at it, without touching what is on its other side, in du; without bound where none
-    /// does.
-    pub line_du: f64,
     /// Whether it is hardly narrower than the places it joins: the end of a shape where one side of it has a colour
     /// and the other has none, but two colours meet in it softly, as they do within one place.
     pub is_wide: bool,

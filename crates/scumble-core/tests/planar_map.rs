@@ -131,7 +131,7 @@ fn gaps_are_edges_of_the_map_and_chains_of_short_edges_of_the_refined_one() {
     };
     let nodes = [end(0, Point::new(400.0, 310.0)), end(1, Point::new(440.0, 303.0))];
     let [a, b] = nodes.map(|node| map.triangulation().points()[node as usize]);
-    let map = map.with_gaps(vec![Gap { nodes, ..Gap::default() }]);
+    let map = map.with_gaps(vec![Gap { nodes, is_wide: false, is_plain: false, is_slight: false }]);
     assert_sound(&map);
     let in_gap = |mesh: &Triangulation| {
         let edges = mesh.half_edges().filter(|&h| mesh.gap(h) == Some(0));
@@ -186,7 +186,7 @@ proptest! {
         let map = map(paths);
         let mesh = map.triangulation();
         let inner = mesh.half_edges().filter(|&h| mesh.passage(h).is_some_and(|twin| h < twin));
-        let gaps: Vec<_> = inner.step_by(every).map(|h| Gap { nodes: mesh.ends(h), ..Gap::default() }).collect();
+        let gaps: Vec<_> = inner.step_by(every).map(|h| Gap { nodes: mesh.ends(h), is_wide: false, is_plain: false, is_slight: false }).collect();
         let map = map.clone().with_gaps(gaps);
         assert_sound(&map);
         let mesh = map.triangulation();

@@ -123,7 +123,12 @@ fn figure_3b_the_gap_at_the_mouth_is_closed_for_a_scribble_within_and_open_for_o
         let points = map.triangulation().points();
         points.iter().position(|&p| p == Point::new(x, y)).expect("a node") as u32
     };
-    let mouth = Gap { nodes: [node(600.0, 400.0), node(600.0, 600.0)], ..Gap::default() };
+    let mouth = Gap {
+        nodes: [node(600.0, 400.0), node(600.0, 600.0)],
+        is_wide: false,
+        is_plain: false,
+        is_slight: false,
+    };
     let map = map.clone().with_gaps(vec![mouth]);
     let within = scribble(&[(350.0, 480.0), (500.0, 520.0)]);
     let through = scribble(&[(350.0, 500.0), (700.0, 500.0), (700.0, 100.0), (100.0, 100.0)]);

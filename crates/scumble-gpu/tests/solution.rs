@@ -36,7 +36,7 @@ fn map() -> PlanarMap {
         nodes.min_by(|a, b| distance(*a, place).total_cmp(&distance(*b, place))).expect("a node")
     };
     let nodes = [(740.0, 610.0), (849.6, 554.6)].map(|place| nearest(place.into()));
-    map.with_gaps(vec![Gap { nodes, ..Gap::default() }])
+    map.with_gaps(vec![Gap { nodes, is_wide: false, is_plain: false, is_slight: false }])
 }
 
 /// Green inside of the circle, red and blue on the sides of the arm; the gap is closed.

@@ -364,7 +364,7 @@ mod tests {
         let map = PlanarMap::build(&drawing, &Sampling::default()).expect("a map");
         let (last, first) = (map.steps(2).last().expect("a step"), map.steps(3).first().expect("a step"));
         let nodes = [map.ends(last.left)[1], map.ends(first.left)[0]];
-        map.with_gaps(vec![Gap { nodes, ..Gap::default() }])
+        map.with_gaps(vec![Gap { nodes, is_wide: false, is_plain: false, is_slight: false }])
     }
 
     #[test]

@@ -32,7 +32,7 @@ fn open_circle() -> PlanarMap {
     let map = map([arc.to_path(1e-6)], Sampling::default().spacing_du);
     let (first, last) = (map.steps(0).first().expect("a step"), map.steps(0).last().expect("a step"));
     let nodes = [map.ends(first.left)[0], map.ends(last.left)[1]];
-    map.with_gaps(vec![Gap { nodes, ..Gap::default() }])
+    map.with_gaps(vec![Gap { nodes, is_wide: false, is_plain: false, is_slight: false }])
 }
 
 fn centre(triangle: &FieldTriangle) -> Point {
@@ -122,7 +122,12 @@ fn gaps_beyond_the_end_of_the_list_are_open_and_gaps_that_are_no_edges_do_nothin
     let plain = map([circle()], 3.0);
     let [a, b] = plain.pieces()[0].nodes;
     let far = [a, a + 100];
-    let gaps = [[a, b], [b, a], far, [a, a], [7, u32::MAX]].map(|nodes| Gap { nodes, ..Gap::default() });
+    let gaps = [[a, b], [b, a], far, [a, a], [7, u32::MAX]].map(|nodes| Gap {
+        nodes,
+        is_wide: false,
+        is_plain: false,
+        is_slight: false,
+    });
     let map = map([circle()], 3.0).with_gaps(gaps.to_vec());
     let sides = colors(&map, Some(red()), None);
     let without = solved(&plain, &sides.clone().into());
@@ -139,7 +144,9 @@ fn passages() -> impl Strategy<Value = PlanarMap> {
     let curves = proptest::collection::vec(prop_oneof![3 => line, 1 => circle], 2..7);
     curves.prop_map(|curves| {
         let map = map(curves, 24.0);
-        let gaps = gabriel_edges(&map).map(|nodes| Gap { nodes, ..Gap::default() }).collect();
+        let gaps = gabriel_edges(&map)
+            .map(|nodes| Gap { nodes, is_wide: false, is_plain: false, is_slight: false })
+            .collect();
         map.with_gaps(gaps)
     })
 }

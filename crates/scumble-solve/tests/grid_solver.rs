@@ -247,7 +247,7 @@ fn a_painted_grid_has_no_stairs_at_a_closed_gap() {
     let is_at = |tip: Point| move |p: &Point| p.distance(tip) < 1e-6;
     let nodes =
         gap.map(|tip| map.triangulation().points().iter().position(is_at(tip)).expect("a tip") as u32);
-    let map = map.with_gaps(vec![Gap { nodes, ..Gap::default() }]);
+    let map = map.with_gaps(vec![Gap { nodes, is_wide: false, is_plain: false, is_slight: false }]);
     let sides = boundary(&map, |_, place| {
         let is_below = place.y > at(place.x).y;
         frame.contains(place).then_some(if is_below { 0.9 } else { 0.2 })

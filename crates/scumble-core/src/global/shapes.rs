@@ -1,5 +1,5 @@
 //! Closed shapes: rooms with lines all around, so that nothing runs out of them onto the page. Where a gap is hardly wider than
-//! the lines beside it, people do not see that there is one, unless what ends there is short beside what is behind.
+//! the lines beside it, people do not see that there is one.
 //!
 //! Once colours have half of one, they have its corners too, behind whatever gap: nobody leaves a hole between a loose
 //! scale and the outline of a fish. A larger room behind a narrow gap may well be a thing of its own.
@@ -14,10 +14,6 @@ const MOSTLY: f64 = 0.5;
 
 /// A corner has less than this part of the area of its shape.
 const CORNER: f64 = 1.0 / 6.0;
-
-/// A line that is shorter than so many times the size of what it nearly parts from a shape, that of a square as large, only happens to
-/// end there. Each wall of a house is longer, or one that it meets is.
-const SHORT: f64 = 0.75;
 
 /// The closed shapes of a map.
 #[derive(Clone, Debug)]
@@ -42,24 +38,18 @@ impl Shapes {
         are_clear: &[bool],
         areas_du2: &[f64],
     ) -> Self {
-        let rooms = 0..areas_du2.len() as u32;
-        let regions = Groups::new(&doors(map, gaps, room_of, &|_, _| true), areas_du2);
-        let are_closed: Vec<_> = rooms.clone().map(|room| regions.area_du2(room).is_finite()).collect();
         let is_clear = |room: u32| are_clear[room as usize];
         let is_seen = |gap: &Gap, door: Door| !(gap.is_slight && door.into_iter().all(is_clear));
-        let parts = Groups::new(&doors(map, gaps, room_of, &is_seen), areas_du2);
-        let is_passed = |gap: &Gap, door: Door| {
-            let [from_du2, to_du2] = door.map(|room| parts.area_du2(room));
-            let happens = || gap.line_du < SHORT * from_du2.min(to_du2).sqrt();
-            is_seen(gap, door) || are_closed[door[0] as usize] && happens()
-        };
-        let passed = doors(map, gaps, room_of, &is_passed);
-        let shapes = Groups::new(&passed, areas_du2);
+        let rooms = 0..areas_du2.len() as u32;
+        let seen = doors(map, gaps, room_of, &is_seen);
+        let shapes = Groups::new(&seen, areas_du2);
+        let regions = Groups::new(&doors(map, gaps, room_of, &|_, _| true), areas_du2);
+        let are_closed = rooms.clone().map(|room| regions.area_du2(room).is_finite()).collect();
         let part = |(room, area_du2): (u32, &f64)| area_du2 / shapes.area_du2(room);
         let parts = rooms.clone().zip(areas_du2).map(part).collect();
         let shape = |room| Some(shapes.of_rooms[room as usize]).filter(|_| shapes.area_du2(room).is_finite());
         let of_rooms: Vec<_> = rooms.map(shape).collect();
-        let doors = passed.into_iter().filter(|[from, _]| of_rooms[*from as usize].is_some()).collect();
+        let doors = seen.into_iter().filter(|[from, _]| of_rooms[*from as usize].is_some()).collect();
         Self { of_rooms, are_closed, parts, doors }
     }
 
