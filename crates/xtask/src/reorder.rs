@@ -4,45 +4,70 @@ use crate::order::{Likeness, functions};
 use anyhow::{Context, Result};
 use miniz_oxide::deflate::compress_to_vec;
 use std::convert::Infallible;
+use std::thread;
 use wasm_encoder::reencode::{Error, Reencode};
 use wasm_encoder::{CodeSection, FunctionSection, Module};
 use wasmparser::{CodeSectionReader, FunctionSectionReader, Parser};
 
-/// Bytes of functions that the next one is compared with: about as many as `gzip` remembers. Which of these packs a module
-/// smallest is mostly chance, and makes four parts in a thousand.
-fn windows_bytes() -> impl Iterator<Item = usize> {
-    (22_000..42_000).step_by(250)
+/// Bytes of functions that the next one is compared with: about as many as `gzip` remembers.
+const WINDOW_BYTES: usize = 32_000;
+
+/// More and fewer of them. Which packs a module smallest is mostly chance, and makes four parts in a thousand.
+const WINDOWS_BYTES: std::ops::Range<usize> = 22_000..42_000;
+const STEP_BYTES: usize = 250;
+
+/// After so many rounds the last ones gained a few bytes, if any.
+const MOST_ROUNDS: usize = 8;
+
+/// A module, behind how many bytes it is packed.
+type Packed = (usize, Vec<u8>);
+
+/// A module in an order that packs it small.
+///
+/// # Errors
+/// For what is no wasm module.
+pub(crate) fn small(module: &[u8]) -> Result<Vec<u8>> {
+    let (imported, bodies) = functions(module)?;
+    reordered(module, imported, &Likeness::new(&bodies).order(WINDOW_BYTES))
 }
 
-/// A module in the smallest order found: what is in order already is put in another one, which may be better, since of functions
-/// that are as alike the first is taken, and its calls are by other numbers.
+/// A module in the smallest order found, which takes some hundred times as long: what is in order already is put in another one,
+/// which may be better, since of functions that are as alike the first is taken, and its calls are by other numbers.
 ///
 /// # Errors
 /// For what is no wasm module.
 pub(crate) fn smallest(module: &[u8]) -> Result<Vec<u8>> {
-    let mut smallest = smallest_reordered(module)?;
-    loop {
-        let next = smallest_reordered(&smallest)?;
-        if packed_bytes(&next) >= packed_bytes(&smallest) {
-            return Ok(smallest);
+    let mut smallest = packed(module.to_vec());
+    for _ in 0..MOST_ROUNDS {
+        let next = smallest_reordered(&smallest.1)?;
+        if next.0 >= smallest.0 {
+            break;
         }
         smallest = next;
     }
+    Ok(smallest.1)
 }
 
-/// A module in the smallest of the orders that [`windows_bytes`] give.
-fn smallest_reordered(module: &[u8]) -> Result<Vec<u8>> {
+/// A module in the smallest of the orders that [`WINDOWS_BYTES`] give, which the processors find side by side.
+fn smallest_reordered(module: &[u8]) -> Result<Packed> {
     let (imported, bodies) = functions(module)?;
     let likeness = Likeness::new(&bodies);
-    let mut smallest: Option<(usize, Vec<u8>)> = None;
-    for window_bytes in windows_bytes() {
-        let reordered = reordered(module, imported, &likeness.order(window_bytes))?;
-        let bytes = packed_bytes(&reordered);
-        if smallest.as_ref().is_none_or(|&(least, _)| bytes < least) {
-            smallest = Some((bytes, reordered));
-        }
-    }
-    Ok(smallest.context("no order of a module's functions")?.1)
+    let in_windows = |windows_bytes: &[usize]| -> Result<Vec<Packed>> {
+        let orders = windows_bytes.iter().map(|&bytes| likeness.order(bytes));
+        orders.map(|order| Ok(packed(reordered(module, imported, &order)?))).collect()
+    };
+    let windows_bytes: Vec<_> = WINDOWS_BYTES.step_by(STEP_BYTES).collect();
+    let part = windows_bytes.len().div_ceil(thread::available_parallelism()?.get());
+    let found = thread::scope(|scope| {
+        let parts = windows_bytes.chunks(part).map(|windows_bytes| scope.spawn(|| in_windows(windows_bytes)));
+        let parts: Vec<_> = parts.collect();
+        parts.into_iter().map(|part| part.join().expect("an order")).collect::<Result<Vec<_>>>()
+    })?;
+    found.into_iter().flatten().min().context("no order of a module's functions")
+}
+
+fn packed(module: Vec<u8>) -> Packed {
+    (packed_bytes(&module), module)
 }
 
 /// As many as `gzip` makes of it, but for a thousandth or three; what is smaller in one is mostly so in the other.
@@ -157,29 +182,45 @@ mod tests {
 
     #[test]
     fn those_that_are_alike_are_packed_together() {
+        let module = of_pieces(&[&[(1, 300)], &[(2, 5000)], &[(1, 300)]]);
+        for reorder in [small, smallest] {
+            let reordered = reorder(&module).expect("a module");
+            assert_eq!(reordered.len(), module.len());
+            assert!(packed_bytes(&reordered) + 2000 < packed_bytes(&module));
+            assert!(reorder(b"no module").is_err());
+        }
+    }
+
+    #[test]
+    fn what_no_order_packs_smaller_stays_as_it_is() {
+        let of_two = [[2, 3], [3, 0], [4, 1], [1, 3], [1, 2]].map(|kinds| kinds.map(|kind| (kind, 1200)));
+        let module = of_pieces(&of_two.each_ref().map(|pieces| &pieces[..]));
+        assert!(packed_bytes(&small(&module).expect("a module")) > packed_bytes(&module));
+        assert!(smallest(&module).expect("a module") == module);
+    }
+
+    /// A module of functions of pieces, each of numbers that follow from its kind, so many.
+    fn of_pieces(bodies: &[&[(u64, usize)]]) -> Vec<u8> {
         let mut types = TypeSection::new();
         types.ty().function([], []);
         let (mut functions, mut code) = (FunctionSection::new(), CodeSection::new());
-        for (kind, numbers) in [(1, 300), (2, 5000), (1, 300)] {
+        for pieces in bodies {
             functions.function(0);
-            code.function(&without_repeats(kind, numbers));
+            let mut body = Function::new([]);
+            let numbers = pieces.iter().flat_map(|&(kind, count)| without_repeats(kind).take(count));
+            numbers.for_each(|number| {
+                body.instructions().f64_const(f64::from_bits(number).into()).drop();
+            });
+            body.instructions().end();
+            code.function(&body);
         }
         let mut module = Module::new();
-        let module = module.section(&types).section(&functions).section(&code).as_slice();
-        let smallest = smallest(module).expect("a module");
-        assert_eq!(smallest.len(), module.len());
-        assert!(packed_bytes(&smallest) + 2000 < packed_bytes(module));
-        assert!(super::smallest(b"no module").is_err());
+        module.section(&types).section(&functions).section(&code);
+        module.finish()
     }
 
-    /// A body of numbers, of nine bytes each, that follow from its kind.
-    fn without_repeats(kind: u64, numbers: usize) -> Function {
+    fn without_repeats(kind: u64) -> impl Iterator<Item = u64> {
         let next = |number: &u64| Some(number.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1));
-        let mut body = Function::new([]);
-        std::iter::successors(Some(kind), next).take(numbers).for_each(|number| {
-            body.instructions().f64_const(f64::from_bits(number).into()).drop();
-        });
-        body.instructions().end();
-        body
+        std::iter::successors(Some(kind), next)
     }
 }
