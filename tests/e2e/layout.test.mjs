@@ -115,10 +115,16 @@ for (const browser of /** @type {const} */ (["chromium", "firefox"])) {
       await editor.tab.press("Escape");
     });
 
-    test("on a phone held lengthwise the swatches are seen without scrolling", async () => {
-      for (const [width, height] of [[640, 360], [568, 320]]) {
+    test("in a low window the swatches are seen without scrolling", async () => {
+      for (const [kind, width, height] of /** @type {const} */ ([
+        ["Fill", 640, 360],
+        ["Fill", 568, 320],
+        ["Shade", 1024, 500],
+        ["Shade", 1280, 750],
+        ["Shade", 1280, 751],
+      ])) {
         await editor.tab.resize(width, height);
-        await editor.tab.click("radio", "Fill");
+        await editor.tab.click("radio", kind);
         const hidden = await editor.tab.evaluate(`{
           const rail = document.querySelector("aside");
           rail.scrollTop = 0;
@@ -126,7 +132,7 @@ for (const browser of /** @type {const} */ (["chromium", "firefox"])) {
           const swatches = [...document.querySelectorAll("#color, #palette button")];
           swatches.filter((swatch) => swatch.getBoundingClientRect().bottom > end).map((swatch) => swatch.ariaLabel);
         }`);
-        assert.deepEqual(hidden, []);
+        assert.deepEqual(hidden, [], `${kind}, ${width} by ${height}`);
       }
     });
 
