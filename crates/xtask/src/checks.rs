@@ -231,7 +231,7 @@ fn wasm_tests_in(browser: &str, flavour: &str) -> Result<()> {
     let driver = if browser == "firefox" { "geckodriver" } else { "chromedriver" };
     let mut pack = command("wasm-pack");
     pack.args(["test", "--headless", &format!("--{browser}"), "crates/scumble-web"])
-        .args(["--no-default-features", "--features", flavour])
+        .args(["--no-default-features", "--features", flavour, "--test", "browser"])
         .env(driver.to_uppercase(), find(driver).unwrap_or_default())
         .envs(QUICK_SHADERS);
     // Where several things are built at once, a solve without a graphics card may take tens of times as long as alone, and a

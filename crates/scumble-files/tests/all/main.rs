@@ -1,0 +1,4 @@
+//! What the page opens and exports.
+
+mod exporting;
+mod opening;
