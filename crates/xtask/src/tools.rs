@@ -39,15 +39,14 @@ pub(crate) fn wasm_bindgen() -> Result<()> {
     install("wasm-bindgen", "wasm-bindgen-cli", &version, &[])
 }
 
-/// `wasm-pack`, which runs the tests of a wasm crate in a browser. Like the driver, it mostly waits, and is built faster if it
-/// is not optimised.
+/// `wasm-pack`, which runs the tests of a wasm crate in a browser.
 pub(crate) fn wasm_pack() -> Result<()> {
-    install("wasm-pack", "wasm-pack", WASM_PACK_VERSION, &["--locked", "--debug"])
+    install("wasm-pack", "wasm-pack", WASM_PACK_VERSION, &["--locked"])
 }
 
 /// `geckodriver`, through which `wasm-pack` drives Firefox: Debian has no package of it.
 pub(crate) fn geckodriver() -> Result<()> {
-    install("geckodriver", "geckodriver", GECKODRIVER_VERSION, &["--locked", "--debug"])
+    install("geckodriver", "geckodriver", GECKODRIVER_VERSION, &["--locked"])
 }
 
 /// The packages of `package-lock.json`, exactly.
@@ -107,13 +106,15 @@ fn apt_install(packages: &[&str]) -> Result<()> {
     run(apt().args(["install", "--no-install-recommends"]).args(packages))
 }
 
+/// Installs a program where that version is missing. Not optimised it is there minutes sooner, and takes seconds longer at most for what
+/// it does.
 fn install(program: &str, package: &str, version: &str, options: &[&str]) -> Result<()> {
     let installed = output(command(program).arg("--version")).unwrap_or_default();
     if installed.split_whitespace().nth(1) == Some(version) {
         return Ok(());
     }
-    let install = ["install", package, "--version", version, "--root"];
-    run(cargo().args(install).arg(tools_folder()).args(options))
+    let install = ["install", package, "--version", version, "--debug", "--root"];
+    run(cargo().args(install).arg(tools_folder()).args(options).env("CARGO_PROFILE_DEV_DEBUG", "0"))
 }
 
 fn locked_version(package: &str) -> Result<String> {
